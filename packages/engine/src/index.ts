@@ -15,7 +15,7 @@ export { createRandom } from './core/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
-export { hitPoint, rayHits } from './picking/rayHits';
+export { hitPoint, type MeshCaster, rayHits } from './picking/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
 export type {
@@ -77,7 +77,7 @@ export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animatio
 export { ClipPreview } from './animation/ClipPreview';
 export { clipText } from './animation/clipText';
 export { cubicBezier } from './animation/cubicBezier';
-export { modelBelow, type ModelInScene } from './animation/modelsBelow';
+export { modelBelow, modelsBelow, type ModelInScene } from './animation/modelsBelow';
 export type { NodeProperty } from './animation/Channel';
 export type { ClipWrap } from './animation/clipEvents';
 export { ClipError, parseClip } from './animation/parseClip';
@@ -91,9 +91,12 @@ export { importModel } from './components/importModel';
 export {
   type ObjectsOfModel,
   type UnpackOptions,
+  objectOfPart,
   objectsOfModel,
   whatKeepsTogether,
 } from './components/objectsOfModel';
+export { isUnpackable, type KeptPart, keptTogether } from './components/keptTogether';
+export { isOfSubtree, type ModelSubtree, partsText, subtreeOf } from './assets/modelNodes';
 export { ClipAsset } from './assets/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
 export { MaterialAsset } from './assets/MaterialAsset';

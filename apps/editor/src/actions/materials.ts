@@ -55,11 +55,15 @@ export const unpackModel: Action = {
   menu: { menu: 'object', group: 'material' },
   enabled: (editor) => modelsOf(editor).length > 0,
   async run(editor) {
-    const { unpackModels } = await import('../model/unpackModels');
+    const { unpackModels, whatStaysLinked } = await import('../model/unpackModels');
     const { document, commands } = editor;
     const { scene } = document;
     const models = modelsOf(editor);
     await Promise.all(models.map(({ model }) => document.assets.load(model!)));
-    if (document.scene === scene) commands.run(unpackModels(scene, models));
+    if (document.scene !== scene) return;
+    const names = models.map(({ model }) => model!);
+    commands.run(unpackModels(scene, models));
+    const linked = whatStaysLinked(document.assets, names);
+    if (linked !== null) editor.notices.show('info', linked);
   },
 };

@@ -2,7 +2,7 @@ import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import type { FileMap } from '@farol/engine/files';
 import type { DraggedAsset } from './dragAsset';
-import { importFiles } from './importFiles';
+import { importFiles, importOnly } from './importFiles';
 import { pointInPicture } from './landInPicture';
 import { type DropPlace, placeAsset } from './placeAsset';
 
@@ -41,7 +41,10 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
     return;
   }
   const place = placeOf(editor, target);
+  if (target.kind === 'elsewhere') {
+    await importOnly(editor, files);
+    return;
+  }
   const { names } = await importFiles(editor, files);
-  if (target.kind === 'elsewhere') return;
   for (const name of names) await placeAsset(editor, { kind: editor.document.assets.typeOf(name)!, name }, place);
 }

@@ -85,6 +85,8 @@ async function packedObj(
 export interface ImportResult {
   /** Names of the assets, those that were there already included. */
   readonly names: readonly string[];
+  /** Names of those that were there already. */
+  readonly known: readonly string[];
 }
 
 /**
@@ -102,6 +104,14 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
   );
 }
 
+/** Takes files in as assets and places nothing: says which of them are there already, which would look as if nothing was done. */
+export async function importOnly(editor: EditorApi, files: FileMap): Promise<void> {
+  const { known } = await importFiles(editor, files);
+  if (known.length === 0) return;
+  const names = [...new Set(known)].slice(0, 4).join(', ');
+  editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
+}
+
 async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
   const { assets } = editor.document;
   const left = new Set(files.keys());
@@ -109,10 +119,12 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   const notes: string[] = [];
   const names: string[] = [];
   const added: string[] = [];
+  const knownOnes: string[] = [];
   const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
     const known = await knownAs(assets, blob);
     if (known) {
       names.push(known);
+      knownOnes.push(known);
       return;
     }
     const name = freeAssetName(assets, fileName);
@@ -188,5 +200,5 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   }
   for (const problem of problems) editor.notices.show('error', problem);
   if (notes.length > 0) editor.notices.show('warning', notes.join('\n'));
-  return { names };
+  return { names, known: knownOnes };
 }

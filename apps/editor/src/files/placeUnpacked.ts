@@ -1,6 +1,6 @@
 import { ModelRenderer } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
-import { unpackModels, whyNotUnpack } from '../model/unpackModels';
+import { unpackModels, whatStaysLinked, whyNotUnpack } from '../model/unpackModels';
 import { placeAsset } from './placeAsset';
 
 /** Puts a model into the scene as a tree of objects, in one step. @throws Error where it stays one object */
@@ -12,4 +12,6 @@ export async function placeUnpacked(editor: EditorApi, name: string): Promise<vo
   await placeAsset(editor, { kind: 'model', name }, {}, (object) =>
     unpackModels(scene, [object.getComponent(ModelRenderer)!]),
   );
+  const linked = whatStaysLinked(assets, [name]);
+  if (linked !== null && editor.document.scene === scene) editor.notices.show('info', linked);
 }

@@ -7,6 +7,7 @@ import { bake } from './es/bake';
 import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
+import { engine } from './es/engine';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { numbers } from './es/numbers';
@@ -25,6 +26,10 @@ import { scriptRuns } from './es/scriptRuns';
 import { timeline } from './es/timeline';
 import { views } from './es/views';
 import { welcome } from './es/welcome';
+import { messageTranslator } from './messageTable';
+
+/** Messages of the engine in Spanish. */
+export const ofEngine = messageTranslator(engine);
 
 /** All texts of the editor in Spanish, by their English ones. */
 export const es: Texts = {

@@ -20,11 +20,17 @@ const NARROW = 1000;
 /**
  * A layout of the panels that are open at first, each at its place. Panels of one place share a group. In a narrow upright
  * window the picture has all its width, and the others are below it.
- * @param height - of the window (CSS pixels): in a low one the bottom takes less
- * @param width - of the window (CSS pixels)
+ * @param height - of the window (CSS pixels): in a low one the bottom takes less, in a high one more
+ * @param width - of the window (CSS pixels): in a wide one the panels beside the picture take more
  */
 export function defaultLayout(panels: readonly PlacedPanel[], height = 900, width = 1440): LayoutNode {
-  const sizes = { left: 250, right: 340, bottom: Math.min(190, Math.round(height * 0.22)) };
+  const between = (least: number, size: number, most: number): number =>
+    Math.round(Math.min(most, Math.max(least, size)));
+  const sizes = {
+    left: between(250, width * 0.13, 340),
+    right: between(340, width * 0.18, 460),
+    bottom: between(0, height * 0.22, height < 1000 ? 190 : 320),
+  };
   const group = (place: PanelPlace, ...more: PanelPlace[]): PanelGroup[] => {
     const open = panels.filter(({ isOpen }) => isOpen !== false);
     const ids = [place, ...more].flatMap((each) => open.filter((panel) => panel.place === each)).map(({ id }) => id);

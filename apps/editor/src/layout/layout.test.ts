@@ -54,6 +54,18 @@ describe('the layout of panels', () => {
     expect(edges).toHaveLength(3);
   });
 
+  it('gives panels more of a large window, so that labels and pictures of assets fit', () => {
+    const { groups } = placeLayout(defaultLayout(panels, 1440, 2560), 2560, 1380);
+    const sizeOf = (id: string): number[] => {
+      const { width, height } = groups.find(({ group }) => group.id === id)!.rectangle;
+      return [width, height];
+    };
+    expect(sizeOf('left')[0]).toBe(333);
+    expect(sizeOf('right')[0]).toBe(460);
+    expect(sizeOf('bottom')[1]).toBe(317);
+    expect(sizeOf('middle')[0]).toBeGreaterThan(1700);
+  });
+
   it('gives the picture all the width of a tablet that is held upright', () => {
     const layout = defaultLayout(panels, 1180, 820);
     expectSound(layout, ['hierarchy', 'viewport', 'inspector', 'history', 'assets', 'console']);

@@ -1,4 +1,5 @@
 import { Signal } from '@farol/editing';
+import { inShownLanguage } from '../language/shownLanguage';
 import { readableText } from './readableText';
 
 export type ConsoleKind = 'error' | 'warning' | 'info';
@@ -46,7 +47,7 @@ export class ConsoleLog {
 
   /** Says something. What was said before is said again at the end, and counted. */
   add(kind: ConsoleKind, source: ConsoleSource, message: string, place?: ConsolePlace): void {
-    const text = readableText(message);
+    const text = inShownLanguage(readableText(message));
     const isSame = (entry: ConsoleEntry): boolean =>
       entry.kind === kind && entry.source === source && entry.text === text;
     const before = this.list.find(isSame);

@@ -1,4 +1,5 @@
 import { Signal } from '@farol/editing';
+import { inShownLanguage } from '../language/shownLanguage';
 import type { ConsoleLog, ConsoleSource } from './ConsoleLog';
 import { readableText } from './readableText';
 
@@ -37,7 +38,7 @@ export class Notices {
     source: ConsoleSource = 'editor',
     { lasts = false }: { readonly lasts?: boolean } = {},
   ): number {
-    const text = readableText(message);
+    const text = inShownLanguage(readableText(message));
     this.log?.add(kind, source, text);
     const before = this.list.find((notice) => notice.text === text);
     const notice: Notice = {

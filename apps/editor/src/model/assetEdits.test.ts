@@ -2,16 +2,7 @@ import { CommandStack } from '@farol/editing';
 import { Animation, GameObject, Light, Model, ModelRenderer, ObjectRenderer, Scene } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { makePrefab } from '@farol/engine/prefabs';
-import {
-  AnimationClip,
-  BoxGeometry,
-  Group,
-  InstancedMesh,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PointLight,
-} from 'three';
+import { AnimationClip, BoxGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, PointLight } from 'three';
 import { describe, expect, it } from 'vitest';
 import {
   addFolder,
@@ -28,7 +19,7 @@ import { freeAssetName } from './assetNames';
 import { usagesOf } from './assetUsages';
 import { copyObjects, pasteObjects } from './clip';
 import { EditorDocument } from './EditorDocument';
-import { unpackModels } from './unpackModels';
+import { unpackModels, whatStaysLinked } from './unpackModels';
 
 const state = (scene: Scene): string =>
   JSON.stringify([serialize(scene), scene.assets.list().toSorted(), scene.assets.folders]);
@@ -149,11 +140,19 @@ it('a free name counts on, before the ending', () => {
 });
 
 describe('unpacking a model', () => {
-  function placed(extra?: Mesh) {
+  function morphed(name: string): Mesh {
+    const geometry = new BoxGeometry();
+    geometry.morphAttributes.position = [geometry.getAttribute('position').clone()];
+    const mesh = new Mesh(geometry, new MeshBasicMaterial());
+    mesh.name = name;
+    return mesh;
+  }
+
+  function placed(extra?: Mesh, isAlone = false) {
     const root = new Group();
     const mesh = new Mesh(new BoxGeometry(), new MeshStandardMaterial({ name: 'Red', color: 0xff0000 }));
     mesh.name = 'Body';
-    root.add(mesh, new PointLight(0xffffff, 5));
+    if (!isAlone) root.add(mesh, new PointLight(0xffffff, 5));
     if (extra) root.add(extra);
     const document = new EditorDocument();
     const { assets, scene } = document;
@@ -185,9 +184,21 @@ describe('unpacking a model', () => {
   });
 
   it('is refused, with the reason, where something would be lost', () => {
-    const { scene, renderer } = placed(new InstancedMesh(new BoxGeometry(), new MeshBasicMaterial(), 2));
+    const { scene, renderer } = placed(morphed('Face'), true);
     expect(() => unpackModels(scene, [renderer])).toThrow(
-      'Props/robot.glb stays one object: it has instances of a mesh, which only a whole model keeps.',
+      'Props/robot.glb stays one object: it has morph targets, which only a whole model keeps.',
     );
+  });
+
+  it('keeps parts that only a model has as objects linked to it, says which, and does not unpack them again', () => {
+    const { document, scene, object, renderer } = placed(morphed('Face'));
+    run(document, unpackModels(scene, [renderer]));
+    const face = object.find('Face')!.getComponent(ModelRenderer)!;
+    expect(face).toMatchObject({ model: 'Props/robot.glb', parts: 'Face', castShadow: false });
+    expect(object.find('Body')!.getComponent(ObjectRenderer)).not.toBeNull();
+    expect(whatStaysLinked(scene.assets, ['Props/robot.glb'])).toBe(
+      'Face stay linked to the model, each as one object with its clips: morph targets.',
+    );
+    expect(() => unpackModels(scene, [face])).toThrow('(Face) stays one object: it has morph targets');
   });
 });

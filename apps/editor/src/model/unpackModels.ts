@@ -3,12 +3,15 @@ import {
   Animation,
   type AssetLibrary,
   type GameObject,
+  isUnpackable,
+  keptTogether,
   type ModelRenderer,
+  objectOfPart,
   objectsOfModel,
+  partsText,
   type Scene,
   type TakenAsset,
   type UnpackOptions,
-  whatKeepsTogether,
 } from '@farol/engine';
 import { surfaceValueFields } from '@farol/engine/fields';
 import { endingOf, splitName } from './assetNames';
@@ -25,12 +28,32 @@ const inWords = (found: string): string =>
     'points or lines': t('points or lines'),
   })[found] ?? found;
 
-/** Why a model stays one object; null when it can be unpacked. @throws AssetError when it is not loaded */
-export function whyNotUnpack(assets: AssetLibrary, name: string): string | null {
+/**
+ * Why a model stays one object; null when it can be unpacked.
+ * @param parts - of a ModelRenderer, which draws only these
+ * @throws AssetError when it is not loaded
+ */
+export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): string | null {
   const model = assets.model(name);
-  const found = whatKeepsTogether(model);
-  if (found === null) return null;
-  return t('{name} stays one object: it has {what}, which only a whole model keeps.', { name, what: inWords(found) });
+  const kept = keptTogether(model);
+  const part = parts === '' ? kept[0] : (kept.find(({ nodes }) => partsText(model.scene, nodes) === parts) ?? kept[0]);
+  if (parts === '' && isUnpackable(model, kept)) return null;
+  if (parts !== '') name = `${name} (${parts})`;
+  const what = part ? inWords(part.reason) : t('parts of a model');
+  return t('{name} stays one object: it has {what}, which only a whole model keeps.', { name, what });
+}
+
+/** What of unpacked models is still drawn by a ModelRenderer, in one sentence; null for nothing. */
+export function whatStaysLinked(assets: AssetLibrary, names: readonly string[]): string | null {
+  const kept = [...new Set(names)].flatMap((name) => keptTogether(assets.model(name)));
+  if (kept.length === 0) return null;
+  const what = [...new Set(kept.map(({ reason }) => inWords(reason)))].join(', ');
+  const objects = kept.slice(0, 5).map(({ nodes }) => objectOfPart(nodes));
+  if (kept.length > 5) objects.push('…');
+  return t('{objects} stay linked to the model, each as one object with its clips: {what}.', {
+    objects: objects.join(', '),
+    what,
+  });
 }
 
 /** The folder of the materials of a model: 'Props/robot/' of 'Props/robot.glb'. */
@@ -42,14 +65,15 @@ function materialFolder(name: string): string {
 
 /**
  * Makes each model that is drawn whole a tree of objects below its own: meshes, lights, cameras, materials as assets, and
- * an Animation where it has clips. The objects of the ModelRenderers stay where they are, with all else that they hold.
+ * an Animation where it has clips. What a skeleton or morph targets hold together becomes one object each, which draws
+ * these parts of the model. The objects of the ModelRenderers stay where they are, with all else that they hold.
  * @param renderers - with models that are loaded
  * @throws Error when one cannot be unpacked; see `whyNotUnpack`
  */
 export function unpackModels(scene: Scene, renderers: readonly ModelRenderer[]): Command {
   const named = renderers.filter(({ model }) => model !== null);
-  for (const { model } of named) {
-    const problem = whyNotUnpack(scene.assets, model!);
+  for (const { model, parts } of named) {
+    const problem = whyNotUnpack(scene.assets, model!, parts);
     if (problem !== null) throw new Error(problem);
   }
   const objects = named.map(({ gameObject }) => gameObject);

@@ -6,6 +6,7 @@ import { boundsOf } from './boundsOf';
 import { CameraFlight } from './CameraFlight';
 import type { EditorCamera } from './EditorCamera';
 import type { ViewPose } from './ViewPose';
+import { castByTree } from './trees/castByTree';
 
 const middle = new Vector2();
 
@@ -87,7 +88,11 @@ export class PictureCamera {
   /** Brings the editor's own camera to where a camera of the scene is. @param exact - see `EditorCamera.matchCamera` */
   match(camera: AnyCamera, exact = false): void {
     const { scene } = this.document;
-    this.own.matchCamera(camera, (three) => hitPoint(scene, three, middle)?.distance ?? null, exact);
+    this.own.matchCamera(
+      camera,
+      (three) => hitPoint(scene, three, middle, undefined, castByTree)?.distance ?? null,
+      exact,
+    );
   }
 
   /** What the editor's own camera sees. */

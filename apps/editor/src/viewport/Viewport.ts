@@ -18,6 +18,7 @@ import { type BallTurn, MaterialBall } from './MaterialBall';
 import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
+import { PaneDrawing, type PaneSurface } from './panes/PaneDrawing';
 import { Panes } from './panes/Panes';
 import { type Bounds, paneSurface } from './panes/paneSurface';
 import { limitShare, type PaneShare } from './panes/PaneShare';
@@ -30,8 +31,7 @@ import { PictureCamera } from './PictureCamera';
 import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
 import { SceneInput } from './SceneInput';
-import type { PlainShading } from './shading/PlainShading';
-import { isPlain, type Shading, techniqueOf } from './shading/Shading';
+import type { Shading } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
 /** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
@@ -41,7 +41,7 @@ const ICON_REACH = 0.4;
  * The picture of the document: canvas, camera, gizmo, picking, loop. It draws when something changed, each frame while
  * the scene plays, and always when `continuous` is set. It knows nothing of React.
  */
-export class Viewport extends ViewportSettings implements PickSurface {
+export class Viewport extends ViewportSettings implements PickSurface, PaneSurface {
   /** Takes what goes wrong while a frame is drawn. */
   onError: (error: unknown) => void = () => {};
   /** Brings the scene's microshaders into another renderer that draws the scene. */
@@ -79,8 +79,7 @@ export class Viewport extends ViewportSettings implements PickSurface {
   private readonly playView: PlayView;
   private preview: CameraPreview | null = null;
   private ball: MaterialBall | null = null;
-  /** Draws without lights; null while it is fetched, undefined before. */
-  private plain: PlainShading | null | undefined;
+  private readonly drawing = new PaneDrawing(this);
   private assetChanges = 0;
   private drawnBy: TechniqueName = 'auto';
   private readonly endings: (() => void)[] = [];
@@ -264,6 +263,11 @@ export class Viewport extends ViewportSettings implements PickSurface {
     return { width, height };
   }
 
+  /** Height of the picture (CSS pixels). */
+  get pictureHeight(): number {
+    return this.place.height;
+  }
+
   /** Has the next frame drawn, and those that an effect gathers. */
   invalidate(): void {
     this.loop.ask(this.picture.effects.frames);
@@ -281,9 +285,9 @@ export class Viewport extends ViewportSettings implements PickSurface {
     const { scene } = this.document;
     this.picture.follow(scene);
     if (list.length > 1) this.webgl.clear();
-    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawPane(list[i]);
+    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawing.draw(list[i]);
     // last, since the handles are taken where they were drawn last
-    this.drawPane(active);
+    this.drawing.draw(active);
     if (list.length > 1) {
       this.webgl.setScissorTest(false);
       this.webgl.setViewport(0, 0, width, height);
@@ -372,77 +376,21 @@ export class Viewport extends ViewportSettings implements PickSurface {
     this.helpers.dispose();
     this.pictureCamera.dispose();
     this.panes.dispose();
-    this.plain?.dispose();
+    this.drawing.dispose();
     this.ownPainter?.dispose();
     this.picture.dispose();
     this.farol.dispose();
     this.webgl.dispose();
   }
 
-  private cameraOf(pane: ViewPane): Camera {
+  /** The three camera that a view is drawn by. */
+  cameraOf(pane: ViewPane): Camera {
     return pane === this.panes.main ? this.pictureCamera.current : pane.editorCamera.camera;
   }
 
-  private raysOf(pane: ViewPane): Camera {
+  /** Sees the same as the camera of a view; rays that begin at its eye meet all that is seen there. */
+  raysOf(pane: ViewPane): Camera {
     return pane === this.panes.main ? this.pictureCamera.rays : pane.editorCamera.rayCamera;
-  }
-
-  private drawPane(pane: ViewPane): void {
-    const { webgl, panes } = this;
-    const { x, y, width, height } = pane.rectangle;
-    if (panes.list.length > 1) {
-      // counted from below
-      const bottom = this.place.height - y - height;
-      webgl.setViewport(x, bottom, width, height);
-      webgl.setScissor(x, bottom, width, height);
-      webgl.setScissorTest(true);
-    }
-    const camera = this.cameraOf(pane);
-    const lookThrough = pane === panes.main ? this.lookThrough : null;
-    lookThrough?.setViewport(width, height);
-    this.drawScene(pane, camera, lookThrough);
-    this.gizmo.update(this.raysOf(pane));
-    if (this.view !== 'grid' && (this.painter?.drawsHelpers ?? true)) {
-      this.physics.update(webgl.getPixelRatio());
-      this.lightHandles.update(webgl.getPixelRatio());
-      this.particles.update();
-      this.helpers.render(webgl, camera, lookThrough, this.gizmo.isDragging);
-    }
-  }
-
-  private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
-    const { farol, painter, picture } = this;
-    const { shading } = pane;
-    const scene = this.document.scene;
-    if (isPlain(shading) && painter === null && this.plainShading()) {
-      this.plain!.render(scene.three, camera, shading);
-      return;
-    }
-    const { technique } = farol;
-    const own = techniqueOf(shading);
-    try {
-      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
-      // views beside the main one are for work: they go without blur, bloom and the like
-      if (painter === null && pane === this.panes.main) picture.draw(scene, camera, lookThrough);
-      else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
-    } finally {
-      farol.technique = technique;
-    }
-  }
-
-  /** Fetches what draws without lights. @returns whether it is there */
-  private plainShading(): boolean {
-    if (this.plain === undefined) {
-      this.plain = null;
-      import('./shading/PlainShading').then(
-        ({ PlainShading }) => {
-          this.plain = new PlainShading(this.webgl);
-          this.invalidate();
-        },
-        (error) => this.onError(error),
-      );
-    }
-    return this.plain !== null;
   }
 
   /** The handles are where the active view has them. */

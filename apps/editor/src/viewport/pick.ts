@@ -1,5 +1,6 @@
 import { type GameObject, gameObjectOf, hitPoint, type Scene } from '@farol/engine';
 import type { Camera, Intersection, Vector2 } from 'three';
+import { castByTree } from './trees/castByTree';
 
 export interface PickHit {
   readonly object: GameObject;
@@ -14,10 +15,8 @@ const ownerOf = (hit: Intersection): GameObject | null => gameObjectOf(hit.objec
  * @param point - normalised device coordinates, -1 to 1, y up
  */
 export function pick(scene: Scene, camera: Camera, point: Vector2): PickHit | null {
-  const hit = hitPoint(scene, camera, point, (each) => {
-    const owner = ownerOf(each);
-    return owner !== null && !owner.lockedInHierarchy;
-  });
+  const isFree = (each: Intersection): boolean => ownerOf(each)?.lockedInHierarchy === false;
+  const hit = hitPoint(scene, camera, point, isFree, castByTree);
   const object = hit && ownerOf(hit);
   return object ? { object, distance: hit.distance } : null;
 }

@@ -6,7 +6,7 @@ import type { AnimationSystem } from './AnimationSystem';
 import { bindModelClip, bindOwnClip, type BoundClip } from './bindClip';
 import type { ClipEvent } from './ClipData';
 import { type ClipWrap, passEvents, wrapTime } from './clipEvents';
-import { modelBelow, type ModelInScene } from './modelsBelow';
+import { modelsBelow, type ModelInScene } from './modelsBelow';
 
 const numbers = new Float64Array(3);
 
@@ -38,8 +38,8 @@ export class ClipPlayer {
   private clip: ClipAsset | ModelClip | null = null;
   private text: unknown = null;
   private revision = -1;
-  private drawn: ModelInScene | null = null;
-  private root: Object3D | null = null;
+  private drawn: readonly ModelInScene[] = [];
+  private roots: readonly (Object3D | null)[] = [];
   /** Scene time at which it was at `offset`, and its rate since. */
   private origin: number;
   private offset = 0;
@@ -193,7 +193,7 @@ export class ClipPlayer {
 
   /** Whether the model is drawn anew, or the clip has become another one. */
   private get hasChanged(): boolean {
-    if (this.drawn && this.drawn.three !== this.root) return true;
+    for (let i = 0; i < this.drawn.length; i++) if (this.drawn[i].three !== this.roots[i]) return true;
     if (this.revision === this.system.clipsRevision) return false;
     this.revision = this.system.clipsRevision;
     const { assets } = this.system.scene;
@@ -208,7 +208,7 @@ export class ClipPlayer {
     const { assets } = system.scene;
     const old = this.bound;
     this.clip = null;
-    this.drawn = null;
+    this.drawn = [];
     this.revision = system.clipsRevision;
     this.bound = nothing;
     this.isStale = false;
@@ -232,8 +232,8 @@ export class ClipPlayer {
 
   private bindModel(clip: ModelClip): BoundClip {
     const { gameObject } = this.host;
-    this.drawn = modelBelow(gameObject, clip.model) ?? modelBelow(gameObject, null);
-    this.root = this.drawn?.three ?? null;
+    this.drawn = modelsBelow(gameObject, clip.model);
+    this.roots = this.drawn.map(({ three }) => three);
     return bindModelClip(clip, gameObject, this.drawn, this.system);
   }
 }

@@ -11,7 +11,7 @@ export class LoopedClip {
 
   /** @param drawn - what draws the model; null where its objects are below `root` */
   constructor(clip: ModelClip, root: GameObject, drawn: ModelInScene | null) {
-    this.bound = bindModelClip(clip, root, drawn, {
+    this.bound = bindModelClip(clip, root, drawn ? [drawn] : [], {
       fieldChannel: (component, field) => new FieldChannel(component, field),
       nodeChannel: (node, property) => new NodeChannel(node, property),
     });

@@ -94,39 +94,49 @@ export function targetOfTrack(
   return node && property && !name.objectName && name.propertyIndex === undefined ? { node, property } : null;
 }
 
-/** What a property of a node of a model is where the model is in a scene; else what is wrong, and the mend. */
-function channelOfNode(
+/**
+ * What a property of a node of a model is where the model is in a scene: in what draws the model or parts of it, and the
+ * object of its name where the model is not drawn whole; else what is wrong, and the mend.
+ */
+function channelsOfNode(
   { node, property }: { readonly node: Object3D; readonly property: NodeProperty },
   clip: ModelClip,
   root: GameObject,
   objects: ReadonlyMap<string, GameObject>,
-  drawn: ModelInScene | null,
+  drawn: readonly ModelInScene[],
   channels: ChannelSource,
-): Channel | string {
+): Channel[] | string {
   const name = node.name || node.type;
   const isMorph = property === 'morphTargetInfluences';
-  const isOwn = drawn?.drawnModel === clip.model;
-  const object = isOwn ? undefined : objects.get(name);
+  const isWhole = drawn.some((each) => each.drawnModel === clip.model && each.partsRoot === null);
+  const object = isWhole ? undefined : objects.get(name);
+  const found: Channel[] = [];
   if (object && !isMorph)
-    return channels.fieldChannel(object.transform, property === 'quaternion' ? 'rotation' : property);
-  const three = drawn?.three ?? null;
-  const copy = isOwn ? drawn!.copyOf(node) : three && (PropertyBinding.findNode(three, name) as Object3D | null);
-  if (copy && (!isMorph || 'morphTargetInfluences' in copy)) return channels.nodeChannel(copy, property);
+    found.push(channels.fieldChannel(object.transform, property === 'quaternion' ? 'rotation' : property));
+  for (const each of drawn) {
+    const { three } = each;
+    const isOwn = each.drawnModel === clip.model;
+    // an object of that name comes before a node of another model, and stands for the root of parts
+    if (!isMorph && (isOwn ? each.partsRoot === node : object)) continue;
+    const copy = isOwn ? each.copyOf(node) : three && (PropertyBinding.findNode(three, name) as Object3D | null);
+    if (copy && (!isMorph || 'morphTargetInfluences' in copy)) found.push(channels.nodeChannel(copy, property));
+  }
+  if (found.length > 0) return found;
   const where = `'${shortText(root.name)}/${shortText(name)}'`;
-  return object || copy
+  return object || drawn.some((each) => each.copyOf(node))
     ? `${where} has no morph targets: show its model by a ModelRenderer.`
     : `the object ${where} is gone: give an object below this name, or choose another clip.`;
 }
 
 /**
  * Finds what the tracks of a model's clip move: the nodes of the model where it is drawn whole, else the objects of the same
- * names, or nodes of another model that have the same names.
- * @param drawn - what draws the clip's model below the object, or any model
+ * names and what draws parts of it, or nodes of another model that have the same names.
+ * @param drawn - what draws the clip's model below the object, or any model: see `modelsBelow`
  */
 export function bindModelClip(
   clip: ModelClip,
   root: GameObject,
-  drawn: ModelInScene | null,
+  drawn: readonly ModelInScene[],
   channels: ChannelSource,
 ): BoundClip {
   const bindings: Binding[] = [];
@@ -134,13 +144,14 @@ export function bindModelClip(
   const objects = objectsByName(root);
   for (const track of clip.three.tracks) {
     const target = targetOfTrack(clip, track);
-    const channel = target
-      ? channelOfNode(target, clip, root, objects, drawn, channels)
+    const moved = target
+      ? channelsOfNode(target, clip, root, objects, drawn, channels)
       : `its track '${shortText(track.name, 80)}' animates what Farol does not: it is passed over.`;
-    if (typeof channel === 'string') problems.add(channel);
+    if (typeof moved === 'string') problems.add(moved);
     else {
       const isQuaternion = target?.property === 'quaternion';
-      bindings.push({ channel, curve: null, interpolant: interpolantOf(track), isQuaternion, index: 0 });
+      for (const channel of moved)
+        bindings.push({ channel, curve: null, interpolant: interpolantOf(track), isQuaternion, index: 0 });
     }
   }
   return { duration: clip.duration, events: [], bindings, problems: [...problems] };

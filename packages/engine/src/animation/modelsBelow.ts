@@ -2,19 +2,21 @@ import type { Object3D } from 'three';
 import type { Model } from '../assets/Model';
 import type { Component, GameObject } from '../core/SceneGraph';
 
-/** A component that draws a whole model, as ModelRenderer does. */
+/** A component that draws a model whole, or parts of it, as ModelRenderer does. */
 export interface ModelInScene extends Component {
   /** The tree that is drawn; null before the model is loaded. */
   readonly three: Object3D | null;
   /** The model that is drawn. */
   readonly drawnModel: Model | null;
-  /** The node of `three` that stands for one of the model. */
+  /** The node of the model that the object stands for where only parts of it are drawn; null where all of it is. */
+  readonly partsRoot: Object3D | null;
+  /** The node of `three` that stands for one of the model; null for one that is not drawn. */
   copyOf(node: Object3D): Object3D | null;
 }
 
 const drawsModel = (component: Component): component is ModelInScene => 'drawnModel' in component;
 
-/** The first component on an object, or below it, that draws a model whole; any model when none is given. */
+/** The first component on an object, or below it, that draws a model or parts of it; any model when none is given. */
 export function modelBelow(root: GameObject, model: Model | null): ModelInScene | null {
   for (const component of root.components) {
     if (!drawsModel(component) || !component.drawnModel) continue;
@@ -25,4 +27,24 @@ export function modelBelow(root: GameObject, model: Model | null): ModelInScene 
     if (found) return found;
   }
   return null;
+}
+
+/**
+ * What draws a model on an object or below it: the first component that draws it whole, else all that draw parts of it, else
+ * the first that draws another model.
+ */
+export function modelsBelow(root: GameObject, model: Model): ModelInScene[] {
+  const parts: ModelInScene[] = [];
+  let whole: ModelInScene | null = null;
+  root.traverse(({ components }) => {
+    for (const each of components) {
+      if (!drawsModel(each) || each.drawnModel !== model) continue;
+      if (each.partsRoot) parts.push(each);
+      else whole ??= each;
+    }
+  });
+  if (whole) return [whole];
+  if (parts.length > 0) return parts;
+  const other = modelBelow(root, null);
+  return other ? [other] : [];
 }

@@ -1,7 +1,8 @@
-import type { Light as ThreeLight, Material, Mesh, Object3D } from 'three';
+import { type Light as ThreeLight, type Material, type Mesh, Object3D } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
+import { isOfSubtree, isWithin, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { Scene } from '../core/SceneGraph';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { component } from '../fields/component';
@@ -30,11 +31,38 @@ function copiesOf(source: Object3D): Map<Object3D, Object3D> {
   return copies;
 }
 
+/** Leaves of a copy what a subtree draws; its root goes to the origin, since the object is where the root was. */
+function prune(copies: ReadonlyMap<Object3D, Object3D>, subtree: ModelSubtree): Map<Object3D, Object3D> {
+  const left = new Map<Object3D, Object3D>();
+  for (const [from, to] of copies) {
+    if (isOfSubtree(from, subtree)) left.set(from, to);
+    else to.removeFromParent();
+  }
+  const root = left.get(subtree.root)!;
+  root.removeFromParent();
+  root.position.set(0, 0, 0);
+  root.quaternion.identity();
+  root.scale.set(1, 1, 1);
+  // what only stands between the root and its parts draws nothing itself
+  for (const [from, to] of left) {
+    if (subtree.nodes.some((node) => isWithin(from, node)) || to.type === 'Object3D') continue;
+    const plain = new Object3D().copy(to, false);
+    plain.add(...to.children);
+    to.parent?.add(plain);
+    to.removeFromParent();
+    left.set(from, plain);
+  }
+  return left;
+}
+
 /**
  * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips. Geometries, materials and textures are those of the asset, however often it is placed.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
+  parts: string('', {
+    help: 'Nodes of the model that alone are drawn, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.',
+  }),
   castShadow: boolean(true, { help: 'Whether it throws shadows.', label: 'Cast shadow' }),
   receiveShadow: boolean(true, { help: 'Whether shadows fall on it.', label: 'Receive shadow' }),
   ...objectSurfaceFields,
@@ -68,6 +96,7 @@ export class ModelRenderer extends component({
   );
   private inUse: Model | null = null;
   private copies: ReadonlyMap<Object3D, Object3D> = new Map();
+  private subtree: ModelSubtree | null = null;
   private copy: Object3D | null = null;
   private looped: LoopedClip | null = null;
 
@@ -84,6 +113,11 @@ export class ModelRenderer extends component({
   /** The node of `three` that stands for one of the model's own. */
   copyOf(node: Object3D): Object3D | null {
     return this.copies.get(node) ?? null;
+  }
+
+  /** The node of the model that the object stands for where only parts of it are drawn; null where all of it is. */
+  get partsRoot(): Object3D | null {
+    return this.subtree?.root ?? null;
   }
 
   /** Names of the animations that the model has. */
@@ -115,7 +149,7 @@ export class ModelRenderer extends component({
 
   override onFieldChanged(name: string): void {
     if (!this.scene || this.worn.fieldChanged(name)) return;
-    if (name === 'model') this.refresh();
+    if (name === 'model' || name === 'parts') this.refresh();
     else if (name === 'animation') this.startAnimation();
     else this.applyFlags();
   }
@@ -146,8 +180,11 @@ export class ModelRenderer extends component({
     }
     this.inUse = scene.assets.model(name);
     scene.assets.uses.acquire(this.inUse);
-    this.copies = copiesOf(this.inUse.scene);
-    this.copy = this.copies.get(this.inUse.scene)!;
+    const { scene: source } = this.inUse;
+    this.subtree = subtreeOf(source, this.parts);
+    const copies = copiesOf(source);
+    this.copies = this.subtree ? prune(copies, this.subtree) : copies;
+    this.copy = this.copies.get(this.subtree?.root ?? source)!;
     this.gameObject.object3D.add(this.copy);
     this.applyFlags();
     this.startAnimation();
@@ -200,6 +237,7 @@ export class ModelRenderer extends component({
     this.copy?.removeFromParent();
     this.copy = null;
     this.copies = new Map();
+    this.subtree = null;
     if (this.inUse) scene.assets.uses.release(this.inUse);
     this.inUse = null;
   }

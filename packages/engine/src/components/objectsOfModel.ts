@@ -1,26 +1,33 @@
 import {
   type DirectionalLight,
+  type InstancedMesh,
   type Light as ThreeLight,
   type Material,
+  Matrix4,
   type Mesh,
   type Object3D,
   type OrthographicCamera,
   type PerspectiveCamera,
+  Quaternion,
   type RectAreaLight,
   type SpotLight,
   type Texture,
+  Vector3,
 } from 'three';
 import type { FarolLightData } from '@farol/renderer';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { materialValuesOf } from '../assets/materialValuesOf';
 import type { Model } from '../assets/Model';
+import { commonAncestor, partsText } from '../assets/modelNodes';
 import { modelParts } from '../assets/modelParts';
 import { GameObject } from '../core/GameObject';
 import { checkFieldValue } from '../fields/checkFieldValue';
 import type { FieldValue } from '../fields/Field';
 import { sameValue } from '../fields/FieldOwner';
 import { Camera } from './Camera';
+import { type KeptFor, type KeptPart, keptTogether } from './keptTogether';
 import { Light } from './Light';
+import { ModelRenderer } from './ModelRenderer';
 import { ObjectRenderer } from './ObjectRenderer';
 
 type Values = Readonly<Record<string, FieldValue>>;
@@ -46,32 +53,29 @@ export interface UnpackOptions {
 
 type Flags = Object3D & {
   readonly isMesh?: boolean;
-  readonly isSkinnedMesh?: boolean;
   readonly isInstancedMesh?: boolean;
-  readonly isPoints?: boolean;
-  readonly isLine?: boolean;
-  readonly isSprite?: boolean;
   readonly isLight?: boolean;
   readonly isCamera?: boolean;
-  readonly morphTargetInfluences?: readonly number[];
 };
 
 /** What of a model only a ModelRenderer draws, in words; null when all of it can be objects: see `objectsOfModel`. */
-export function whatKeepsTogether(model: Model): string | null {
-  let found: string | null = null;
-  model.scene.traverse((each) => {
-    const object: Flags = each;
-    if (object.isSkinnedMesh) found ??= 'a skeleton';
-    else if (object.isMesh && (object.morphTargetInfluences?.length ?? 0) > 0) found ??= 'morph targets';
-    else if (object.isInstancedMesh) found ??= 'instances of a mesh';
-    else if (object.isPoints || object.isLine || object.isSprite) found ??= 'points or lines';
-  });
-  return found;
+export const whatKeepsTogether = (model: Model): KeptFor | null => keptTogether(model)[0]?.reason ?? null;
+
+/** The name of the object that draws nodes of a model together. */
+export function objectOfPart(nodes: readonly Object3D[]): string {
+  const mesh = nodes.length === 1 ? nodes[0] : nodes.find((node) => 'isMesh' in node);
+  return mesh?.name || nodes[0].name || nodes[0].type;
 }
+
+const instanceMatrix = new Matrix4();
+const instanceTurn = new Quaternion();
+const instancePlace = new Vector3();
+const instanceScale = new Vector3();
 
 /**
  * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library, materials
- * made of fields, lights and cameras. Skeletons, morph targets and points are left out: see `whatKeepsTogether`.
+ * made of fields, lights and cameras, an object for each instance of a mesh. What `keptTogether` tells stays one object
+ * each, with a ModelRenderer that draws these `parts` of the model.
  * @param name - of the model in the library, where it is loaded
  */
 export function objectsOfModel(
@@ -81,6 +85,8 @@ export function objectsOfModel(
   { materialFolder = '', castShadow = true, receiveShadow = true, wears }: UnpackOptions = {},
 ): ObjectsOfModel {
   const parts = modelParts(model, name);
+  const kept = keptTogether(model);
+  const several = kept.filter(({ nodes }) => nodes.length > 1);
   const made = new Map<Material, string | null>();
   const materials: { name: string; values: Values }[] = [];
 
@@ -109,17 +115,13 @@ export function objectsOfModel(
     transform.setQuaternion(object.quaternion);
     transform.scale = object.scale.toArray();
     gameObject.active = object.visible;
-    if (object.isMesh) {
-      const { geometry, material } = object as unknown as Mesh;
-      const [first] = [material].flat();
-      gameObject.addComponent(ObjectRenderer, {
-        mesh: parts.get(geometry) ?? null,
-        ['isShaderMaterial' in first ? 'shader' : 'material']: nameOfMaterial(first),
-        castShadow,
-        receiveShadow,
-        ...(wears && (wears.material === '' || wears.material === first.name) ? wears.values : {}),
-      });
+    const alone = kept.find(({ nodes }) => nodes.length === 1 && nodes[0] === object);
+    if (alone) {
+      addParts(gameObject, alone);
+      return gameObject;
     }
+    if (object.isInstancedMesh) addInstances(gameObject, object as unknown as InstancedMesh);
+    else if (object.isMesh) addMesh(gameObject, object as unknown as Mesh);
     if (object.isLight) {
       const values = lightValues(object as unknown as ThreeLight);
       if (values) gameObject.addComponent(Light, values);
@@ -127,12 +129,58 @@ export function objectsOfModel(
     const shape = shapeLightValues(object.userData.farolLight);
     if (shape) gameObject.addComponent(Light, shape);
     if (object.isCamera) gameObject.addComponent(Camera, cameraValues(object as unknown as PerspectiveCamera));
-    for (const child of object.children) {
-      if (child !== (object as unknown as DirectionalLight).target) gameObject.add(convert(child));
-    }
+    for (const child of childrenOf(object)) gameObject.add(child);
     return gameObject;
   };
-  return { objects: model.scene.children.map(convert), materials };
+  const childrenOf = (object: Object3D): GameObject[] => {
+    const children = object.children.filter(
+      (child) =>
+        child !== (object as unknown as DirectionalLight).target && !several.some(({ nodes }) => nodes.includes(child)),
+    );
+    // what stays together though it has several places stands at the node above them
+    const here = several.filter(({ nodes }) => commonAncestor(nodes) === object);
+    return [
+      ...children.map(convert),
+      ...here.map((part) => {
+        const gameObject = new GameObject(objectOfPart(part.nodes));
+        addParts(gameObject, part);
+        return gameObject;
+      }),
+    ];
+  };
+  const addParts = (gameObject: GameObject, part: KeptPart): void => {
+    gameObject.addComponent(ModelRenderer, {
+      model: name,
+      parts: partsText(model.scene, part.nodes),
+      castShadow,
+      receiveShadow,
+      ...(wears ? { ...wears.values, surfaceMaterial: wears.material } : {}),
+    });
+  };
+  const addMesh = (gameObject: GameObject, { geometry, material }: Mesh, instanced = false): void => {
+    const [first] = [material].flat();
+    gameObject.addComponent(ObjectRenderer, {
+      mesh: parts.get(geometry) ?? null,
+      ['isShaderMaterial' in first ? 'shader' : 'material']: nameOfMaterial(first),
+      castShadow,
+      receiveShadow,
+      ...(instanced ? { instanced } : {}),
+      ...(wears && (wears.material === '' || wears.material === first.name) ? wears.values : {}),
+    });
+  };
+  const addInstances = (gameObject: GameObject, mesh: InstancedMesh): void => {
+    for (let i = 0; i < mesh.count; i++) {
+      mesh.getMatrixAt(i, instanceMatrix);
+      instanceMatrix.decompose(instancePlace, instanceTurn, instanceScale);
+      const each = new GameObject(`${gameObject.name} ${i + 1}`);
+      each.transform.position = instancePlace.toArray();
+      each.transform.setQuaternion(instanceTurn);
+      each.transform.scale = instanceScale.toArray();
+      addMesh(each, mesh, true);
+      gameObject.add(each);
+    }
+  };
+  return { objects: childrenOf(model.scene), materials };
 }
 
 const sameValues = (a: Values, b: Values): boolean =>

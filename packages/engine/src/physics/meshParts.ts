@@ -1,5 +1,6 @@
 import { type BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { Model } from '../assets/Model';
+import { isOfSubtree, isWithin, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { GameObject, Scene } from '../core/SceneGraph';
 
 /** A mesh that an object is drawn with. */
@@ -13,6 +14,8 @@ export interface MeshPart {
 export interface MeshName {
   readonly type: 'mesh' | 'model';
   readonly name: string;
+  /** Which parts of the model: see `subtreeOf`. */
+  readonly parts: string;
 }
 
 /** What an object draws itself. */
@@ -24,7 +27,8 @@ export function meshNamesOf(object: GameObject): MeshName[] {
     if (typeName !== 'ObjectRenderer' && typeName !== 'ModelRenderer') continue;
     const type = typeName === 'ObjectRenderer' ? 'mesh' : 'model';
     const name = component.get(type);
-    if (typeof name === 'string') names.push({ type, name });
+    if (typeof name === 'string')
+      names.push({ type, name, parts: type === 'model' ? (component.get('parts') as string) : '' });
   }
   return names;
 }
@@ -38,11 +42,15 @@ export function drawnObjects(object: GameObject): GameObject[] {
   return object.children.flatMap((child) => (child.getComponent('RigidBody') ? [] : drawnObjects(child)));
 }
 
-function addModelParts(root: Object3D, matrix: Matrix4, parts: MeshPart[]): void {
-  root.updateMatrix();
-  const own = new Matrix4().multiplyMatrices(matrix, root.matrix);
-  if (root instanceof Mesh) parts.push({ geometry: root.geometry as BufferGeometry, matrix: own });
-  for (const child of root.children) addModelParts(child, own, parts);
+/** @param subtree - what is drawn of the model; the object is where its root is */
+function addModelParts(node: Object3D, matrix: Matrix4, parts: MeshPart[], subtree: ModelSubtree | null): void {
+  node.updateMatrix();
+  const own = node === subtree?.root ? matrix : new Matrix4().multiplyMatrices(matrix, node.matrix);
+  const isDrawn = !subtree || subtree.nodes.some((each) => isWithin(node, each));
+  if (isDrawn && node instanceof Mesh) parts.push({ geometry: node.geometry as BufferGeometry, matrix: own });
+  for (const child of node.children) {
+    if (!subtree || isOfSubtree(child, subtree)) addModelParts(child, own, parts, subtree);
+  }
 }
 
 /** The matrix from an object below another to that one. */
@@ -60,11 +68,13 @@ export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
   const parts: MeshPart[] = [];
   for (const drawn of drawnObjects(object)) {
     const matrix = matrixBetween(drawn, object);
-    for (const { type, name } of meshNamesOf(drawn)) {
+    for (const { type, name, parts: named } of meshNamesOf(drawn)) {
       if (!scene.assets.isReady(type, name)) continue;
       const asset = scene.assets.get(name);
-      if (asset instanceof Model) addModelParts(asset.scene, matrix, parts);
-      else parts.push({ geometry: asset as BufferGeometry, matrix });
+      if (asset instanceof Model) {
+        const subtree = subtreeOf(asset.scene, named);
+        addModelParts(subtree?.root ?? asset.scene, matrix, parts, subtree);
+      } else parts.push({ geometry: asset as BufferGeometry, matrix });
     }
   }
   return parts;

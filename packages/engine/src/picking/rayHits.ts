@@ -1,17 +1,33 @@
-import { type Camera, type Intersection, type Object3D, type Ray, Raycaster, SkinnedMesh, type Vector2 } from 'three';
+import {
+  type Camera,
+  type Intersection,
+  Mesh,
+  type Object3D,
+  type Ray,
+  Raycaster,
+  SkinnedMesh,
+  type Vector2,
+} from 'three';
 import type { Scene } from '../core/SceneGraph';
+
+/**
+ * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to `hits`.
+ * @returns whether it did: three does it otherwise
+ */
+export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]) => boolean;
 
 const raycaster = new Raycaster();
 const found: Intersection[] = [];
 
-function collect(object: Object3D, camera: Camera, hits: Intersection[]): void {
+function collect(object: Object3D, camera: Camera, hits: Intersection[], cast: MeshCaster | undefined): void {
   if (!object.visible) return;
   if (object.layers.test(camera.layers)) {
     // three remembers how large it was in the first pose: the bones may have it elsewhere now
     if (object instanceof SkinnedMesh) object.computeBoundingSphere();
-    raycaster.intersectObject(object, false, hits);
+    const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
+    if (!isCast) raycaster.intersectObject(object, false, hits);
   }
-  for (const child of object.children) collect(child, camera, hits);
+  for (const child of object.children) collect(child, camera, hits, cast);
 }
 
 /**
@@ -19,16 +35,18 @@ function collect(object: Object3D, camera: Camera, hits: Intersection[]): void {
  * and instances count as they are drawn.
  * @param point - normalised device coordinates, -1 to 1, y up
  * @param counts - whether something that is hit counts; everything does when absent
+ * @param cast - casts the ray at meshes; three does when absent
  */
 export function hitPoint(
   scene: Scene,
   camera: Camera,
   point: Vector2,
   counts?: (hit: Intersection) => boolean,
+  cast?: MeshCaster,
 ): Intersection | null {
   raycaster.setFromCamera(point, camera);
   raycaster.layers.mask = camera.layers.mask;
-  collect(scene.three, camera, found);
+  collect(scene.three, camera, found, cast);
   let nearest: Intersection | null = null;
   for (const hit of found) {
     if ((!nearest || hit.distance < nearest.distance) && (!counts || counts(hit))) nearest = hit;
@@ -40,12 +58,13 @@ export function hitPoint(
 /**
  * All that a ray hits, nearest first, as of the last drawn frame; counted as `hitPoint` does.
  * @param camera - whose layers count
+ * @param cast - casts the ray at meshes; three does when absent
  */
-export function rayHits(scene: Scene, ray: Ray, camera: Camera): Intersection[] {
+export function rayHits(scene: Scene, ray: Ray, camera: Camera, cast?: MeshCaster): Intersection[] {
   raycaster.ray.copy(ray);
   raycaster.camera = camera;
   raycaster.layers.mask = camera.layers.mask;
   const hits: Intersection[] = [];
-  collect(scene.three, camera, hits);
+  collect(scene.three, camera, hits, cast);
   return hits.sort((a, b) => a.distance - b.distance);
 }

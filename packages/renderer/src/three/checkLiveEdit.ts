@@ -9,6 +9,9 @@ interface Program {
   readonly fragmentShader: WebGLShader;
 }
 
+/** A line of a program whose material has put other names in the place of some: 'old=new', in the order they were replaced. */
+const NAMES = /^\/\/ names (.+)$/m;
+
 const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
 
 /**
@@ -45,9 +48,13 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
   for (const name of names) {
     if (!source.includes(`// <${name}>`)) continue;
     const isOfVertices = registry.get(name)?.stage === 'vertex';
-    const composed = isOfVertices
+    let composed = isOfVertices
       ? registry.compose([name], []).vertexShader
       : registry.compose([], [name]).fragmentShader;
+    for (const pair of NAMES.exec(source)?.[1].split(' ') ?? []) {
+      const [old, other] = pair.split('=');
+      composed = composed.replaceAll(old, other);
+    }
     const [headers, main = ''] = composed.split(/^void main\(\) \{$/m);
     const [beforeMain, ...rest] = text.split(/^void main\(\) \{$/m);
     text = [replaceFrames(beforeMain, headers, name), ...rest.map((part) => replaceFrames(part, main, name))].join(

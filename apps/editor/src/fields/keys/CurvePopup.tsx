@@ -2,12 +2,13 @@ import { formatNumber, t } from '@farol/editing';
 import type { Curve, CurveField, CurveKey } from '@farol/engine/fields';
 import { type ReactNode, useState } from 'react';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
-import { Icon } from '../../ui/Icon';
 import { NumberInput } from '../../ui/NumberInput';
 import { CurvePicture } from './CurvePicture';
 import { curvePresets } from './curvePresets';
 import { KeyArea } from './KeyArea';
 import { roundTime } from './keyList';
+import { KeyPresets } from './KeyPresets';
+import { KeyTime } from './KeyTime';
 import { useKeyEdit } from './useKeyEdit';
 import { shareOf, valueAtShare, type ValueRange, valueRange } from './valueRange';
 
@@ -29,7 +30,6 @@ export function CurvePopup(props: FieldEditorProps<CurveField>): ReactNode {
   };
   const limited = (value: number): number =>
     Number(Math.min(Math.max(value, field.min ?? -Infinity), field.max ?? Infinity).toPrecision(9));
-  const [time, value] = curve[edit.selected];
   const gridLines = [0.25, 0.5, 0.75];
 
   return (
@@ -74,27 +74,12 @@ export function CurvePopup(props: FieldEditorProps<CurveField>): ReactNode {
         <span>{t('time')}</span>
         <span>1</span>
       </div>
-      <div className="key-fields">
-        <span className="key-field-name" aria-hidden="true">
-          {t('Time')}
-        </span>
-        <NumberInput
-          value={time}
-          min={0}
-          max={1}
-          step={0.01}
-          digits="short"
-          label={t('Time of the key')}
-          handle={<span className="grip" />}
-          onPreview={(next) => edit.change(([, of]) => [next, of])}
-          onCommit={() => edit.end(true)}
-          onDiscard={() => edit.end(false)}
-        />
+      <KeyTime edit={edit} label={t('Time of the key')} removeLabel={t('Remove the key')}>
         <span className="key-field-name" aria-hidden="true">
           {t('Value')}
         </span>
         <NumberInput
-          value={value}
+          value={curve[edit.selected][1]}
           min={field.min}
           max={field.max}
           step={field.step ?? 0.01}
@@ -106,17 +91,7 @@ export function CurvePopup(props: FieldEditorProps<CurveField>): ReactNode {
           onCommit={() => edit.end(true)}
           onDiscard={() => edit.end(false)}
         />
-        <button
-          type="button"
-          className="button small"
-          aria-label={t('Remove the key')}
-          title={t('Remove the key')}
-          disabled={curve.length < 2}
-          onClick={() => edit.remove(edit.selected)}
-        >
-          <Icon name="remove" size={12} />
-        </button>
-      </div>
+      </KeyTime>
       <Presets curve={curve} field={field} onChoose={(preset) => onCommit(preset)} />
     </div>
   );
@@ -136,19 +111,12 @@ function Presets({ curve, field, onChoose }: PresetsProps): ReactNode {
   const low = Math.min(Math.max(0, min), high);
   const range = { low, high: low < high ? high : low + 1 };
   return (
-    <div className="key-presets" role="group" aria-label={t('Presets')}>
-      {curvePresets(low, high).map((preset) => (
-        <button
-          key={preset.id}
-          type="button"
-          className="key-preset"
-          aria-label={preset.label}
-          title={preset.label}
-          onClick={() => onChoose(preset.curve)}
-        >
-          <CurvePicture curve={preset.curve} range={range} />
-        </button>
-      ))}
-    </div>
+    <KeyPresets
+      presets={curvePresets(low, high).map(({ id, label, curve: preset }) => ({
+        ...{ id, label },
+        picture: <CurvePicture curve={preset} range={range} />,
+        choose: () => onChoose(preset),
+      }))}
+    />
   );
 }

@@ -12,13 +12,14 @@ import {
 } from '@farol/engine/fields';
 import { type ReactNode, useState } from 'react';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
-import { Icon } from '../../ui/Icon';
 import { NumberInput } from '../../ui/NumberInput';
 import { ColourPicker } from '../ColourPicker';
 import { gradientCss } from './gradientCss';
 import { gradientPresets } from './gradientPresets';
 import { KeyArea } from './KeyArea';
-import { roundTime, type TimedKey } from './keyList';
+import { roundTime } from './keyList';
+import { KeyPresets } from './KeyPresets';
+import { KeyTime } from './KeyTime';
 import { type KeyEdit, useKeyEdit } from './useKeyEdit';
 
 type ColourUpdate = Vector3Tuple | ((before: Vector3Tuple) => Vector3Tuple);
@@ -45,6 +46,7 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
     onDiscard,
   });
   const [, opacity] = opacityList[opacities.selected];
+  const timeLabels = { label: t('Time of the stop'), removeLabel: t('Remove the stop') };
   const help = t('A click adds a stop, a drag moves it, a double click or Delete removes it.');
 
   return (
@@ -106,12 +108,12 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
       />
       {side === 'colour' ? (
         <>
-          <StopFields edit={colours} />
+          <KeyTime edit={colours} {...timeLabels} />
           <StopColour edit={colours} />
         </>
       ) : (
         <>
-          <StopFields edit={opacities} />
+          <KeyTime edit={opacities} {...timeLabels} />
           <div className="key-fields">
             <span className="key-field-name" aria-hidden="true">
               {t('Opacity')}
@@ -132,55 +134,17 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
           </div>
         </>
       )}
-      <div className="key-presets" role="group" aria-label={t('Presets')}>
-        {gradientPresets().map((preset) => (
-          <button
-            key={preset.id}
-            type="button"
-            className="key-preset"
-            aria-label={preset.label}
-            title={preset.label}
-            onClick={() => onCommit(preset.gradient)}
-          >
+      <KeyPresets
+        presets={gradientPresets().map(({ id, label: name, gradient: preset }) => ({
+          ...{ id, label: name },
+          picture: (
             <span className="gradient-picture checkered">
-              <span style={{ background: gradientCss(preset.gradient) }} />
+              <span style={{ background: gradientCss(preset) }} />
             </span>
-          </button>
-        ))}
-      </div>
-    </div>
-  );
-}
-
-/** The time of the selected stop, and a button that takes it out. */
-function StopFields<K extends TimedKey>({ edit }: { edit: KeyEdit<K> }): ReactNode {
-  return (
-    <div className="key-fields">
-      <span className="key-field-name" aria-hidden="true">
-        {t('Time')}
-      </span>
-      <NumberInput
-        value={edit.keys[edit.selected][0]}
-        min={0}
-        max={1}
-        step={0.01}
-        digits="short"
-        label={t('Time of the stop')}
-        handle={<span className="grip" />}
-        onPreview={(next) => edit.change((before) => before.with(0, next) as unknown as K)}
-        onCommit={() => edit.end(true)}
-        onDiscard={() => edit.end(false)}
+          ),
+          choose: () => onCommit(preset),
+        }))}
       />
-      <button
-        type="button"
-        className="button small"
-        aria-label={t('Remove the stop')}
-        title={t('Remove the stop')}
-        disabled={edit.keys.length < 2}
-        onClick={() => edit.remove(edit.selected)}
-      >
-        <Icon name="remove" size={12} />
-      </button>
     </div>
   );
 }

@@ -39,6 +39,9 @@ export const components: Texts = {
   'Crease angle': 'Ángulo de arista',
   'For meshes without normals: faces that meet at less are smooth, at more they show an edge.':
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',
+  Parts: 'Partes',
+  'Nodes of the model that alone are drawn, with all below them: paths such as Arm/Hand, with semicolons between them. The whole model when empty.':
+    'Los únicos nodos del modelo que se dibujan, con todo lo que contienen: rutas como Brazo/Mano, separadas por punto y coma. Vacío, el modelo entero.',
   'Cast shadow': 'Da sombra',
   'Whether it throws shadows.': 'Si proyecta sombras.',
   'Receive shadow': 'Recibe sombra',

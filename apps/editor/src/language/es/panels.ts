@@ -30,7 +30,7 @@ export const panels: Texts = {
   Meshes: 'Mallas',
   Textures: 'Texturas',
   Materials: 'Materiales',
-  'Models, textures, environments': 'Modelos, texturas, entornos',
+  'Models, textures, environments, sounds': 'Modelos, texturas, entornos, sonidos',
   Assets: 'Recursos',
   'Search assets': 'Buscar recursos',
   'Kind of asset': 'Clase de recurso',

@@ -1,19 +1,20 @@
 import { t } from '@farol/editing';
 import { fileOpen } from 'browser-fs-access';
 import type { EditorApi } from '../../api/EditorApi';
-import { importFiles } from '../../files/importFiles';
+import { importOnly } from '../../files/importFiles';
 
 const endings = [
   ...['.glb', '.gltf', '.bin', '.fbx', '.obj', '.mtl', '.stl', '.zip', '.ply', '.gz'],
   ...['.tga', '.bmp', '.png', '.jpg', '.jpeg', '.webp', '.hdr', '.exr', '.cube', '.ktx2', '.ies', '.tlt'],
+  ...['.mp3', '.ogg', '.wav', '.m4a', '.flac'],
 ];
 
 /** Has the user choose files, and imports them. */
 export async function chooseFiles(editor: EditorApi): Promise<void> {
   const files = await fileOpen({
-    description: t('Models, textures, environments'),
+    description: t('Models, textures, environments, sounds'),
     extensions: endings,
     multiple: true,
   });
-  await importFiles(editor, new Map(files.map((file) => [file.name, file])));
+  await importOnly(editor, new Map(files.map((file) => [file.name, file])));
 }

@@ -1,7 +1,8 @@
 import { t } from '@farol/editing';
 import { type Component, ModelRenderer } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
-import { unpackModels, whyNotUnpack } from '../../model/unpackModels';
+import { unpackModel } from '../../actions/materials';
+import { whyNotUnpack } from '../../model/unpackModels';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { ModelTree } from '../material/ModelTree';
@@ -10,7 +11,7 @@ import { useOwnersRevision } from '../../ui/useOwnersRevision';
 /** What can be done with models that are drawn whole. @param props.components - ModelRenderers, memoised */
 export function ModelBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
-  const { document, commands } = editor;
+  const { document } = editor;
   useSignal(document.assetsChanged);
   const [isInside, showInside] = useState(false);
   useOwnersRevision(components);
@@ -19,7 +20,7 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
   const [{ model }] = renderers;
   if (model === null || !renderers.every((each) => each.model !== null && assets.isReady('model', each.model)))
     return null;
-  const problem = renderers.map((each) => whyNotUnpack(assets, each.model!)).find((each) => each !== null);
+  const problem = renderers.map((each) => whyNotUnpack(assets, each.model!, each.parts)).find((each) => each !== null);
   const help = t('Makes a tree of it: meshes, lights and cameras as objects, materials as assets');
   return (
     <div className="material-bar">
@@ -28,7 +29,7 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
         className="button framed"
         disabled={problem !== undefined}
         title={problem ?? help}
-        onClick={() => editor.attempt(() => commands.run(unpackModels(document.scene, renderers)))}
+        onClick={() => editor.attempt(() => unpackModel.run(editor))}
       >
         <Icon name="tree" />
         <span>{t('Unpack')}</span>

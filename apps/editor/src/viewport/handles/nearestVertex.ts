@@ -10,6 +10,7 @@ import {
   type Ray,
   Vector3,
 } from 'three';
+import { castByTree } from '../trees/castByTree';
 import { vertexBesideRay } from './vertexBesideRay';
 
 const world = new Matrix4();
@@ -48,7 +49,7 @@ export function nearestVertex(
   camera: Camera,
   without: ReadonlySet<GameObject>,
 ): Vector3 | null {
-  for (const hit of rayHits(scene, ray, camera)) {
+  for (const hit of rayHits(scene, ray, camera, castByTree)) {
     let object = gameObjectOf(hit.object, hit.instanceId);
     while (object && !without.has(object)) object = object.parent;
     if (object) continue;

@@ -1,10 +1,12 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { type BufferAttribute, type Camera, type OrthographicCamera, type Ray, Sphere, Vector3 } from 'three';
 import { drawnMeshes } from '../drawnMeshes';
+import { isRigid } from '../trees/castByTree';
+import { treeOf } from '../trees/meshTrees';
 
 /** How far beside the pointer a vertex is found, as a part of the height of the picture: 14 pixels of 700. */
 const REACH = 0.02;
-/** Vertices that are looked at for one ray; of meshes with more those that the ray hits count alone. */
+/** Vertices that are looked at for one ray, besides those of meshes with trees; of meshes with more those that the ray hits count alone. */
 const MOST_VERTICES = 300_000;
 /** By how much a vertex may lie behind what the ray hits, as a part of the distance. */
 const BEHIND = 1e-3;
@@ -42,29 +44,43 @@ export function vertexBesideRay(
   let left = MOST_VERTICES;
   let least = 1;
   let nearest: Vector3 | null = null;
+  const consider = (point: Vector3): void => {
+    const distance = way.copy(point).sub(ray.origin).dot(ray.direction);
+    if (distance <= 0 || distance > last) return;
+    const off = way.addScaledVector(ray.direction, -distance).length() / reachAt(distance);
+    if (off >= least) return;
+    least = off;
+    nearest = (nearest ?? new Vector3()).copy(point);
+  };
+  const isNear = ({ center, radius }: Sphere, grown = 1): boolean => {
+    const along = way.copy(center).sub(ray.origin).dot(ray.direction);
+    if (along + radius < 0 || along - radius > last) return false;
+    return ray.distanceToPoint(center) <= grown * radius + reachAt(Math.max(0, along) + radius);
+  };
   const visit = (object: GameObject): void => {
     if (without.has(object) || !object.active) return;
     drawnMeshes(object, (mesh, geometry, matrix) => {
       const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
-      if (!positions || positions.count > left) return;
+      if (!positions) return;
       if (!geometry.boundingSphere) geometry.computeBoundingSphere();
       // bones and morphs move vertices out of the sphere of the geometry
-      sphere.copy(geometry.boundingSphere!).applyMatrix4(matrix);
-      const along = way.copy(sphere.center).sub(ray.origin).dot(ray.direction);
-      if (along + sphere.radius < 0 || along - sphere.radius > last) return;
-      const beside = ray.distanceToPoint(sphere.center);
-      if (beside > 1.5 * sphere.radius + reachAt(Math.max(0, along) + sphere.radius)) return;
+      if (!isNear(sphere.copy(geometry.boundingSphere!).applyMatrix4(matrix), 1.5)) return;
+      const tree = !mesh || isRigid(mesh) ? treeOf(geometry) : null;
+      if (tree) {
+        tree.shapecast({
+          intersectsBounds: (box) => isNear(box.getBoundingSphere(sphere).applyMatrix4(matrix)),
+          intersectsTriangle: ({ a, b, c }) => {
+            for (const corner of [a, b, c]) consider(vertex.copy(corner).applyMatrix4(matrix));
+          },
+        });
+        return;
+      }
+      if (positions.count > left) return;
       left -= positions.count;
       for (let i = 0; i < positions.count; i++) {
         if (mesh) mesh.getVertexPosition(i, vertex);
         else vertex.fromBufferAttribute(positions, i);
-        vertex.applyMatrix4(matrix);
-        const distance = way.copy(vertex).sub(ray.origin).dot(ray.direction);
-        if (distance <= 0 || distance > last) continue;
-        const off = way.addScaledVector(ray.direction, -distance).length() / reachAt(distance);
-        if (off >= least) continue;
-        least = off;
-        nearest = (nearest ?? new Vector3()).copy(vertex);
+        consider(vertex.applyMatrix4(matrix));
       }
     });
     for (const child of object.children) visit(child);

@@ -1,6 +1,7 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { Box3, type Intersection, Matrix3, Mesh, MeshBasicMaterial, Raycaster, Vector3 } from 'three';
 import { drawnMeshes } from '../drawnMeshes';
+import { castMesh } from '../trees/castByTree';
 
 const matrix = new Matrix3();
 const normal = new Vector3();
@@ -54,7 +55,7 @@ export class SurfaceBelow {
     for (const { box, mesh } of this.candidates) {
       const { min, max } = box;
       if (x < min.x || x > max.x || z < min.z || z > max.z || y < min.y) continue;
-      raycaster.intersectObject(mesh, false, hits);
+      castMesh(mesh, raycaster, hits);
     }
     let highest: number | null = null;
     for (const { point, face, object } of hits) {

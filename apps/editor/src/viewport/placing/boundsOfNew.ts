@@ -1,4 +1,4 @@
-import { type AssetLibrary, type GameObject, ModelRenderer, ObjectRenderer, shapeOf } from '@farol/engine';
+import { type AssetLibrary, type GameObject, ModelRenderer, ObjectRenderer, shapeOf, subtreeOf } from '@farol/engine';
 import { Box3, type BufferGeometry } from 'three';
 
 const part = new Box3();
@@ -14,9 +14,16 @@ function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
     if (!geometry.boundingBox) geometry.computeBoundingBox();
     part.copy(geometry.boundingBox!);
   }
-  const model = object.getComponent(ModelRenderer)?.model ?? null;
-  if (model !== null && assets.isReady('model', model)) part.union(new Box3().setFromObject(assets.model(model).scene));
-  return part;
+  const drawn = object.getComponent(ModelRenderer);
+  if (!drawn || drawn.model === null || !assets.isReady('model', drawn.model)) return part;
+  const { scene } = assets.model(drawn.model);
+  const subtree = subtreeOf(scene, drawn.parts);
+  if (!subtree) return part.union(new Box3().setFromObject(scene));
+  scene.updateMatrixWorld();
+  const box = new Box3();
+  for (const node of subtree.nodes) box.expandByObject(node);
+  // the object is where the root of its parts was
+  return part.union(box.applyMatrix4(subtree.root.matrixWorld.clone().invert()));
 }
 
 /** The box in the world round what objects will draw that are in no scene yet; empty when they draw nothing. */

@@ -8,6 +8,7 @@ const STEPS = 200;
 
 const size = new Vector3();
 const other = new Vector3();
+const moved = new Box3();
 
 /** Whether a box has room for another one several times over, as a room has: it is no obstacle. */
 function isRoomFor(obstacle: Box3, box: Box3): boolean {
@@ -39,14 +40,28 @@ function wayOut(box: Box3, obstacles: readonly Box3[], axis: 'x' | 'z', sign: 1 
   return null;
 }
 
+/** What costs more than any way (m): to be hidden altogether, and to be beside what carries it. */
+const [HIDDEN, FALLS] = [1e3, 1e6];
+
+/** A box of which so much (0 to 1) is hidden is found all the same. */
+export const HIDDEN_ENOUGH = 0.3;
+
 /**
  * How a box is to be moved sideways so that it stands beside what is there already: the shortest way along an axis of the
- * world, to the right of the picture where two are about as short; not at all where it is free or nothing helps.
+ * world that does not end where much of it is hidden, to the right of the picture where two are about as short; not at all where
+ * it is free or nothing helps.
  * @param obstacles - boxes of what is there; a room that it is in is none
  * @param right - to the right of the picture, in the world
  * @param support - what it stands on, which it shall stay on; null for the ground
+ * @param hiddenShare - how much (0 to 1) of a box would not be seen, for obstacles before it or the picture's edge
  */
-export function freePlace(box: Box3, obstacles: readonly Box3[], right: Vector3, support: Box3 | null): Vector3 {
+export function freePlace(
+  box: Box3,
+  obstacles: readonly Box3[],
+  right: Vector3,
+  support: Box3 | null,
+  hiddenShare: (box: Box3, obstacles: readonly Box3[]) => number,
+): Vector3 {
   const solid = obstacles.filter((each) => !isRoomFor(each, box));
   const shift = new Vector3();
   if (!solid.some((each) => overlaps(each, box))) return shift;
@@ -61,7 +76,13 @@ export function freePlace(box: Box3, obstacles: readonly Box3[], right: Vector3,
       const end = middle[axis] + sign * way;
       const falls = support !== null && (end < support.min[axis] || end > support.max[axis]);
       // to the right first, then towards the eye or away, then to the left; off the edge last
-      const cost = way * (1.15 - 0.15 * sign * right[axis]) + (falls ? 1e6 : 0);
+      let cost = way * (1.15 - 0.15 * sign * right[axis]) + (falls ? FALLS : 0);
+      if (cost >= best) continue;
+      moved.copy(box);
+      moved.min[axis] += sign * way;
+      moved.max[axis] += sign * way;
+      const hidden = hiddenShare(moved, solid);
+      if (hidden > HIDDEN_ENOUGH) cost += hidden * HIDDEN;
       if (cost >= best) continue;
       best = cost;
       shift.set(0, 0, 0);

@@ -1,8 +1,9 @@
-import { Decal, GameObject, Light, ObjectRenderer, Scene } from '@farol/engine';
-import { Box3, PerspectiveCamera, Vector2, Vector3 } from 'three';
+import { type ComponentClass, Decal, GameObject, Light, ObjectRenderer, Room, Scene, Wall } from '@farol/engine';
+import { Box3, PerspectiveCamera, Ray, Vector2, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { boundsOf } from '../boundsOf';
 import { land, type LandingView } from './land';
+import { surfacesAlong } from './surfaces';
 
 type Triple = [number, number, number];
 
@@ -39,6 +40,32 @@ const light = (type: string): GameObject => {
   object.addComponent(Light, { type });
   return object;
 };
+
+/** A room or a wall, as they are added. */
+function building(type: ComponentClass, values = {}): GameObject {
+  const object = new GameObject(type.typeName);
+  object.addComponent(type, values);
+  object.addComponent(ObjectRenderer, { mesh: null });
+  return object;
+}
+
+/** The share of an object's surface points, on a grid over its box, that nothing else hides from the eye. */
+function shareSeen({ scene, camera }: LandingView, object: GameObject): number {
+  const box = boundsOf([object]);
+  const size = box.getSize(new Vector3());
+  const eye = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+  let [seen, hits] = [0, 0];
+  for (let i = 0; i < 343; i++) {
+    const at = new Vector3((i % 7) / 6, (Math.floor(i / 7) % 7) / 6, Math.floor(i / 49) / 6)
+      .multiply(size)
+      .add(box.min);
+    const found = surfacesAlong(scene, new Ray(eye, at.sub(eye).normalize()), camera);
+    if (!found.some((each) => each.object === object)) continue;
+    hits++;
+    if (found[0].object === object) seen++;
+  }
+  return seen / hits;
+}
 
 /** Whether boxes share more than their faces. */
 const share = (a: Box3, b: Box3): boolean => a.clone().expandByScalar(-0.01).intersectsBox(b);
@@ -96,6 +123,45 @@ describe('land', () => {
     const box = place(view, mesh(null, [0, 0, 0]));
     expect(box.getCenter(new Vector3()).distanceTo(new Vector3(0, 0.5, 0))).toBeLessThan(0.01);
     scene.dispose();
+  });
+
+  it.each([
+    ['the front', [4, 3, 6]],
+    ['the left', [-7, 2.5, 1]],
+    ['behind', [-3, 4, -8]],
+    ['above', [0.5, 12, 4]],
+  ] as const)('puts a wall or a room where it is seen, not behind the room that is looked at from %s', (_side, eye) => {
+    for (const [type, away] of [
+      [Wall, 1],
+      [Room, 1.7],
+    ] as const) {
+      const [x, y, z] = eye.map((each) => each * away);
+      const view = viewOf(new Scene(), [x, y, z], [0, 0.5, 0]);
+      const room = place(view, building(Room));
+      const added = building(type);
+      expect(share(place(view, added), room)).toBe(false);
+      expect(shareSeen(view, added)).toBeGreaterThan(0.6);
+      view.scene.dispose();
+    }
+  });
+
+  it('puts a wall into the room that one looks into, between its walls', () => {
+    for (const [eye, values] of [
+      [[1.5, 1.6, 0.5], {}],
+      [[4, 6, 5], { ceiling: false }],
+    ] as const) {
+      const scene = new Scene();
+      const room = building(Room, { width: 5, depth: 4, ...values });
+      room.getComponent(ObjectRenderer)!.set('doubleSided', true);
+      scene.add(room);
+      scene.three.updateMatrixWorld();
+      const box = place(viewOf(scene, [...eye], [-0.9, 0, -0.9]), building(Wall));
+      expect(new Box3(new Vector3(-2.501, -0.001, -2.001), new Vector3(2.501, 2.601, 2.001)).containsBox(box)).toBe(
+        true,
+      );
+      expect(box.getCenter(new Vector3()).z).toBeCloseTo(-0.9, 1);
+      scene.dispose();
+    }
   });
 
   it('hangs lights at a useful height, below a ceiling, apart from each other', () => {

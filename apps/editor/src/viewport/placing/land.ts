@@ -5,12 +5,14 @@ import {
   Light,
   ModelRenderer,
   ObjectRenderer,
+  Room,
   type Scene,
 } from '@farol/engine';
 import { Box3, type Camera, Matrix4, Quaternion, Ray, type Vector2, Vector3 } from 'three';
 import { boundsOf } from '../boundsOf';
 import { boundsOfNew } from './boundsOfNew';
-import { freePlace } from './freePlace';
+import { freePlace, HIDDEN_ENOUGH } from './freePlace';
+import { hiddenShare } from './hiddenShare';
 import { groundAlong, rayThrough, type Surface, surfacesAlong } from './surfaces';
 
 /** What placing needs to know of the picture. */
@@ -50,9 +52,28 @@ function heightOf(object: GameObject): number {
   return object.getComponent(CameraComponent) ? EYE_HEIGHT : 0;
 }
 
+/** The inside of a room, in the world; null for what is none. */
+function insideOf(object: GameObject): Box3 | null {
+  const room = object.getComponent(Room);
+  if (!room?.enabled) return null;
+  const { width, depth, height } = room;
+  const box = new Box3(new Vector3(-width / 2, 0, -depth / 2), new Vector3(width / 2, height, depth / 2));
+  return box.applyMatrix4(object.object3D.matrixWorld);
+}
+
+/** The inside of the room whose floor was hit, if there is room for a box. */
+function roomFor({ object, point }: Surface, box: Box3): Box3 | null {
+  const inside = object && insideOf(object);
+  if (!inside?.containsPoint(middle.copy(point).setY(point.y + 0.01))) return null;
+  box.getSize(size);
+  const { x, y, z } = inside.getSize(middle);
+  return size.x <= x && size.y <= y + 0.01 && size.z <= z ? inside : null;
+}
+
 /** Whether what was hit is large enough for something to stand on; what is not is an obstacle. */
-function canCarry({ object }: Surface, box: Box3): boolean {
-  if (!object) return true;
+function canCarry(surface: Surface, box: Box3): boolean {
+  const { object } = surface;
+  if (!object || roomFor(surface, box)) return true;
   const below = boundsOf([object], new Box3(), false).getSize(new Vector3());
   box.getSize(size);
   return below.x >= 1.5 * size.x && below.z >= 1.5 * size.z;
@@ -105,19 +126,29 @@ function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
   return behind.point.distanceTo(surfaces[0].point) < near ? behind : null;
 }
 
-/** Where something of a size stands that is placed at a point of the picture, and on what; null for nothing. */
-function standAt(view: LandingView, point: Vector2, box: Box3): { at: Vector3; on: Surface | null } {
+/** A place to stand: at a point, on a surface; null for nothing. */
+interface Stand {
+  readonly at: Vector3;
+  readonly on: Surface | null;
+}
+
+/** Where something of a size can stand that is placed at a point of the picture: the best place first. */
+function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   const surfaces = surfacesThrough(view, point);
   if (surfaces.length === 0) {
     const at = pointBefore(view, point);
     const floor = floorBelow(view, at, box);
-    return floor && isSeen(floor.point, view.camera) ? { at: floor.point, on: floor } : { at, on: null };
+    return [floor && isSeen(floor.point, view.camera) ? { at: floor.point, on: floor } : { at, on: null }];
   }
   const [seen] = surfaces;
-  if (isFloor(seen) && canCarry(seen, box)) return { at: seen.point, on: seen };
+  if (isFloor(seen) && canCarry(seen, box)) return [{ at: seen.point, on: seen }];
   const behind = isThing(seen, box) ? floorBehind(surfaces, box) : null;
-  if (behind) return { at: behind.point, on: behind };
-  // a wall, or the side of something large: on the floor before it
+  const before = standBefore(view, seen, box);
+  return behind ? [{ at: behind.point, on: behind }, before] : [before];
+}
+
+/** On the floor before a wall, or the side of something large. */
+function standBefore(view: LandingView, seen: Surface, box: Box3): Stand {
   box.getSize(size);
   const out = seen.normal.clone().setY(0);
   const from = seen.point.clone();
@@ -180,6 +211,16 @@ function anchorOf(objects: readonly GameObject[], box: Box3): Vector3 {
   return anchor;
 }
 
+/** Moves a box sideways into one that has room for it. @returns how far it was moved (m) */
+function keepWithin(box: Box3, room: Box3): Vector3 {
+  const way = new Vector3();
+  for (const axis of ['x', 'z'] as const) {
+    way[axis] = Math.max(0, room.min[axis] - box.min[axis]) - Math.max(0, box.max[axis] - room.max[axis]);
+  }
+  box.translate(way);
+  return way;
+}
+
 /** Throws a decal onto a surface: its front (-Z) against the normal. */
 function throwDecal(object: GameObject, { point, normal }: Surface): void {
   const up = Math.abs(normal.y) > 0.99 ? new Vector3(0, 0, -1) : UP;
@@ -218,7 +259,29 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
     for (const { transform } of objects) box.expandByPoint(middle.fromArray(transform.position));
     box.expandByScalar(NOMINAL / 2);
   }
-  const { at, on } = standAt(view, point, box);
+  if (!isShape && first.getComponent(CameraComponent)) turnWithView(objects, camera);
+  let shift = new Vector3();
+  let least = Infinity;
+  for (const stand of standsAt(view, point, box)) {
+    const landed = standOn(view, objects, box, isShape, stand);
+    const there = box.clone().translate(landed);
+    // behind what is looked at nobody would find it
+    const hidden = hiddenShare(there, obstaclesFor(there, scene, stand.on?.object ?? null, isShape), camera);
+    if (hidden < least) [shift, least] = [landed, hidden];
+    if (least <= HIDDEN_ENOUGH) break;
+  }
+  moveBy(objects, shift);
+}
+
+/** How far (m) objects are to be moved to stand at a place, or as near to it as they are free. @param box - round them */
+function standOn(
+  view: LandingView,
+  objects: readonly GameObject[],
+  box: Box3,
+  isShape: boolean,
+  { at, on }: Stand,
+): Vector3 {
+  const { scene, camera } = view;
   if (on) {
     at.x = rounded(at.x, view.step);
     at.z = rounded(at.z, view.step);
@@ -228,14 +291,15 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   if (isShape && on) shift.y = at.y - box.min.y + (on.object && isFlatBox(box) ? FLAT / 2 : 0);
   else if (isShape) shift.y = at.y - box.getCenter(middle).y;
   else if (on) {
-    const height = heightOf(first);
+    const height = heightOf(objects[0]);
     shift.y = at.y + Math.min(height, 0.8 * clearanceAbove(view, at)) - anchor.y;
   }
-  if (!isShape && first.getComponent(CameraComponent)) turnWithView(objects, camera);
-  box.translate(shift);
+  const moved = box.clone().translate(shift);
+  const room = on && roomFor(on, moved);
+  if (room) shift.add(keepWithin(moved, room));
   const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
-  if (isFlatBox(box)) box.max.y += FLAT / 2;
+  if (isFlatBox(moved)) moved.max.y += FLAT / 2;
   const support = on?.object ? boundsOf([on.object], new Box3(), false) : null;
-  shift.add(freePlace(box, obstaclesFor(box, scene, on?.object ?? null, isShape), right, support));
-  moveBy(objects, shift);
+  const obstacles = obstaclesFor(moved, scene, on?.object ?? null, isShape);
+  return shift.add(freePlace(moved, obstacles, right, support, (each, solid) => hiddenShare(each, solid, camera)));
 }

@@ -10,6 +10,7 @@ import {
   type Vector2,
   Vector3,
 } from 'three';
+import { castByTree } from '../trees/castByTree';
 
 /** A place on what is drawn. */
 export interface Surface {
@@ -57,7 +58,7 @@ export function surfacesAlong(
   without: ReadonlySet<GameObject> | null = null,
 ): Surface[] {
   const surfaces: Surface[] = [];
-  for (const hit of rayHits(scene, ray, camera)) {
+  for (const hit of rayHits(scene, ray, camera, castByTree)) {
     const object = gameObjectOf(hit.object, hit.instanceId);
     if (!object || (without && isWithin(object, without))) continue;
     surfaces.push({ point: hit.point, normal: normalOfHit(hit, ray.direction), object, distance: hit.distance });

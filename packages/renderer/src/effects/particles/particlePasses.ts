@@ -66,12 +66,15 @@ export function particleLightsPass() {
 /** The pixel of a particle's centre, by which light loops find their lists, in place of the one that is written. */
 const COORDINATE = 'farol_listCoordinate';
 
+/** Tells the check of live edits which names are others in this program: see `checkLiveEdit`. */
+const NAMES = `// names gl_FragCoord=${COORDINATE} FAROL_TEXEL=gl_FragCoord\n`;
+
 /** @param parameters of a program, as `Material.onBeforeCompile` has them */
 function nameCoordinates(parameters: { fragmentShader: string }): void {
   parameters.fragmentShader = parameters.fragmentShader
     .replaceAll('gl_FragCoord', COORDINATE)
     .replaceAll('FAROL_TEXEL', 'gl_FragCoord')
-    .replace('precision highp float;\n', `precision highp float;\nvec4 ${COORDINATE};\n`);
+    .replace('precision highp float;\n', `precision highp float;\n${NAMES}vec4 ${COORDINATE};\n`);
 }
 
 /** The light that reaches each particle of an emitter, by a light loop. */

@@ -5,9 +5,10 @@ import {
   type ClipKey,
   type ClipTrack,
   type GameObject,
-  modelBelow,
   type ModelClip,
+  type ModelInScene,
   ModelRenderer,
+  modelsBelow,
   objectsByName,
   type Scene,
   targetOfTrack,
@@ -36,12 +37,11 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
 
   const add = (clip: ModelClip | ClipAsset, root: GameObject): void => {
     const isModel = 'isModelClip' in clip;
-    const drawn = isModel ? modelBelow(root, clip.model) : null;
+    const drawn = isModel ? drawnBelow(root, clip) : [];
     const owners = done.get(clip) ?? new Set();
     done.set(clip, owners);
-    const owner = drawn ?? root;
-    if (owners.has(owner)) return;
-    owners.add(owner);
+    if (owners.has(drawn[0] ?? root)) return;
+    for (const owner of drawn.length > 0 ? drawn : [root]) owners.add(owner);
     const tracks = isModel ? modelTracks(clip, root, nodes, leftOut) : ownTracks(clip, root, nodes, leftOut);
     if (tracks.length === 0) return;
     const wanted = isModel ? clip.name : splitName(clip.name).leaf;
@@ -70,22 +70,33 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
   return made;
 }
 
+/** What draws a clip's model, or parts of it, below an object. */
+const drawnBelow = (root: GameObject, clip: ModelClip): ModelInScene[] =>
+  modelsBelow(root, clip.model).filter(({ drawnModel }) => drawnModel === clip.model);
+
 /** The tracks as they are, of the nodes that are exported. */
 function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
-  const drawn = modelBelow(root, clip.model);
-  const objects = drawn ? null : objectsByName(root);
+  const drawn = drawnBelow(root, clip);
+  const isWhole = drawn.some(({ partsRoot }) => partsRoot === null);
+  const objects = isWhole ? null : objectsByName(root);
   return clip.three.tracks.flatMap((track) => {
     const target = targetOfTrack(clip, track);
-    const source = target && (drawn ? drawn.copyOf(target.node) : objects?.get(target.node.name || target.node.type));
-    const node = source && nodes.get(source);
     const isMorph = target?.property === 'morphTargetInfluences';
-    if (!node || (isMorph && !('morphTargetInfluences' in node))) {
-      leftOut.add(t('Tracks of clips without a target are left out'), track);
-      return [];
+    const sources: (GameObject | Object3D | null | undefined)[] = [];
+    if (target && !isMorph) sources.push(objects?.get(target.node.name || target.node.type));
+    for (const each of drawn) {
+      // the object stands for the root of its parts
+      if (target && (isMorph || each.partsRoot !== target.node)) sources.push(each.copyOf(target.node));
     }
-    const copy = track.clone();
-    copy.name = `${node.uuid}.${target!.property}`;
-    return copy;
+    const moved = sources
+      .map((source) => source && nodes.get(source))
+      .filter((node) => node && (!isMorph || 'morphTargetInfluences' in node));
+    if (moved.length === 0) leftOut.add(t('Tracks of clips without a target are left out'), track);
+    return moved.map((node) => {
+      const copy = track.clone();
+      copy.name = `${node!.uuid}.${target!.property}`;
+      return copy;
+    });
   });
 }
 

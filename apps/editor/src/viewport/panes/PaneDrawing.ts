@@ -1,0 +1,106 @@
+import type { Camera as CameraComponent, PictureRenderer, Scene } from '@farol/engine';
+import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import type { Camera, WebGLRenderer } from 'three';
+import type { Gizmo } from '../Gizmo';
+import type { Helpers } from '../Helpers';
+import type { Painter } from '../Painter';
+import type { PlainShading } from '../shading/PlainShading';
+import { isPlain, techniqueOf } from '../shading/Shading';
+import type { Panes } from './Panes';
+import type { ViewPane } from './ViewPane';
+
+/** What drawing a view needs of the viewport. */
+export interface PaneSurface {
+  readonly document: { readonly scene: Scene };
+  readonly webgl: WebGLRenderer;
+  readonly farol: FarolRenderer;
+  readonly picture: PictureRenderer;
+  readonly panes: Panes;
+  readonly gizmo: Gizmo;
+  readonly helpers: Helpers;
+  readonly physics: { update(pixelRatio: number): void };
+  readonly lightHandles: { update(pixelRatio: number): void };
+  readonly particles: { update(): void };
+  readonly painter: Painter | null;
+  /** What is shown of the picture: see `ViewportSettings`. */
+  readonly view: string;
+  readonly lookThrough: CameraComponent | null;
+  /** Of all views together (CSS pixels). */
+  readonly pictureHeight: number;
+  readonly onError: (error: unknown) => void;
+  cameraOf(pane: ViewPane): Camera;
+  raysOf(pane: ViewPane): Camera;
+  invalidate(): void;
+}
+
+/** Draws a view: the scene as the view shows it, and over it lines, icons and handles. */
+export class PaneDrawing {
+  /** Draws without lights; null while it is fetched, undefined before. */
+  private plain: PlainShading | null | undefined;
+
+  constructor(private readonly surface: PaneSurface) {}
+
+  draw(pane: ViewPane): void {
+    const { surface } = this;
+    const { webgl, panes, gizmo, helpers } = surface;
+    const { x, y, width, height } = pane.rectangle;
+    if (panes.list.length > 1) {
+      // counted from below
+      const bottom = surface.pictureHeight - y - height;
+      webgl.setViewport(x, bottom, width, height);
+      webgl.setScissor(x, bottom, width, height);
+      webgl.setScissorTest(true);
+    }
+    const camera = surface.cameraOf(pane);
+    const lookThrough = pane === panes.main ? surface.lookThrough : null;
+    lookThrough?.setViewport(width, height);
+    this.drawScene(pane, camera, lookThrough);
+    gizmo.update(surface.raysOf(pane));
+    if (surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
+      surface.physics.update(webgl.getPixelRatio());
+      surface.lightHandles.update(webgl.getPixelRatio());
+      surface.particles.update();
+      helpers.render(webgl, camera, lookThrough, gizmo.isDragging);
+    }
+  }
+
+  dispose(): void {
+    this.plain?.dispose();
+  }
+
+  private drawScene(pane: ViewPane, camera: Camera, lookThrough: CameraComponent | null): void {
+    const { farol, painter, picture, panes, document } = this.surface;
+    const { shading } = pane;
+    const { scene } = document;
+    if (isPlain(shading) && painter === null && this.plainShading()) {
+      this.plain!.render(scene.three, camera, shading);
+      return;
+    }
+    const { technique } = farol;
+    const own = techniqueOf(shading);
+    try {
+      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
+      // views beside the main one are for work: they go without blur, bloom and the like
+      if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
+      else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
+    } finally {
+      farol.technique = technique;
+    }
+  }
+
+  /** Fetches what draws without lights. @returns whether it is there */
+  private plainShading(): boolean {
+    const { surface } = this;
+    if (this.plain === undefined) {
+      this.plain = null;
+      import('../shading/PlainShading').then(
+        ({ PlainShading }) => {
+          this.plain = new PlainShading(surface.webgl);
+          surface.invalidate();
+        },
+        (error) => surface.onError(error),
+      );
+    }
+    return this.plain !== null;
+  }
+}

@@ -1,0 +1,36 @@
+import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute, type TypedArray } from 'three';
+import { CENTER, MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
+
+/** What a tree of triangles is made of: copies, which are handed over to a worker. */
+export interface TreeSource {
+  readonly positions: TypedArray;
+  readonly itemSize: number;
+  readonly normalized: boolean;
+  /** Of interleaved positions, in elements; null for others. */
+  readonly interleaved: { readonly stride: number; readonly offset: number } | null;
+  readonly index: Uint16Array | Uint32Array | null;
+  readonly groups: BufferGeometry['groups'];
+  readonly drawRange: BufferGeometry['drawRange'];
+}
+
+/** Grows a tree over triangles, whose order stays: about a second for a million of them. */
+export function growTree(source: TreeSource): SerializedBVH {
+  const { positions, itemSize, normalized, interleaved, index, groups, drawRange } = source;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute(
+    'position',
+    interleaved
+      ? new InterleavedBufferAttribute(
+          new InterleavedBuffer(positions, interleaved.stride),
+          itemSize,
+          interleaved.offset,
+          normalized,
+        )
+      : new BufferAttribute(positions, itemSize, normalized),
+  );
+  if (index) geometry.setIndex(new BufferAttribute(index, 1));
+  geometry.groups = groups.map((group) => ({ ...group }));
+  geometry.setDrawRange(drawRange.start, drawRange.count);
+  const tree = new MeshBVH(geometry, { indirect: true, strategy: CENTER });
+  return { ...MeshBVH.serialize(tree, { cloneBuffers: false }), index: null } as unknown as SerializedBVH;
+}
