@@ -77,6 +77,7 @@ export async function bakeScene(
       size: Number(settings.bakeSize),
       texelsPerMetre: settings.bakeTexelsPerMetre > 0 ? settings.bakeTexelsPerMetre : undefined,
       denoise: settings.bakeDenoise,
+      stitch: settings.bakeStitch,
       probes: box ? probePoints(box) : undefined,
       onProgress: progressed,
     });
