@@ -38,7 +38,7 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/STLLoader.js',
       'three/addons/loaders/TGALoader.js',
       'postprocessing',
-      'three-mesh-bvh',
+      '@farol/bake > three-mesh-bvh',
       'typescript-in-browser',
       'xatlas-wasm',
     ],

@@ -88,6 +88,10 @@ test('light is baked: it stays when the light is gone, is one step, is saved, an
   await expect(panel.getByText('2 static objects, 1 baked light')).toBeVisible();
   const before = await pictureOf(page);
   expect(before.lights).toBe(1);
+  const stitch = panel.getByRole('checkbox', { name: 'Stitch seams' });
+  await stitch.uncheck();
+  await page.keyboard.press('Control+z');
+  await expect(stitch).toBeChecked();
 
   await panel.getByRole('button', { name: 'Bake', exact: true }).click();
   await expect(panel.getByText('2 meshes')).toBeVisible({ timeout: 60_000 });

@@ -1,3 +1,4 @@
+import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { addObject, history, openEditor, serialized } from './editor';
@@ -15,8 +16,9 @@ const middle = (page: Page): Promise<number[]> =>
     return [...pixel.slice(0, 3)];
   });
 
-test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended', async ({
+test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended; an exported page draws it', async ({
   page,
+  context,
 }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
@@ -77,4 +79,38 @@ test('a surface from a built-in, on an object: its values are fields; its text i
   await expect.poll(() => history(page).then((list) => list.slice(before.length + 1))).toHaveLength(3);
   await page.keyboard.press('Control+z');
   await expect.poll(isGreen).toBe(true);
+
+  // a page from a disk
+  await page.keyboard.press('Control+Shift+E');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Web page…' }).click();
+  const html = test.info().outputPath('surface.html');
+  await (await download).saveAs(html);
+  const other = await context.newPage();
+  const problems: string[] = [];
+  other.on('pageerror', (error) => problems.push(error.message));
+  other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  await other.setViewportSize({ width: 160, height: 120 });
+  await other.goto(pathToFileURL(html).href);
+  const canvas = other.locator('canvas');
+  await expect(canvas).toHaveAttribute('aria-label', /./);
+  const greenPixels = (): Promise<number> =>
+    canvas.evaluate(
+      (element: HTMLCanvasElement) =>
+        new Promise<number>((resolve) => {
+          requestAnimationFrame(() => {
+            const copy = document.createElement('canvas');
+            [copy.width, copy.height] = [element.width, element.height];
+            const drawing = copy.getContext('2d', { willReadFrequently: true })!;
+            drawing.drawImage(element, 0, 0);
+            const { data } = drawing.getImageData(0, 0, copy.width, copy.height);
+            let count = 0;
+            for (let at = 0; at < data.length; at += 4) if (data[at + 1] > 60 && data[at + 1] > 2 * data[at]) count++;
+            resolve(count);
+          });
+        }),
+    );
+  await expect.poll(greenPixels).toBeGreaterThan(50);
+  expect(problems).toEqual([]);
+  await other.close();
 });

@@ -165,3 +165,125 @@ test('baked light is the light of known scenes, by every technique, and leaves t
   expect(found.left).toBe(found.before);
   expect(found.after).toBe(found.before);
 });
+
+/**
+ * What has no lightmap, and lights of other kinds. Instances and a skinned mesh stand in for the mesh of their shape, and must
+ * give the light that it gives; a floor under a sky receives pi times its radiance.
+ */
+test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light', async ({
+  page,
+}) => {
+  const found = await page.evaluate(async () => {
+    const { Bench, three, bake } = window.testPage;
+    const { bakeLightmaps } = await bake();
+    const { webgl } = new Bench(8, 8);
+    const warnings: string[] = [];
+    const shared = { size: 32, samples: 16, denoise: false, showProgress: false };
+    type Options = Parameters<typeof bakeLightmaps>[2];
+    /** Mean light of a mesh's texels, and how many lightmaps there are. */
+    const bakeOf = async (scene: InstanceType<typeof three.Scene>, mesh: object, options: Options = {}) => {
+      const onWarning = (sentence: string) => void warnings.push(sentence);
+      const baked = await bakeLightmaps(webgl, scene, { ...shared, onWarning, ...options });
+      const { uv1, lightmap } = baked.meshes.find((each) => each.mesh === mesh)!;
+      const { width, data } = baked.lightmaps[lightmap];
+      const along = (k: number) => Array.from(uv1).filter((_, i) => i % 2 === k);
+      const [left, low] = [0, 1].map((k) => Math.ceil(Math.min(...along(k)) * width) + 1);
+      const [right, high] = [0, 1].map((k) => Math.floor(Math.max(...along(k)) * width) - 2);
+      const sum = [0, 0, 0];
+      let count = 0;
+      for (let y = low; y <= high; y++)
+        for (let x = left; x <= right; x++, count++)
+          sum.forEach((_, k) => (sum[k] += three.DataUtils.fromHalfFloat(data[4 * (y * width + x) + k])));
+      const [lightmaps, meshes] = [baked.lightmaps.length, baked.meshes.length];
+      baked.dispose();
+      return { mean: sum.map((value) => value / count), lightmaps, meshes };
+    };
+    const white = new three.MeshLambertMaterial();
+    const floor = new three.Mesh(new three.PlaneGeometry(2, 2), white);
+    const sun = new three.DirectionalLight(0xffffff, 2);
+    sun.position.set(1, 0, 0);
+
+    // a red wall reflects the light of a level sun to the floor, which has no light else
+    const shape = new three.PlaneGeometry(2, 2).rotateY(Math.PI / 2).translate(-1, 0, 1);
+    const red = new three.MeshLambertMaterial({ color: new three.Color(0.8, 0.1, 0.05) });
+    const colours = new three.InstancedMesh(shape, white, 2);
+    colours.setMatrixAt(0, new three.Matrix4());
+    colours.setMatrixAt(1, new three.Matrix4().makeTranslation(0, 0, 0));
+    for (const i of [0, 1]) colours.setColorAt(i, red.color);
+    const bones = shape.clone();
+    const corners = bones.attributes.position.count;
+    bones.translate(0, 5, 0);
+    bones.setAttribute('skinIndex', new three.Uint16BufferAttribute(new Uint16Array(4 * corners), 4));
+    const weights = Float32Array.from({ length: 4 * corners }, (_, i) => Number(i % 4 === 0));
+    bones.setAttribute('skinWeight', new three.BufferAttribute(weights, 4));
+    const skinned = new three.SkinnedMesh(bones, red);
+    const bone = new three.Bone();
+    skinned.add(bone);
+    skinned.bind(new three.Skeleton([bone]));
+    bone.position.y = -5;
+    const mesh = new three.Mesh(shape, red);
+    const walls: Record<string, Awaited<ReturnType<typeof bakeOf>>> = {};
+    for (const [name, wall] of Object.entries({ mesh, instances: colours, skinned }))
+      walls[name] = await bakeOf(new three.Scene().add(floor, wall, sun), floor, {
+        bounces: 1,
+        // one of the two instances moves
+        isStatic: (_: object, instance?: number) => instance !== 1,
+      });
+    const live = await bakeOf(new three.Scene().add(floor, mesh, sun), floor, {
+      bounces: 1,
+      isBaked: () => 'indirect',
+    });
+
+    // a canopy of instances over the floor
+    const canopy = new three.InstancedMesh(new three.PlaneGeometry(50, 50), white, 1);
+    canopy.setMatrixAt(0, new three.Matrix4().makeTranslation(0, 0, 1));
+    const above = new three.DirectionalLight(0xffffff, 3);
+    above.position.set(0, 0, 1);
+    above.userData.farol = { angle: 0.3 };
+    const open = await bakeOf(new three.Scene().add(floor, above), floor, { bounces: 0 });
+    const under = await bakeOf(new three.Scene().add(floor, above, canopy), floor, { bounces: 0 });
+    // half of a wide sun is hidden by a wall that ends at the middle of the floor's sky
+    const half = new three.Mesh(
+      new three.PlaneGeometry(50, 50),
+      new three.MeshBasicMaterial({ side: three.DoubleSide }),
+    );
+    half.position.set(25, 0, 40);
+    const soft = await bakeOf(new three.Scene().add(floor, above, half), floor, { bounces: 0 });
+    const indirect = await bakeOf(new three.Scene().add(floor, above), floor, {
+      bounces: 2,
+      isBaked: () => 'indirect',
+    });
+
+    // a sky alone; a normal map changes nothing of what is baked; finer texels take more lightmaps
+    const bumps = new three.DataTexture(new Uint8Array(64).fill(200), 4, 4);
+    bumps.needsUpdate = true;
+    const bumpy = new three.Mesh(floor.geometry, new three.MeshStandardMaterial({ normalMap: bumps }));
+    bumpy.position.z = -3;
+    const sky = await bakeOf(new three.Scene().add(bumpy), bumpy, { bounces: 0, sky: new three.Color(0.2, 0.4, 0.6) });
+    bumpy.position.x = 5;
+    const several = await bakeOf(new three.Scene().add(floor, bumpy, above), bumpy, { bounces: 0, texelsPerMetre: 12 });
+    return { walls, live, warnings, open, under, soft, indirect, sky, several };
+  });
+  const { walls } = found;
+  expect(walls.mesh.mean[0]).toBeGreaterThan(0.05);
+  for (const name of ['instances', 'skinned']) {
+    expect(walls[name].meshes, name).toBe(1);
+    expect(walls[name].lightmaps, name).toBe(1);
+    walls[name].mean.forEach((value, k) =>
+      expect(Math.abs(value / walls.mesh.mean[k] - 1), `${name}, light that is reflected`).toBeLessThan(0.05),
+    );
+  }
+  // the sun lights the floor at no angle: only what the wall reflects is there, with the direct light or without
+  found.live.mean.forEach((value, k) => expect(Math.abs(value / walls.mesh.mean[k] - 1)).toBeLessThan(0.01));
+  expect(found.warnings.filter((each) => each.includes('gets no lightmap'))).toHaveLength(3);
+  for (const value of found.open.mean) expect(Math.abs(value / 3 - 1), 'a sun').toBeLessThan(1e-3);
+  expect(found.under.mean, 'shadow of instances').toEqual([0, 0, 0]);
+  for (const value of found.soft.mean) expect(Math.abs(value / 1.5 - 1), 'half of a wide sun').toBeLessThan(0.05);
+  // nothing is there that reflects to the floor
+  expect(found.indirect.mean).toEqual([0, 0, 0]);
+  [0.2, 0.4, 0.6].forEach((radiance, k) =>
+    expect(Math.abs(found.sky.mean[k] / (Math.PI * radiance) - 1), 'a sky').toBeLessThan(0.005),
+  );
+  expect(found.several.lightmaps).toBe(2);
+  for (const value of found.several.mean) expect(Math.abs(value / 3 - 1), 'several lightmaps').toBeLessThan(1e-3);
+});

@@ -60,6 +60,18 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
     })();
     const begun = draw(new effects.ParticleEmitter(settings), [], false);
 
+    // in the emitter's space: a particle at rest goes where the emitter goes, with the velocity that it has there
+    const carried = new effects.ParticleEmitter({
+      ...{ capacity: 1, rate: 0, bursts: [{ time: 0, count: 1 }], life: [9, 9], speed: [1, 1], space: 'local' },
+      ...{ shape: { kind: 'cone', radius: 0, angle: 0 }, render: 'mesh', orientation: 'velocity' },
+      particleGeometry: new three.BoxGeometry(),
+    });
+    draw(carried, [0.5], false);
+    carried.position.set(2, 0, 1);
+    carried.rotation.z = Math.PI / 2;
+    // up to here it has gone 0.5 m along the emitter's +Y; what follows is too short to go anywhere
+    const local = draw(carried, [1e-6], false);
+
     // one projectile, thrown 30 degrees from the upright, in long and short steps; with drag too
     const throws = [0, 0.8].map((drag) => {
       const thrown = new effects.ParticleEmitter({
@@ -91,13 +103,15 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
     });
     bounced.rotation.z = -Math.PI / 2;
     const between = draw(bounced, [0.7, 0.013, 0.687], true).slice(0, 3);
-    return { first, second, other, lost, begun, throws, between };
+    return { first, second, other, lost, begun, throws, between, local };
   });
   expect(watch.forgive(/a WebGL context was lost|CONTEXT_LOST_WEBGL|THREE.WebGLRenderer: Context/)).toBeGreaterThan(0);
   expect(motion.first.filter((value) => value !== 0).length).toBeGreaterThan(200);
   expect(motion.second).toEqual(motion.first);
   expect(motion.other).not.toEqual(motion.first);
   expect(motion.lost).toEqual(motion.begun);
+  const wanted = [1.5, 0, 1, 0.5, -1, 0, 0, 9];
+  wanted.forEach((value, i) => expect(motion.local[i], 'space of the emitter').toBeCloseTo(value, 4));
   const [free, braked] = motion.throws;
   const [sine, cosine] = [0.5, Math.sqrt(0.75)];
   expect(free[0]).toBeCloseTo(1 + 5 * sine, 4);

@@ -19,8 +19,11 @@ export interface TraceOptions {
   seed?: number;
   /** Milliseconds of GPU time between two moments at which the page may draw, 1 to 1,000. Default 12. */
   sliceMilliseconds?: number;
-  /** Whether a mesh stays where it is: it throws shadows and reflects light, and gets a lightmap. Default: each that is visible. */
-  isStatic?(object: Object3D): boolean;
+  /**
+   * Whether a mesh stays where it is: it throws shadows and reflects light, and gets a lightmap. Default: each that is visible.
+   * @param instance of an InstancedMesh that is static: whether this one of its instances is
+   */
+  isStatic?(object: Object3D, instance?: number): boolean;
   /**
    * Whether a light is baked: its direct and its reflected light, or 'indirect', its reflected light alone, while the
    * renderer goes on with the direct one. Default: each that is visible.

@@ -20,6 +20,7 @@ import { lightTable } from './trace/lightTable';
 import { skySource } from './trace/SkySource';
 import { stitchSeams } from './seams/stitchSeams';
 import { TracedScene } from './trace/TracedScene';
+import { unwrapReflectors } from './unwrap/unwrapReflectors';
 import { unwrapStaticMeshes } from './unwrap/unwrapStaticMeshes';
 
 /**
@@ -39,17 +40,30 @@ export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, optio
   const progress = new Progress(checked.onProgress);
   scene.updateMatrixWorld(true);
   const lights = collectLights(scene, checked.isBaked, onWarning);
-  const meshes = collectMeshes(scene, checked);
-  if (!meshes.some(({ isLit }) => isLit)) {
+  const collected = collectMeshes(scene, checked);
+  const kept = collected.filter(({ isReflecting }) => !isReflecting);
+  if (!kept.some(({ isLit }) => isLit)) {
     throw new Error('There is nothing to bake: no static mesh has a material that light falls on.');
   }
   let begin = performance.now();
-  const layout = await unwrapStaticMeshes(meshes, checked, (share) => progress.report('unwrapping', share));
-  const { unwrapped, texelsPerMetre } = layout;
+  const layout = await unwrapStaticMeshes(kept, checked, (share) => progress.report('unwrapping', share));
+  const count = layout.texelsPerMetre.length;
+  const reflectors = await unwrapReflectors(
+    collected.filter(({ isReflecting }) => isReflecting),
+    Math.min(...layout.texelsPerMetre),
+    count,
+    checked,
+  );
+  const meshes = [...kept, ...reflectors.meshes];
+  const unwrapped = [...layout.unwrapped, ...reflectors.unwrapped];
+  const texelsPerMetre = [...layout.texelsPerMetre, ...reflectors.texelsPerMetre];
   measurePhase('unwrap', begin);
   signal?.throwIfAborted();
   progress.report('preparing', 0);
-  const baked = meshes.flatMap(({ mesh }, i): BakedMesh[] => (unwrapped[i] ? [{ mesh, ...unwrapped[i] }] : []));
+  const baked = kept.flatMap(({ mesh }, i): BakedMesh[] => {
+    const own = layout.unwrapped[i];
+    return own ? [{ mesh, ...own }] : [];
+  });
   const channel = freeChannel(baked.map(({ mesh }) => mesh.geometry));
   const skyOf = checked.sky === 'environment' ? scene : null;
   begin = performance.now();
@@ -69,7 +83,7 @@ export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, optio
   const shown = checked.showProgress ? new AppliedBake(baked, gone, tracer.pictures, channel, skyOf) : null;
   try {
     shown?.apply();
-    const { lightmaps, probes } = await trace(renderer, scene, tracer, traced, lights, checked, progress);
+    const { lightmaps, probes } = await trace(renderer, scene, tracer, traced, lights, count, checked, progress);
     progress.report('finishing', 0.3);
     begin = performance.now();
     if (checked.stitch) await stitchSeams(lightmaps, layout, checked);
@@ -89,12 +103,14 @@ export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, optio
 /** Irradiance never exceeds what halves hold by so much that it would be infinite. */
 const toHalf = (value: number): number => DataUtils.toHalfFloat(Math.min(value, 65504));
 
+/** @param count lightmaps that are kept */
 async function trace(
   renderer: WebGLRenderer,
   scene: Scene,
   tracer: LightmapTracer,
   traced: TracedScene,
   lights: CollectedLights,
+  count: number,
   { sky, sliceMilliseconds, signal, onWarning, probes: points }: CheckedBakeOptions,
   progress: Progress,
 ): Promise<{ lightmaps: Float32Array[]; probes: BakedProbes | null }> {
@@ -122,7 +138,7 @@ async function trace(
     progress.report('finishing', 0);
     begin = performance.now();
     const lightmaps: Float32Array[] = [];
-    for (let i = 0; i < tracer.pictures.length; i++) {
+    for (let i = 0; i < count; i++) {
       lightmaps.push(await tracer.read(i));
       signal?.throwIfAborted();
     }

@@ -114,13 +114,13 @@ export class Surfaces {
   }
 
   private setAlbedo({ material }: TriangleRange): void {
-    const { color, map, metalness, metalnessMap, transmission, vertexColors } = material as MeshPhysicalMaterial;
+    const { color, map, metalness, metalnessMap, transmission } = material as MeshPhysicalMaterial;
     const { farol_factor, farol_map, farol_metalnessMap, farol_metalness, farol_uses } = this.uniforms;
     farol_factor.value.set(color ?? 0xffffff).multiplyScalar(1 - (transmission ?? 0));
     farol_map.value = map ?? null;
     farol_metalness.value = metalness ?? 0;
     farol_metalnessMap.value = metalnessMap ?? null;
-    farol_uses.value = [Boolean(map), Boolean(metalnessMap), vertexColors && this.triangles.colours !== null];
+    farol_uses.value = [Boolean(map), Boolean(metalnessMap), this.triangles.colours !== null];
   }
 
   private setEmission({ material }: TriangleRange): void {

@@ -1,4 +1,4 @@
-import type { Material, Mesh, Matrix4 } from 'three';
+import type { BufferGeometry, Color, Material, Mesh, Matrix4 } from 'three';
 
 /** One material of a mesh and the triangles that wear it. */
 export interface Surface {
@@ -13,12 +13,18 @@ export interface StaticMesh {
   readonly mesh: Mesh;
   /** How the mesh is called in sentences. */
   readonly name: string;
+  /** Of the mesh, as its bones have it. */
+  readonly geometry: BufferGeometry;
   /** Where its copies stand in the world: one, but for instanced meshes. */
   readonly placements: readonly Matrix4[];
   /** Three a triangle: of a geometry without one, its vertices in turn. */
   readonly index: Uint32Array;
   readonly surfaces: readonly Surface[];
   readonly throwsShadow: boolean;
-  /** Whether it gets a lightmap; else it throws shadows and reflects nothing. */
+  /** Factors of the colours of its copies; null where they have none. */
+  readonly colours: readonly Color[] | null;
+  /** Whether it gets a lightmap that it keeps. */
   readonly isLit: boolean;
+  /** Whether it gets none, and reflects light all the same; else what has no lightmap throws shadows alone. */
+  readonly isReflecting: boolean;
 }

@@ -1,17 +1,20 @@
 import {
-  type BufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
   type InstancedMesh,
   type Material,
   Matrix4,
   type Mesh,
   type Object3D,
   type SkinnedMesh,
+  Vector3,
 } from 'three';
 import { describe } from './describe';
 import type { StaticMesh, Surface } from './StaticMesh';
 
 export interface CollectOptions {
-  isStatic(object: Object3D): boolean;
+  isStatic(object: Object3D, instance?: number): boolean;
   throwsShadow(object: Object3D): boolean;
   /** Told, in a sentence, what is left out. */
   onWarning(sentence: string): void;
@@ -21,7 +24,7 @@ export interface CollectOptions {
  * Meshes of a scene that are seen and stay where they are. World matrices must be up to date.
  *
  * Left out with a warning: meshes without positions or triangles, with positions that are no numbers, or whose vertices a
- * skeleton or a batch moves. Instanced meshes throw shadows, and get no lightmap.
+ * batch moves. Instanced and skinned meshes throw shadows and reflect light as they stand, and get no lightmap.
  */
 export function collectMeshes(scene: Object3D, options: CollectOptions): StaticMesh[] {
   const found: StaticMesh[] = [];
@@ -37,13 +40,12 @@ export function collectMeshes(scene: Object3D, options: CollectOptions): StaticM
   return found;
 }
 
-function readMesh(mesh: Mesh, { throwsShadow, onWarning }: CollectOptions): StaticMesh | null {
+function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOptions): StaticMesh | null {
   const name = describe(mesh);
   const skip = (why: string): null => {
     onWarning(`${name} is not baked: ${why}.`);
     return null;
   };
-  if ((mesh as SkinnedMesh).isSkinnedMesh) return skip('its vertices are moved by bones');
   if ('isBatchedMesh' in mesh) return skip('batched meshes have one set of UVs for all their parts; use meshes');
   const { position } = mesh.geometry.attributes;
   if (!position) return skip('its geometry has no positions');
@@ -57,13 +59,46 @@ function readMesh(mesh: Mesh, { throwsShadow, onWarning }: CollectOptions): Stat
   const surfaces = readSurfaces(mesh, index.length);
   if (surfaces.length === 0) return skip('it has no triangles');
   const isInstanced = 'isInstancedMesh' in mesh;
+  const isSkinned = (mesh as SkinnedMesh).isSkinnedMesh;
+  const copies = isInstanced
+    ? Array.from({ length: (mesh as InstancedMesh).count }, (_, i) => i).filter((i) => isStatic(mesh, i))
+    : null;
+  if (copies?.length === 0) return null;
   if (isInstanced) {
     onWarning(
-      `${name} gets no lightmap: its instances share one set of UVs. They throw shadows; use meshes to have them lit.`,
+      `${name} gets no lightmap: its instances share one set of UVs. They throw shadows and reflect light; use meshes to have them lit.`,
     );
+  } else if (isSkinned) {
+    onWarning(`${name} gets no lightmap: bones move it. It throws shadows and reflects light as it stands.`);
   }
-  const isLit = !isInstanced && surfaces.some(({ material }) => takesLightmap(material));
-  return { mesh, name, placements: placementsOf(mesh), index, surfaces, isLit, throwsShadow: throwsShadow(mesh) };
+  const isLightable = surfaces.some(({ material }) => takesLightmap(material));
+  const hasLightmap = !isInstanced && !isSkinned;
+  return {
+    ...{ mesh, name, index, surfaces },
+    geometry: isSkinned ? posedGeometry(mesh) : mesh.geometry,
+    placements: copies ? placementsOf(mesh as InstancedMesh, copies) : [mesh.matrixWorld.clone()],
+    colours: copies && coloursOf(mesh as InstancedMesh, copies),
+    isLit: hasLightmap && isLightable,
+    isReflecting: !hasLightmap && isLightable,
+    throwsShadow: throwsShadow(mesh),
+  };
+}
+
+/** What a mesh is as its bones stand, without normals: those are of the faces. */
+function posedGeometry(mesh: Mesh): BufferGeometry {
+  const { attributes, index, groups, drawRange } = mesh.geometry;
+  const posed = new BufferGeometry();
+  const { count } = attributes.position;
+  const positions = new Float32Array(3 * count);
+  const place = new Vector3();
+  for (let i = 0; i < count; i++) mesh.getVertexPosition(i, place).toArray(positions, 3 * i);
+  for (const [name, attribute] of Object.entries(attributes))
+    if (name !== 'normal') posed.setAttribute(name, attribute);
+  posed.setAttribute('position', new BufferAttribute(positions, 3));
+  posed.setIndex(index);
+  posed.groups = groups;
+  posed.setDrawRange(drawRange.start, drawRange.count);
+  return posed;
 }
 
 /** Whether three draws a material with a lightmap as light that falls on it. Unlit materials would become darker. */
@@ -94,12 +129,19 @@ function readSurfaces({ material, geometry }: Mesh, length: number): Surface[] {
     .filter(isSeen);
 }
 
-function placementsOf(mesh: Mesh): Matrix4[] {
-  if (!('isInstancedMesh' in mesh)) return [mesh.matrixWorld.clone()];
-  const instanced = mesh as InstancedMesh;
-  return Array.from({ length: instanced.count }, (_, i) => {
+function placementsOf(mesh: InstancedMesh, copies: readonly number[]): Matrix4[] {
+  return copies.map((i) => {
     const matrix = new Matrix4();
-    instanced.getMatrixAt(i, matrix);
+    mesh.getMatrixAt(i, matrix);
     return matrix.premultiply(mesh.matrixWorld);
+  });
+}
+
+function coloursOf(mesh: InstancedMesh, copies: readonly number[]): Color[] | null {
+  if (mesh.instanceColor === null) return null;
+  return copies.map((i) => {
+    const colour = new Color();
+    mesh.getColorAt(i, colour);
+    return colour;
   });
 }

@@ -1,6 +1,7 @@
 import {
   BackSide,
   type BufferAttribute,
+  Color,
   DoubleSide,
   type InterleavedBufferAttribute,
   type Material,
@@ -50,6 +51,8 @@ interface Piece {
   readonly mesh: StaticMesh;
   readonly unwrapped: UnwrappedMesh | null;
   readonly placement: Matrix4;
+  /** Which of the copies it is. */
+  readonly copy: number;
   readonly surface: StaticMesh['surfaces'][number];
 }
 
@@ -66,8 +69,8 @@ export function mergeTriangles(
   unwrapped: readonly (UnwrappedMesh | null)[],
 ): MergedTriangles {
   const pieces = meshes.flatMap((mesh, i) =>
-    mesh.placements.flatMap((placement) =>
-      mesh.surfaces.map((surface): Piece => ({ mesh, unwrapped: unwrapped[i], placement, surface })),
+    mesh.placements.flatMap((placement, copy) =>
+      mesh.surfaces.map((surface): Piece => ({ mesh, unwrapped: unwrapped[i], placement, copy, surface })),
     ),
   );
   const lightmapOf = ({ unwrapped, surface }: Piece): number =>
@@ -78,7 +81,7 @@ export function mergeTriangles(
   );
 
   const most = pieces.reduce((sum, { surface }) => sum + surface.count / 3, 0);
-  const hasColours = pieces.some(({ surface }) => surface.material.vertexColors);
+  const hasColours = pieces.some(({ mesh, surface }) => mesh.colours !== null || surface.material.vertexColors);
   const merged = {
     positions: new Float32Array(9 * most),
     normals: new Float32Array(9 * most),
@@ -126,10 +129,12 @@ const faceNormal = new Vector3();
 const edge = new Vector3();
 const uv = new Vector2();
 const normalMatrix = new Matrix3();
+const vertexColour = new Color();
 
 /** @returns triangles in the lists */
-function addPiece({ mesh, unwrapped, placement, surface }: Piece, lists: Lists, count: number): number {
-  const { attributes } = mesh.mesh.geometry;
+function addPiece({ mesh, unwrapped, placement, copy, surface }: Piece, lists: Lists, count: number): number {
+  const { attributes } = mesh.geometry;
+  const factor = mesh.colours?.[copy];
   const position = attributes.position as BufferAttribute;
   const material = surface.material as MeshStandardMaterial;
   // the front of a surface is where light falls on it
@@ -167,9 +172,11 @@ function addPiece({ mesh, unwrapped, placement, surface }: Piece, lists: Lists, 
       }
       mapUV(vertex).toArray(lists.mapUVs, 2 * at);
       emissiveUV(vertex).toArray(lists.emissiveUVs, 2 * at);
-      if (colour && lists.colours) {
-        lists.colours.set([colour.getX(vertex), colour.getY(vertex), colour.getZ(vertex)], 3 * at);
-      }
+      if (!lists.colours || !(colour || factor)) continue;
+      vertexColour.setRGB(1, 1, 1);
+      if (colour) vertexColour.fromBufferAttribute(colour as BufferAttribute, vertex);
+      if (factor) vertexColour.multiply(factor);
+      vertexColour.toArray(lists.colours, 3 * at);
     }
     count++;
   }

@@ -61,7 +61,7 @@ describe('collectMeshes', () => {
       'Mesh “B” is not baked: the position of its vertex 2 is not a number.',
       'Mesh “C” is not baked: its index names a vertex that is not there.',
       'Mesh “D” is not baked: it has no triangles.',
-      'Mesh “E” gets no lightmap: its instances share one set of UVs. They throw shadows; use meshes to have them lit.',
+      'Mesh “E” gets no lightmap: its instances share one set of UVs. They throw shadows and reflect light; use meshes to have them lit.',
     ]);
     expect(found.map(({ mesh, isLit, placements }) => [mesh.name, isLit, placements.length])).toEqual([
       ['E', false, 3],

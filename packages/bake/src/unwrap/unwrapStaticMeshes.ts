@@ -24,8 +24,7 @@ export async function unwrapStaticMeshes(
   const surfaces: SurfaceToUnwrap[] = [];
   const known = new Map<string, number>();
   const lit = meshes.filter(({ isLit }) => isLit);
-  const surfaceOf = lit.map(({ mesh, index, surfaces: parts, placements: [placement] }) => {
-    const { geometry } = mesh;
+  const surfaceOf = lit.map(({ geometry, index, surfaces: parts, placements: [placement] }) => {
     const isFlat = parts.some(({ material }) => (material as MeshStandardMaterial).flatShading);
     const { x, y, z } = new Vector3().setFromMatrixScale(placement);
     const key = [geometry.uuid, isFlat, ...[x, y, z].map((scale) => scale.toPrecision(4))].join(' ');

@@ -1,3 +1,4 @@
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
 
 /** A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene itself. */
@@ -10,6 +11,8 @@ export class Model {
   constructor(
     readonly scene: Object3D,
     readonly animations: readonly AnimationClip[] = [],
+    /** Those of its lights. */
+    readonly profiles: readonly PhotometricProfile[] = [],
   ) {
     this.clips = animations.map((clip) => new ModelClip(clip, this));
   }
@@ -30,7 +33,14 @@ export class Model {
         for (const texture of texturesOf(each)) disposables.add(texture);
       }
     });
-    for (const each of disposables) each.dispose();
+    for (const each of [...disposables, ...this.profiles]) each.dispose();
+  }
+
+  /** The profile of one of its lights, or of a copy's; null for none. */
+  profileOf(light: Object3D): PhotometricProfile | null {
+    const texture: unknown = light.userData.farolProfile;
+    if (!texture) return null;
+    return this.profiles.find((each) => each.texture === texture) ?? null;
   }
 }
 

@@ -3,7 +3,7 @@ import { type Asset, assetTypeOf } from './Asset';
 import { type Model, texturesOf } from './Model';
 
 /**
- * The meshes, materials, textures and clips of a model that can be used by themselves, each once, with the names that they get:
+ * The meshes, materials, textures, clips and profiles of a model that can be used by themselves, each once, with the names that they get:
  * 'robot.glb/mesh-1-Head'. The same file gives the same names each time.
  * @param prefix - name of the model
  */
@@ -27,5 +27,6 @@ export function modelParts(model: Model, prefix: string): Map<Asset, string> {
     }
   });
   for (const clip of model.clips) add(clip);
+  for (const profile of model.profiles) add(profile);
   return names;
 }

@@ -1,5 +1,8 @@
 import { shortText } from '@farol/renderer';
 
+/** The extension by which nodes have lights with photometric profiles. */
+export const LIGHTS_IES = 'EXT_lights_ies';
+
 /** What is read of a glTF file before the loader does. @see glTF 2.0, 3.1 */
 export interface GltfJson {
   asset?: { version?: string };
@@ -7,8 +10,23 @@ export interface GltfJson {
   buffers?: { uri?: string; byteLength?: number }[];
   bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[];
   images?: { uri?: string; mimeType?: string; bufferView?: number }[];
+  extensions?: { [LIGHTS_IES]?: { lights?: LightProfileJson[] } };
   /** Index of the scene that is shown. */
   scene?: number;
+}
+
+/** A photometric profile in a glTF: a file, or a view of a buffer. @see EXT_lights_ies */
+export interface LightProfileJson {
+  name?: string;
+  uri?: string;
+  bufferView?: number;
+  mimeType?: string;
+}
+
+/** Photometric profiles of a glTF that was not checked; none where their list is something else. */
+export function lightProfilesOf({ extensions }: GltfJson): readonly LightProfileJson[] {
+  const lights: unknown = extensions?.[LIGHTS_IES]?.lights;
+  return Array.isArray(lights) ? lights.filter((each) => typeof each === 'object' && each !== null) : [];
 }
 
 const glbMagic = 0x46546c67;

@@ -7,7 +7,8 @@ import { checkImageSize } from './imageSize';
 import { makeKTX2Loader } from './makeKTX2Loader';
 import { restoreLights } from './lightExtras';
 import { Model } from './Model';
-import { binaryOf, type GltfJson, readGltfJson } from './readGltfJson';
+import type { LightsIes } from './lightsIes';
+import { binaryOf, type GltfJson, lightProfilesOf, LIGHTS_IES, readGltfJson } from './readGltfJson';
 
 /** A GLTFLoader with the decoders that a file asks for; each is fetched when a file first uses it. */
 async function loaderFor(
@@ -91,16 +92,22 @@ export async function readModel(
 ): Promise<Model> {
   const json = readGltfJson(bytes);
   checkModelFile(bytes, json);
-  const outside = [...(json.buffers ?? []), ...(json.images ?? [])].find(({ uri }) => uri && !/^data:/i.test(uri));
+  const named: { uri?: string }[] = [...(json.buffers ?? []), ...(json.images ?? []), ...lightProfilesOf(json)];
+  const outside = named.find(({ uri }) => uri && !/^data:/i.test(uri));
   if (outside) throw new Error(`it needs ${shortText(outside.uri!, 120)}: choose both files together.`);
   const { loader, dispose } = await loaderFor(json.extensionsUsed ?? [], renderer);
   try {
+    const lights: { ies?: LightsIes } = {};
+    if (json.extensionsUsed?.includes(LIGHTS_IES)) {
+      const { LightsIes } = await import('./lightsIes');
+      loader.register((parser) => (lights.ies = new LightsIes(parser)));
+    }
     signal?.throwIfAborted();
     const { scene, animations } = await loader.parseAsync(bytes, '');
     signal?.throwIfAborted();
     restoreLights(scene);
     await checkModel(scene, signal);
-    return new Model(scene, animations);
+    return new Model(scene, animations, lights.ies?.profiles);
   } catch (cause) {
     signal?.throwIfAborted();
     throw modelError(cause);

@@ -34,6 +34,10 @@ export const bakeFields = {
   }),
   bakeSky: boolean(true, { help: 'Sky and environment light what is baked.', label: 'Light from the sky' }),
   bakeDenoise: boolean(true, { help: 'Takes out the noise that is left.', label: 'Denoise' }),
+  bakeStitch: boolean(true, {
+    help: 'Light meets where a smooth surface is cut for its lightmap; else the cuts may show as lines.',
+    label: 'Stitch seams',
+  }),
   bakeProbes: boolean(true, {
     help: 'Light probes, by which baked light reaches objects that are not static.',
     label: 'Light probes',

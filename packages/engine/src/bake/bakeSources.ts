@@ -66,5 +66,13 @@ export function bakeSources(scene: Scene): BakeSources {
   return { meshes, objects, instanced, lights };
 }
 
-/** Whether a three object throws shadows and reflects light in a bake: it belongs to a static object. */
-export const isStaticObject = (object: Object3D): boolean => gameObjectOf(object)?.isStatic === true;
+/**
+ * Whether a three object that gets no lightmap throws shadows and reflects light in a bake: its bones, or its instances, have
+ * no one place in a lightmap, and it belongs to a static object.
+ * @param instance - of a mesh of instances: whether this one is static; of the mesh as a whole, true
+ */
+export function isStaticWithoutLightmap(object: Object3D, instance?: number): boolean {
+  const { isSkinnedMesh, isInstancedMesh } = object as MeshLike;
+  if (isInstancedMesh && instance === undefined) return true;
+  return (isSkinnedMesh || isInstancedMesh) === true && gameObjectOf(object, instance)?.isStatic === true;
+}

@@ -3,7 +3,7 @@ export type { BakeData, LightmapData, LightmappedMesh, ProbeData } from './BakeD
 export { BakedLight } from './BakedLight';
 export { bakeFields } from './bakeFields';
 export { bakeSignature } from './bakeSignature';
-export { type BakeMesh, type BakeSources, bakeSources, isStaticObject } from './bakeSources';
+export { type BakeMesh, type BakeSources, bakeSources, isStaticWithoutLightmap } from './bakeSources';
 export { dampRinging, fillBuriedProbes, probeBox } from './probeGrid';
 export { loadBakeCode } from '../core/bakeCode';
 export { readBake } from './readBake';

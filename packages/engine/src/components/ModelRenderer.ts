@@ -1,4 +1,5 @@
-import { type Light as ThreeLight, type Material, type Mesh, Object3D } from 'three';
+import { setLightProfile } from '@farol/renderer';
+import { type Light as ThreeLight, type Material, type Mesh, Object3D, type PointLight } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
@@ -13,8 +14,12 @@ type Light = ThreeLight & { target?: Object3D };
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
-/** A copy of a model's tree, by what it is a copy of. Lights aim at the copies of what they aim at, which three's own copies do not. */
-function copiesOf(source: Object3D): Map<Object3D, Object3D> {
+/**
+ * A copy of a model's tree, by what it is a copy of. Lights aim at the copies of what they aim at and keep their profiles,
+ * which three's own copies do not.
+ */
+function copiesOf(model: Model): Map<Object3D, Object3D> {
+  const { scene: source } = model;
   const copy = clone(source);
   const copies = new Map<Object3D, Object3D>();
   const lights: [Light, Light][] = [];
@@ -27,6 +32,8 @@ function copiesOf(source: Object3D): Map<Object3D, Object3D> {
   for (const [from, to] of lights) {
     const target = from.target && copies.get(from.target);
     if (target) to.target = target;
+    const profile = model.profileOf(from);
+    if (profile) setLightProfile(to as PointLight, profile.texture);
   }
   return copies;
 }
@@ -182,7 +189,7 @@ export class ModelRenderer extends component({
     scene.assets.uses.acquire(this.inUse);
     const { scene: source } = this.inUse;
     this.subtree = subtreeOf(source, this.parts);
-    const copies = copiesOf(source);
+    const copies = copiesOf(this.inUse);
     this.copies = this.subtree ? prune(copies, this.subtree) : copies;
     this.copy = this.copies.get(this.subtree?.root ?? source)!;
     this.gameObject.object3D.add(this.copy);

@@ -4,6 +4,7 @@ import { expect, test } from 'vitest';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
+import { particleValues } from './particleSettings';
 import { isFieldVisible } from '../fields/isFieldVisible';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from '../files/deserialize';
@@ -117,6 +118,21 @@ test('objects that particles bounce off are planes along their +Y or spheres of 
   expect(emitter.three!.colliders.map(({ kind }) => kind)).toEqual(['plane', 'sphere']);
   emitter.collides = false;
   expect(emitter.three!.colliders).toEqual([]);
+});
+
+test('bursts repeat at an interval, after a delay; space and orientation are told', () => {
+  const emitter = emitterIn(new Scene(), {
+    ...{ rate: 0, burstCount: 4, burstTime: 0.1, burstRepeats: 3, burstInterval: 0.2, delay: 1 },
+    ...{ space: 'local', orientation: 'velocity' },
+  });
+  const { three } = emitter;
+  expect(three!.bursts).toEqual([0, 1, 2].map((i) => ({ time: 0.1 + i * 0.2, count: 4 })));
+  expect([three!.delay, three!.space, three!.orientation]).toEqual([1, 'local', 'velocity']);
+  expect(particleValues(three!.settings)).toMatchObject({
+    ...{ burstCount: 4, burstTime: 0.1, burstRepeats: 3, delay: 1, space: 'local', orientation: 'velocity' },
+  });
+  emitter.advance(1.35);
+  expect(begun(emitter)).toBe(8);
 });
 
 test('play begins from the seed whatever was shown before, and a reset brings the beginning back', () => {

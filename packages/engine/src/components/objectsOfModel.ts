@@ -124,6 +124,12 @@ export function objectsOfModel(
     else if (object.isMesh) addMesh(gameObject, object as unknown as Mesh);
     if (object.isLight) {
       const values = lightValues(object as unknown as ThreeLight);
+      const profile = model.profileOf(object);
+      if (values && profile) {
+        const { maximumIntensity: most } = profile;
+        const intensity = most > 0 ? (values.intensity as number) / most : 0;
+        Object.assign(values, { profile: parts.get(profile) ?? null, profileIntensity: true, intensity });
+      }
       if (values) gameObject.addComponent(Light, values);
     }
     const shape = shapeLightValues(object.userData.farolLight);

@@ -33,6 +33,30 @@ export const particleFields = {
     help: 'When the burst comes, after the beginning and after each time that it begins again.',
     label: 'Burst time',
   }),
+  burstRepeats: number(1, {
+    ...emission,
+    integer: true,
+    min: 1,
+    max: 1000,
+    help: 'How often the burst comes, one interval after another.',
+    label: 'Burst repeats',
+  }),
+  burstInterval: number(0.5, {
+    ...emission,
+    unit: 's',
+    min: 0.01,
+    step: 0.1,
+    help: 'Time from one burst to the next.',
+    label: 'Burst interval',
+  }),
+  delay: number(0, {
+    ...emission,
+    unit: 's',
+    min: 0,
+    step: 0.1,
+    help: 'Time before the first particle begins.',
+    label: 'Start delay',
+  }),
   duration: number(0, {
     ...emission,
     unit: 's',
@@ -124,6 +148,11 @@ export const particleFields = {
     step: 0.1,
     help: 'Greatest speed at the beginning.',
     label: 'Speed to',
+  }),
+  space: choice('world', ['world', 'local'], {
+    ...motion,
+    help: 'What living particles stay with: the world, or the emitter wherever it goes.',
+    optionLabels: { world: 'World', local: 'Emitter' },
   }),
   inheritVelocity: number(0, {
     ...motion,
@@ -233,6 +262,12 @@ export const particleFields = {
     help: 'Each faces the camera, is drawn out along its way, or is a mesh.',
     label: 'Drawn as',
     optionLabels: { billboard: 'Billboard', stretched: 'Stretched billboard', mesh: 'Mesh' },
+  }),
+  orientation: choice('random', ['random', 'emitter', 'velocity'], {
+    ...look,
+    help: 'How meshes begin: turned at random, as the emitter is, or with their +Y along the velocity.',
+    optionLabels: { random: 'Random', emitter: 'As the emitter', velocity: 'Along the velocity' },
+    ...when('render', 'mesh'),
   }),
   mesh: asset('mesh', 'sphere', {
     ...look,

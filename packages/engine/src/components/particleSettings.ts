@@ -45,9 +45,11 @@ const rules: { readonly [Name in keyof ParticleSettings]: Rule<Name> } = {
   seed: same('seed'),
   rate: same('rate'),
   bursts: {
-    fields: ['burstCount', 'burstTime'],
-    make: ({ burstCount: count, burstTime: time }) => (count > 0 ? [{ time, count }] : []),
+    fields: ['burstCount', 'burstTime', 'burstRepeats', 'burstInterval'],
+    make: ({ burstCount: count, burstTime, burstRepeats, burstInterval }) =>
+      count > 0 ? Array.from({ length: burstRepeats }, (_, i) => ({ time: burstTime + i * burstInterval, count })) : [],
   },
+  delay: same('delay'),
   duration: same('duration'),
   loop: same('loop'),
   prewarm: same('prewarm'),
@@ -70,6 +72,7 @@ const rules: { readonly [Name in keyof ParticleSettings]: Rule<Name> } = {
   },
   life: { fields: ['lifeFrom', 'lifeTo'], make: ({ lifeFrom, lifeTo }) => between(lifeFrom, lifeTo) },
   speed: { fields: ['speedFrom', 'speedTo'], make: ({ speedFrom, speedTo }) => between(speedFrom, speedTo) },
+  space: same('space'),
   inheritVelocity: same('inheritVelocity'),
   gravity: same('gravity'),
   drag: same('drag'),
@@ -113,6 +116,7 @@ const rules: { readonly [Name in keyof ParticleSettings]: Rule<Name> } = {
   },
   render: same('render'),
   stretch: same('stretch'),
+  orientation: same('orientation'),
   particleGeometry: { fields: ['mesh'], make: (_values, { mesh }) => mesh },
   blending: same('blending'),
   softness: same('softness'),
@@ -156,7 +160,7 @@ export function particleValues(settings: Partial<ParticleSettings>): Partial<Par
     ...(settings.sizeOverLife && { sizeOverLife: settings.sizeOverLife }),
     ...(settings.spinOverLife && { spinOverLife: settings.spinOverLife }),
     ...(colorOverLife && { colourOverLife: colorOverLife }),
-    ...(bursts?.[0] && { burstCount: bursts[0].count, burstTime: bursts[0].time }),
+    ...(bursts && burstValues(bursts)),
     ...(shape && shapeValues(shape)),
     ...(life && { lifeFrom: life[0], lifeTo: life[1] }),
     ...(speed && { speedFrom: speed[0], speedTo: speed[1] }),
@@ -170,6 +174,18 @@ export function particleValues(settings: Partial<ParticleSettings>): Partial<Par
     ...(flipBook && { flipBook: true, columns: flipBook.columns, rows: flipBook.rows, cycles: flipBook.cycles ?? 1 }),
     ...(lightEvery !== undefined && { shine: lightEvery > 0, lightEvery: Math.max(lightEvery, 1) }),
   };
+}
+
+/** Of bursts at equal intervals; of others, the first alone. */
+function burstValues(bursts: ParticleSettings['bursts']): Partial<ParticleValues> {
+  const [first, second] = bursts;
+  if (!first) return {};
+  const interval = second ? second.time - first.time : 0;
+  const isRow = bursts.every(
+    ({ time, count }, i) => count === first.count && Math.abs(time - first.time - i * interval) < 1e-6,
+  );
+  const row = isRow && interval >= 0.01 ? { burstRepeats: bursts.length, burstInterval: interval } : {};
+  return { burstCount: first.count, burstTime: first.time, ...row };
 }
 
 function shapeValues(shape: ParticleSettings['shape']): Partial<ParticleValues> {

@@ -1,7 +1,13 @@
 import { shortText } from '@farol/renderer';
 import { sampleOf } from './ProblemList';
 import { checkGltf } from '../assets/checkGltf';
-import { type GltfJson, readGltfJson } from '../assets/readGltfJson';
+import {
+  type GltfJson,
+  lightProfilesOf,
+  LIGHTS_IES,
+  type LightProfileJson,
+  readGltfJson,
+} from '../assets/readGltfJson';
 import { padded, writeGlb } from './writeGlb';
 
 const mimeTypes: Readonly<Record<string, string>> = { png: 'image/png', webp: 'image/webp', ktx2: 'image/ktx2' };
@@ -74,6 +80,17 @@ export async function packGltf(
     images.push({ ...rest, mimeType, bufferView: views.length });
     views.push({ buffer: 0, byteOffset: append(data), byteLength: data.length });
   }
+  const profiles: LightProfileJson[] = [];
+  for (const profile of lightProfilesOf(json)) {
+    const { uri, ...rest } = profile;
+    if (uri === undefined) {
+      profiles.push(profile);
+      continue;
+    }
+    const data = await read(uri);
+    profiles.push({ ...rest, mimeType: 'application/x-ies-lm-63', bufferView: views.length });
+    views.push({ buffer: 0, byteOffset: append(data), byteLength: data.length });
+  }
   if (missing.length > 0) {
     throw new Error(`it needs ${sampleOf(new Set(missing))}: drop the whole folder, or all of its files together.`);
   }
@@ -82,6 +99,9 @@ export async function packGltf(
     ...(length > 0 ? { buffers: [{ byteLength: length }] } : {}),
     ...(views.length > 0 ? { bufferViews: views } : {}),
     ...(images.length > 0 ? { images } : {}),
+    ...(profiles.length > 0
+      ? { extensions: { ...json.extensions, [LIGHTS_IES]: { ...json.extensions?.[LIGHTS_IES], lights: profiles } } }
+      : {}),
   };
   return writeGlb(JSON.stringify(whole), parts, length);
 }

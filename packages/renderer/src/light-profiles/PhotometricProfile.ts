@@ -28,7 +28,8 @@ export class PhotometricProfile {
   name = '';
   /** Of the direction that gets most (cd); 1 in the texture. */
   readonly maximumIntensity: number;
-  private readonly factor: number;
+  /** Of the light that lamps give at the tilt. */
+  readonly tiltFactor: number;
   private made: DataTexture | null = null;
 
   /** @param tilt of the luminaire from the position in which it was measured (degrees), for lamps that then give less light */
@@ -36,10 +37,10 @@ export class PhotometricProfile {
     readonly data: PhotometricData,
     tilt = 0,
   ) {
-    this.factor = data.tilt === null ? 1 : interpolate(data.tilt.angles, data.tilt.factors, 0, Math.abs(tilt));
+    this.tiltFactor = data.tilt === null ? 1 : interpolate(data.tilt.angles, data.tilt.factors, 0, Math.abs(tilt));
     let most = 0;
     for (const candelas of data.candelas) most = Math.max(most, candelas);
-    this.maximumIntensity = most * this.factor;
+    this.maximumIntensity = most * this.tiltFactor;
   }
 
   /** True where the light is the same at all horizontal angles. */
@@ -66,7 +67,8 @@ export class PhotometricProfile {
    */
   intensityAt(vertical: number, horizontal: number): number {
     return (
-      this.factor * (this.data.type === 'C' ? this.planeAt(vertical, horizontal) : this.axisAt(vertical, horizontal))
+      this.tiltFactor *
+      (this.data.type === 'C' ? this.planeAt(vertical, horizontal) : this.axisAt(vertical, horizontal))
     );
   }
 

@@ -8,6 +8,7 @@ import {
   bakeSources,
   dampRinging,
   fillBuriedProbes,
+  isStaticWithoutLightmap,
   probeBox,
   type ProbeData,
 } from '@farol/engine/bake';
@@ -42,7 +43,7 @@ function traceOptions(scene: Scene, sources: BakeSources): TraceOptions {
     bounces: settings.bakeBounces,
     samples: settings.bakeSamples,
     sky: settings.bakeSky && scene.three.environment ? 'environment' : 'none',
-    isStatic: (object) => meshes.has(object),
+    isStatic: (object, instance) => meshes.has(object) || isStaticWithoutLightmap(object, instance),
     isBaked: (light) => (modes.get(light) === 'mixed' ? 'indirect' : modes.has(light)),
   };
 }
@@ -68,7 +69,9 @@ export async function bakeScene(
   const sources = bakeSources(scene);
   const { settings } = scene;
   const signature = bakeSignature(scene, sources);
-  const shared = { ...traceOptions(scene, sources), signal, onWarning: warned };
+  // the panel tells of instances, and probes light what else has no lightmap
+  const onWarning = (sentence: string): void => void (/ gets no lightmap: /.test(sentence) || warned(sentence));
+  const shared = { ...traceOptions(scene, sources), signal, onWarning };
   const endSizes = sizeLights(sources);
   try {
     const box = settings.bakeProbes ? probeBox(sources.meshes, settings.bakeProbeSpacing) : null;
@@ -77,6 +80,7 @@ export async function bakeScene(
       size: Number(settings.bakeSize),
       texelsPerMetre: settings.bakeTexelsPerMetre > 0 ? settings.bakeTexelsPerMetre : undefined,
       denoise: settings.bakeDenoise,
+      stitch: settings.bakeStitch,
       probes: box ? probePoints(box) : undefined,
       onProgress: progressed,
     });

@@ -1,6 +1,7 @@
 import type { Scene } from '@farol/engine';
-import type { WebGLRenderer } from 'three';
+import type { Object3D, WebGLRenderer } from 'three';
 import { breathe } from './gltf/breathe';
+import { GltfProfiles, type ProfileWriter } from './gltf/GltfProfiles';
 import { GltfScene } from './gltf/GltfScene';
 
 /** A glTF, and what it could not take along. */
@@ -11,16 +12,16 @@ export interface ExportedGltf {
 }
 
 /** The part of GLTFExporter's writer that is used here. */
-interface Writer {
-  readonly json: { skins?: { skeleton?: number }[]; buffers?: unknown };
-  processNodeAsync(object: unknown): Promise<number>;
+interface Writer extends ProfileWriter {
+  readonly json: ProfileWriter['json'] & { skins?: { skeleton?: number }[]; buffers?: unknown };
+  processNodeAsync(object: Object3D): Promise<number>;
 }
 
 /**
  * The scene as a GLB: tree, meshes, materials, models, clips, cameras and the lights that glTF knows. The page answers meanwhile.
  * @param webgl - reads textures that no canvas can: compressed ones, floats
  * @throws Error (as a rejection) naming the object and its texture when one cannot be read
- * @see glTF 2.0, KHR_lights_punctual
+ * @see glTF 2.0, KHR_lights_punctual, EXT_lights_ies
  */
 export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<ExportedGltf> {
   const { GLTFExporter } = await import('three/addons/exporters/GLTFExporter.js');
@@ -29,14 +30,20 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
     const exporter = new GLTFExporter();
     exporter.register((given) => {
       const writer = given as unknown as Writer;
+      const profiles = new GltfProfiles(writer, source.profiles);
       const processNode = writer.processNodeAsync.bind(writer);
       writer.processNodeAsync = async (object) => {
         await breathe();
+        await profiles.prepare(object);
         return processNode(object);
       };
       return {
-        // the exporter names the first joint, which need not be above all others; the property may be left out
-        afterParse: () => writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton')),
+        writeNode: (object, nodeDef) => profiles.writeNode(object, nodeDef),
+        afterParse: () => {
+          // the exporter names the first joint, which need not be above all others; the property may be left out
+          writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton'));
+          profiles.finish();
+        },
       };
     });
     const animations = [...source.animations];

@@ -89,6 +89,9 @@ export const bake: Texts = {
   'Sky and environment light what is baked.': 'El cielo y el entorno iluminan lo que se precalcula.',
   Denoise: 'Quitar ruido',
   'Takes out the noise that is left.': 'Quita el ruido que queda.',
+  'Stitch seams': 'Coser costuras',
+  'Light meets where a smooth surface is cut for its lightmap; else the cuts may show as lines.':
+    'La luz coincide donde una superficie lisa se corta para su mapa de luz; si no, los cortes pueden verse como líneas.',
   'Light probes, by which baked light reaches objects that are not static.':
     'Sondas de luz, por las que la luz precalculada llega a los objetos que no son estáticos.',
   'Probe spacing': 'Separación de las sondas',

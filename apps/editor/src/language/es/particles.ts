@@ -2,6 +2,24 @@ import type { Texts } from '@farol/editing';
 
 /** Particles, and the editors of curves and gradients. */
 export const particles: Texts = {
+  'Burst repeats': 'Repeticiones de la ráfaga',
+  'How often the burst comes, one interval after another.': 'Cuántas veces llega la ráfaga, un intervalo tras otro.',
+  'Burst interval': 'Intervalo de la ráfaga',
+  'Time from one burst to the next.': 'Tiempo de una ráfaga a la siguiente.',
+  'Start delay': 'Retraso inicial',
+  'Time before the first particle begins.': 'Tiempo hasta que nace la primera partícula.',
+  Space: 'Espacio',
+  World: 'Mundo',
+  Random: 'Al azar',
+  'What living particles stay with: the world, or the emitter wherever it goes.':
+    'Con qué se quedan las partículas vivas: con el mundo, o con el emisor adondequiera que vaya.',
+  Emitter: 'Emisor',
+  Orientation: 'Orientación',
+  'How meshes begin: turned at random, as the emitter is, or with their +Y along the velocity.':
+    'Cómo nacen las mallas: giradas al azar, como el emisor, o con su +Y a lo largo de la velocidad.',
+  'As the emitter': 'Como el emisor',
+  'Along the velocity': 'A lo largo de la velocidad',
+
   'Graph of {label}': 'Gráfica de {label}',
   'A click adds a key, a drag moves it, a double click or Delete removes it.':
     'Un clic añade una clave, arrastrarla la mueve, un doble clic o Supr la quita.',
@@ -41,7 +59,6 @@ export const particles: Texts = {
   '{count} key': '{count} clave',
   '{count} keys': '{count} claves',
   Particles: 'Partículas',
-  Emitter: 'Emisor',
   Fire: 'Fuego',
   Smoke: 'Humo',
   Sparks: 'Chispas',

@@ -21,7 +21,11 @@ export const profiles: Texts = {
   'Shading models': 'Modelos de sombreado',
   'Flat, Gouraud and Phong side by side. Move the lamp, and choose another in the field “Shading” of a ball.':
     'Plano, Gouraud y Phong, uno junto a otro. Al mover la lámpara se ven las diferencias; el campo «Sombreado» de cada bola elige otro.',
-  'Profiles of lights are left out': 'Se omiten los perfiles de las luces',
+  'Profiles of lights that are not loaded are left out': 'Se omiten los perfiles de las luces que no se han cargado',
+  'Cones of lights with a profile are left out': 'Se omiten los conos de las luces con perfil',
+  'Lights with a profile have an end in Farol alone; elsewhere they go on':
+    'Las luces con perfil terminan solo en Farol; en otros programas siguen',
+  'Particles and the light that they give are left out': 'Se omiten las partículas y la luz que dan',
   'Lights that fade in a way of their own do so in Farol alone; elsewhere they fade as in nature, as bright half way':
     'Las luces que se atenúan a su manera lo hacen solo en Farol; en otros programas se atenúan como en la naturaleza, con el mismo brillo a medio camino',
   'Spot lights with an exponent keep it in Farol alone; elsewhere they have an edge':

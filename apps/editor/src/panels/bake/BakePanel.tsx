@@ -12,7 +12,10 @@ import '../inspector/inspector.css';
 import { Section } from '../inspector/Section';
 import './bake.css';
 
-const lightmaps = ['bakeSize', 'bakeTexelsPerMetre', 'bakeBounces', 'bakeSamples', 'bakeSky', 'bakeDenoise'];
+const lightmaps = [
+  ...['bakeSize', 'bakeTexelsPerMetre', 'bakeBounces', 'bakeSamples'],
+  ...['bakeSky', 'bakeDenoise', 'bakeStitch'],
+];
 const probes = ['bakeProbes', 'bakeProbeSpacing'];
 
 /** Bakes light into lightmaps and probes: what takes part, how finely, how far it is, and what is there. */

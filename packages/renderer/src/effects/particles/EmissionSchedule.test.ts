@@ -74,3 +74,21 @@ test('a restart begins with the first burst again', () => {
   });
   expect(begun).toBe(4);
 });
+
+test('a delay lets particles, bursts and the duration begin later, once', () => {
+  const settings = { rate: 10, bursts: [{ time: 0.1, count: 2 }], delay: 0.35, duration: 0.5 };
+  const wanted = [0.1, 0.1, 0.1, 0.2, 0.3, 0.4, 0.5].map((time) => 0.35 + time);
+  for (const steps of [repeat(0.425, 2), repeat(1 / 60, 51)]) {
+    const close = births(run({ ...settings, loop: false }, steps).taken).toSorted((a, b) => a - b);
+    expect(close).toHaveLength(wanted.length);
+    close.forEach((time, i) => expect(time).toBeCloseTo(wanted[i], 6));
+  }
+  const looped = births(run({ ...settings, rate: 0 }, repeat(0.05, 30)).taken);
+  [0.45, 0.45, 0.95, 0.95, 1.45, 1.45].forEach((time, i) => expect(looped[i]).toBeCloseTo(time, 6));
+});
+
+test('it is known that particles could not begin for want of room', () => {
+  expect(run({ capacity: 21, rate: 10, life: [1, 2] }, repeat(0.1, 60)).schedule.wasFull).toBe(false);
+  expect(run({ capacity: 19, rate: 10, life: [1, 2] }, repeat(0.1, 60)).schedule.wasFull).toBe(true);
+  expect(run({ capacity: 19, rate: 10, life: [1, 2] }, repeat(0.1, 60), false).schedule.wasFull).toBe(false);
+});

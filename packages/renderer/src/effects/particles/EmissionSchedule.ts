@@ -21,7 +21,7 @@ export interface SimulationStep {
   time: number;
 }
 
-type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'duration' | 'loop' | 'life'>;
+type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'delay' | 'duration' | 'loop' | 'life'>;
 
 /** When particles begin: the emitter's clock, without a GPU. Particles are numbered; one lies in slot number % capacity. */
 export class EmissionSchedule {
@@ -31,6 +31,8 @@ export class EmissionSchedule {
   begun = 0;
   /** The first of them that may live still: all before it have ended. */
   oldest = 0;
+  /** Whether particles could not begin since the restart, because there were as many as `capacity` has room for. */
+  wasFull = false;
   /** Whether particles begin, now and later. */
   isOver = false;
   private cycle = 0;
@@ -56,7 +58,7 @@ export class EmissionSchedule {
 
   restart(): void {
     this.time = this.begun = this.oldest = this.cycle = this.nextBurst = this.share = this.batches = 0;
-    this.isOver = false;
+    this.isOver = this.wasFull = false;
     this.bursts = null;
   }
 
@@ -79,9 +81,11 @@ export class EmissionSchedule {
   }
 
   /** Takes new bursts over: those whose time is past are not made up for. */
-  private follow({ bursts }: Emission): void {
+  private follow({ bursts, delay }: Emission): void {
     if (bursts === this.bursts) return;
     const isFirst = this.bursts === null;
+    // below 0 nothing begins yet
+    if (isFirst) this.cycle = -delay;
     this.bursts = bursts;
     this.sorted = bursts.toSorted((a, b) => a.time - b.time);
     const next = isFirst ? 0 : this.sorted.findIndex(({ time }) => time > this.cycle);
@@ -99,6 +103,7 @@ export class EmissionSchedule {
       }
     } else this.isOver = false;
     if (this.isOver) return Infinity;
+    if (this.cycle < -CLOSE) return -this.cycle;
     const end = duration > 0 ? duration : Infinity;
     let event = end;
     for (let i = this.nextBurst; i < sorted.length; i++) {
@@ -116,7 +121,7 @@ export class EmissionSchedule {
     let bursting = 0;
     current.rated = 0;
     this.forget();
-    if (!this.isOver) {
+    if (!this.isOver && this.cycle >= -CLOSE) {
       for (; this.nextBurst < sorted.length && sorted[this.nextBurst].time <= this.cycle + CLOSE; this.nextBurst++)
         bursting += sorted[this.nextBurst].count;
       const made = this.share + (emits ? rate * seconds : 0);
@@ -127,7 +132,9 @@ export class EmissionSchedule {
     }
     this.cycle += seconds;
     const room = capacity - (this.begun - this.oldest);
-    current.bursting = Math.min(emits ? bursting : 0, room);
+    if (!emits) bursting = 0;
+    if (bursting + current.rated > room) this.wasFull = true;
+    current.bursting = Math.min(bursting, room);
     current.rated = Math.min(current.rated, room - current.bursting);
     current.first = this.begun;
     current.seconds = seconds;

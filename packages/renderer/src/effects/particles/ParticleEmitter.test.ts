@@ -1,5 +1,5 @@
 import { BoxGeometry, Mesh, Object3D, Texture, Vector3 } from 'three';
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { settingNames } from './checkParticleSetting';
 import { particleDefaults } from './particleDefaults';
 import { ParticleEmitter } from './ParticleEmitter';
@@ -142,4 +142,17 @@ test('a clone has the settings and children of its own', () => {
   expect(clone.geometry).not.toBe(emitter.geometry);
   expect(clone.children.map(({ type }) => type).toSorted()).toEqual(['LightField', 'Mesh']);
   expect(clone.lights).not.toBe(emitter.lights);
+});
+
+test('a capacity that is reached is told once, with one that is enough', () => {
+  const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+  const emitter = new ParticleEmitter({ capacity: 5, rate: 10, life: [1, 2] });
+  emitter.name = 'Smoke';
+  for (let i = 0; i < 40; i++) emitter.step(0.1);
+  emitter.restart();
+  for (let i = 0; i < 40; i++) emitter.step(0.1);
+  expect(warn.mock.calls).toEqual([
+    ['ParticleEmitter "Smoke": capacity 5 is reached, and no more particles begin; set it to 20 or more.'],
+  ]);
+  warn.mockRestore();
 });

@@ -91,6 +91,8 @@ export class ParticleEmitter extends MeshWithSettings {
   private field: LightField | null = null;
   private hasBegun = false;
   private prewarmed = 0;
+  /** The capacity that was said to be too small. */
+  private toldOf = 0;
 
   /**
    * @param settings those that are not the defaults
@@ -147,6 +149,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.updateWorldMatrix(true, false);
     this.begin();
     if (seconds > 0) this.pending.advance(seconds, this.values, this.matrixWorld, this.emitting);
+    if (this.pending.schedule.wasFull && this.toldOf !== this.values.capacity) this.tellFull();
   }
 
   /** Begins anew, from the seed, at the time 0. */
@@ -248,6 +251,17 @@ export class ParticleEmitter extends MeshWithSettings {
     if ((geometry as InstancedBufferGeometry).isInstancedBufferGeometry === true)
       (geometry as InstancedBufferGeometry).instanceCount = 0;
     else geometry.setDrawRange(0, 0);
+  }
+
+  private tellFull(): void {
+    const { capacity, rate, life, bursts } = this.values;
+    this.toldOf = capacity;
+    const enough = Math.ceil(rate * life[1]) + bursts.reduce((sum, { count }) => sum + count, 0);
+    // what ends in a step makes room in the next alone, which nobody sees
+    if (capacity >= enough) return;
+    console.warn(
+      `${this.owner}: capacity ${capacity} is reached, and no more particles begin; set it to ${enough} or more.`,
+    );
   }
 
   /** The emitter, for errors. @internal */

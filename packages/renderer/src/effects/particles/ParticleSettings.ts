@@ -75,6 +75,8 @@ export interface ParticleSettings {
   rate: number;
   /** Default none. */
   bursts: readonly ParticleBurst[];
+  /** Time before the first particle begins (s), of which `duration` and bursts count from the end; `prewarm` counts it. Default 0. */
+  delay: number;
   /** Time in which the emitter emits (s); 0: without an end. Default 0. */
   duration: number;
   /** Begins again after `duration`. Default true. */
@@ -87,7 +89,9 @@ export interface ParticleSettings {
   life: readonly [number, number];
   /** Speed at the beginning (m/s). Default [1, 2]. */
   speed: readonly [number, number];
-  /** Share of the emitter's own velocity that particles begin with. Default 0. */
+  /** What living particles stay with: the world, or the emitter as it moves, turns and is scaled. Default 'world'. */
+  space: 'world' | 'local';
+  /** Share of the emitter's own velocity that particles begin with, in the space 'world'. Default 0. */
   inheritVelocity: number;
   /** Acceleration (m/s²). Default [0, 0, 0]. */
   gravity: readonly [number, number, number];
@@ -123,6 +127,11 @@ export interface ParticleSettings {
   render: 'billboard' | 'stretched' | 'mesh';
   /** Length of a stretched particle a metre a second of its speed (s). Default 0.05. */
   stretch: number;
+  /**
+   * How meshes begin: turned by `initialRotation` about an axis that is random for each, or about the mesh's +Y, which then is
+   * the emitter's or points along the particle's velocity. Default 'random'.
+   */
+  orientation: 'random' | 'emitter' | 'velocity';
   /** What is drawn by render 'mesh', 1 m for a diameter of 1 m; it stays the caller's. Default null: nothing is drawn. */
   particleGeometry: BufferGeometry | null;
   /**

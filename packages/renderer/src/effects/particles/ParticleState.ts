@@ -3,7 +3,7 @@ import {
   FloatType,
   HalfFloatType,
   type InstancedBufferGeometry,
-  type Matrix4,
+  Matrix4,
   NearestFilter,
   type PerspectiveCamera,
   type Texture,
@@ -34,6 +34,9 @@ const WORDS = 4_294_967_296;
 const float = new Float64Array(1);
 const words = new Uint32Array(float.buffer);
 const from = new Vector3();
+const turn = new Matrix4();
+/** As particleVertex.glsl has them. */
+const ORIENTATIONS = { random: 0, emitter: 1, velocity: 2 } as const;
 const to = new Vector3();
 
 /** Columns of a texture with a texel a slot, about as wide as high. */
@@ -221,6 +224,8 @@ export class ParticleState {
     uniforms.farol_oldestNumber.value = schedule.oldest % WORDS;
     uniforms.farol_sizeAndRotation.value.set(size[0], size[1], initialRotation[0], initialRotation[1]);
     uniforms.farol_spinAndStretch.value.set(spin[0], spin[1], stretch, brightness);
+    uniforms.farol_orientation.value = ORIENTATIONS[this.emitter.orientation];
+    uniforms.farol_emitterTurn.value.setFromMatrix4(turn.extractRotation(this.emitter.matrixWorld));
     if (flipBook === null) uniforms.farol_flipBook.value.set(1, 1, 1);
     else uniforms.farol_flipBook.value.set(flipBook.columns, flipBook.rows, flipBook.cycles ?? 1);
     uniforms.farol_particleMap.value = emitter.texture;
@@ -343,7 +348,7 @@ export class ParticleState {
   private step(frame: Frame, pass: ReturnType<typeof particleStepPass>, start: Matrix4, step: PendingStep): void {
     const { emitter } = this;
     const { uniforms } = pass;
-    const { shape, inheritVelocity } = emitter;
+    const { shape, inheritVelocity, space } = emitter;
     const [now, next] = this.particles!;
     const { seconds, matrix } = step;
     // nothing begins on a mesh without a surface
@@ -355,9 +360,14 @@ export class ParticleState {
     uniforms.farol_firstNumber.value = step.first % WORDS;
     uniforms.farol_stepTimes.value.set(seconds, step.offset, step.interval);
     const onMesh = shape.kind === 'mesh' && shape.mesh !== null;
-    uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : start);
+    const isLocal = space === 'local';
+    // what begins in the step moves with the emitter from then on: it begins where that is at the end
+    uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : isLocal ? matrix : start);
     uniforms.farol_emitterEnd.value.copy(onMesh ? shape.mesh.matrixWorld : matrix);
-    from.setFromMatrixPosition(start);
+    const carried = uniforms.farol_carried.value.identity();
+    // an emitter without a size cannot be left again
+    if (isLocal && start.determinant() !== 0) carried.copy(start).invert().premultiply(matrix);
+    from.setFromMatrixPosition(isLocal ? matrix : start);
     to.setFromMatrixPosition(matrix);
     uniforms.farol_inherited.value.subVectors(to, from).multiplyScalar(inheritVelocity / seconds);
     uniforms.farol_noise.value.z = emitter.noiseScroll * step.time;

@@ -135,6 +135,8 @@ const checks: { readonly [Name in keyof ParticleSettings]: Check } = {
   duration: number(0),
   loop: boolean,
   prewarm: number(0, 60),
+  delay: number(0),
+  space: oneOf('world', 'local'),
   shape,
   life: range(0, true),
   speed: range(),
@@ -156,6 +158,7 @@ const checks: { readonly [Name in keyof ParticleSettings]: Check } = {
   flipBook,
   render: oneOf('billboard', 'stretched', 'mesh'),
   stretch: number(0),
+  orientation: oneOf('random', 'emitter', 'velocity'),
   particleGeometry: orNull(
     (value) => (value as { isBufferGeometry?: boolean }).isBufferGeometry === true,
     'a BufferGeometry',

@@ -38,6 +38,7 @@ export function particleStepPass() {
       farol_stepTimes: { value: new Vector3() },
       farol_emitterStart: { value: new Matrix4() },
       farol_emitterEnd: { value: new Matrix4() },
+      farol_carried: { value: new Matrix4() },
       farol_lifeAndSpeed: { value: new Vector4() },
       farol_inherited: { value: new Vector3() },
     },

@@ -9,6 +9,7 @@ uniform highp uint farol_firstNumber; // of the particles that begin
 uniform highp vec3 farol_stepTimes; // length of the step, start of the first after it, time between these (s)
 uniform highp mat4 farol_emitterStart; // world matrix of what particles begin on, at the start of the step, and its end
 uniform highp mat4 farol_emitterEnd;
+uniform highp mat4 farol_carried; // what living particles are moved by with the emitter in the step
 uniform highp vec4 farol_lifeAndSpeed; // least, most life (s); least, most speed (m/s)
 uniform highp vec3 farol_inherited; // velocity (m/s)
 layout(location = 0) out highp vec4 farol_position;
@@ -48,6 +49,10 @@ if (slot >= slots) {
   farol_velocity = texelFetch(farol_particleVelocities, texel, 0);
   float seconds = farol_stepTimes.x;
   farol_position.w += seconds;
-  if (farol_position.w < farol_velocity.w) farol_moveParticle(seconds, farol_position.xyz, farol_velocity.xyz);
+  if (farol_position.w < farol_velocity.w) {
+    farol_position.xyz = (farol_carried * vec4(farol_position.xyz, 1.0)).xyz;
+    farol_velocity.xyz = mat3(farol_carried) * farol_velocity.xyz;
+    farol_moveParticle(seconds, farol_position.xyz, farol_velocity.xyz);
+  }
   else farol_position.w = farol_velocity.w;
 }

@@ -11,6 +11,8 @@ uniform highp sampler2D farol_particleVelocities; // m/s, life (s)
 uniform highp ivec2 farol_particleSlots; // slot of the oldest particle, slots
 uniform highp uint farol_oldestNumber;
 uniform highp vec4 farol_sizeAndRotation; // least, most diameter (m); least, most turn at the beginning (rad)
+uniform highp int farol_orientation; // of meshes: 0 random, 1 the emitter's, 2 along the velocity
+uniform highp mat3 farol_emitterTurn;
 uniform highp vec4 farol_spinAndStretch; // least, most spin (rad/s); stretch (s), brightness
 uniform highp vec3 farol_flipBook; // columns, rows, cycles
 out highp vec4 farol_particleColor;
@@ -31,6 +33,15 @@ flat out highp mat3x4 farol_particleLit;
 // Rodrigues' formula
 vec3 farol_turn(const in vec3 v, const in vec3 axis, const in float angle) {
   return mix(axis * dot(axis, v), v, cos(angle)) + cross(axis, v) * sin(angle);
+}
+
+// axes of a mesh whose +Y points in a direction; of none, in that of the world
+mat3 farol_axesAlong(const in vec3 direction) {
+  float size = length(direction);
+  if (size < 1e-6) return mat3(1.0);
+  vec3 up = direction / size;
+  vec3 right = normalize(cross(up, abs(up.z) < 0.99 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+  return mat3(right, up, cross(right, up));
 }
 
 void farol_setPictures(const in vec2 place, const in float share) {
@@ -96,8 +107,15 @@ if (farol_center.w < farol_life) {
   float farol_z = 1.0 - 2.0 * farol_axisRandom.x;
   float farol_around = 6.28318530718 * farol_axisRandom.y;
   vec3 farol_axis = vec3(sqrt(1.0 - farol_z * farol_z) * vec2(cos(farol_around), sin(farol_around)), farol_z);
-  mvPosition = viewMatrix * vec4(farol_center.xyz + farol_turn(position, farol_axis, farol_angle) * farol_size, 1.0);
-  farol_normalVS = mat3(viewMatrix) * farol_turn(normal, farol_axis, farol_angle);
+  mat3 farol_axes = mat3(1.0);
+  if (farol_orientation > 0) {
+    farol_axis = vec3(0.0, 1.0, 0.0);
+    farol_axes = farol_emitterTurn;
+    if (farol_orientation == 2) farol_axes = farol_axesAlong(farol_motion.xyz);
+  }
+  vec3 farol_turned = farol_axes * farol_turn(position, farol_axis, farol_angle);
+  mvPosition = viewMatrix * vec4(farol_center.xyz + farol_turned * farol_size, 1.0);
+  farol_normalVS = mat3(viewMatrix) * farol_axes * farol_turn(normal, farol_axis, farol_angle);
   farol_particleBall.xy = farol_place;
 #else
   vec2 farol_offset = farol_place * 2.0 - 1.0;

@@ -5,28 +5,35 @@ import {
   Camera,
   type GameObject,
   Light,
+  type Model,
   ModelRenderer,
   ObjectRenderer,
+  ParticleEmitter,
   type Scene,
   Transform,
 } from '@farol/engine';
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import {
   type AnimationClip,
   type BufferGeometry,
+  type Light as ThreeLight,
   type Material,
   Mesh,
   type MeshBasicMaterial,
   Object3D,
   type MeshStandardMaterial,
+  PointLight,
   Scene as ThreeScene,
+  SpotLight,
   type WebGLRenderer,
 } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { breathe } from './breathe';
 import { gltfAnimations } from './gltfAnimations';
 import { gltfGeometry } from './gltfGeometry';
-import { gltfLight, gltfShapeLight, whatIsLost } from './gltfLight';
+import { gltfLight, gltfProfileLight, gltfShapeLight, whatIsLost, whatProfileLoses } from './gltfLight';
 import { GltfMaterials } from './GltfMaterials';
+import type { ProfileLight } from './GltfProfiles';
 import { LeftOut } from './LeftOut';
 
 type Drawn = Mesh<BufferGeometry, Material | Material[]>;
@@ -37,6 +44,9 @@ export class GltfScene {
   readonly leftOut = new LeftOut();
   /** Its clips, with tracks that name nodes of `three` by their uuid. */
   animations: readonly AnimationClip[] = [];
+  /** Nodes that have a light with a photometric profile. */
+  readonly profiles: ReadonlyMap<Object3D, ProfileLight>;
+  private readonly profileLights = new Map<Object3D, ProfileLight>();
   private readonly materials: GltfMaterials;
   private readonly geometries = new Map<string, BufferGeometry | null>();
   private readonly skinned: Object3D[] = [];
@@ -50,6 +60,7 @@ export class GltfScene {
   ) {
     this.materials = new GltfMaterials(webgl, this.leftOut);
     this.three.name = scene.name;
+    this.profiles = this.profileLights;
   }
 
   /** @param webgl - reads compressed textures @throws Error naming the object whose texture cannot be read */
@@ -90,6 +101,8 @@ export class GltfScene {
       else if (component instanceof ModelRenderer) part = await this.modelOf(component);
       else if (component instanceof Light) part = this.lightOf(component);
       else if (component instanceof Camera) part = component.three.clone();
+      else if (component instanceof ParticleEmitter)
+        this.leftOut.add(t('Particles and the light that they give are left out'), component, object.name);
       else if (!(component instanceof Animation || component instanceof Animator))
         this.leftOut.add(
           t('Components that glTF does not know are left out: {typeName}', { typeName: component.typeName }),
@@ -97,7 +110,8 @@ export class GltfScene {
         );
       if (part) parts.push(part);
     }
-    const isAlone = parts.length === 1 && parts[0].children.length === 0;
+    const isProfileLight = parts.length === 1 && this.profiles.has(parts[0].children[0]);
+    const isAlone = parts.length === 1 && (parts[0].children.length === 0 || isProfileLight);
     const node = isAlone ? parts[0] : new Object3D();
     if (!isAlone && parts.length > 0) node.add(...parts);
     node.name = object.name;
@@ -152,7 +166,7 @@ export class GltfScene {
       part.userData = {};
       this.nodes.set(sources[i], part);
       if ('isLight' in part) {
-        const light = this.replaceLight(part as never);
+        const light = this.replaceLight(part as never, sources[i], model.drawnModel);
         if (light) this.nodes.set(sources[i], light);
         else this.nodes.delete(sources[i]);
       } else if ('geometry' in part && !(await this.convert(part as Drawn, `'${gameObject.name}'`, gameObject.name))) {
@@ -164,9 +178,14 @@ export class GltfScene {
     return copy;
   }
 
-  private replaceLight(source: Parameters<typeof gltfLight>[0]): Object3D | null {
+  private replaceLight(
+    source: Parameters<typeof gltfLight>[0],
+    original: Object3D,
+    model: Model | null,
+  ): Object3D | null {
     const { parent } = source;
-    const copy = gltfLight(source, null);
+    const profile = model?.profileOf(original);
+    const copy = profile ? this.profileLightOf(source, profile, null) : gltfLight(source, null);
     if (!copy) this.leftOut.add(t('Lights from all sides are left out'), source);
     else {
       copy.name = source.name;
@@ -183,10 +202,24 @@ export class GltfScene {
       this.leftOut.add(t('Lights with a shape shine in Farol alone: glTF has none'), light);
       return gltfShapeLight(light);
     }
-    const copy = gltfLight(light.three, light);
+    const { assets } = this.scene;
+    const { profile: name, three } = light;
+    const hasProfile = three instanceof PointLight || three instanceof SpotLight ? name !== null : false;
+    const profile = hasProfile && assets.isReady('profile', name!) ? assets.profile(name!) : null;
+    if (hasProfile && !profile) this.leftOut.add(t('Profiles of lights that are not loaded are left out'), light);
+    const copy = profile ? this.profileLightOf(three, profile, light) : gltfLight(three, light);
     const lost = copy ? whatIsLost(light) : t('Lights from all sides are left out');
     if (lost) this.leftOut.add(lost, light);
     return copy;
+  }
+
+  /** A node around the one that has the light: that is turned as EXT_lights_ies has it. */
+  private profileLightOf(source: ThreeLight, profile: PhotometricProfile, light: Light | null): Object3D {
+    const made = gltfProfileLight(source as PointLight | SpotLight, profile, light);
+    this.profileLights.set(made.node, made.light);
+    const lost = whatProfileLoses(source);
+    if (lost) this.leftOut.add(lost, source);
+    return new Object3D().add(made.node);
   }
 
   /** Gives what is drawn a geometry and materials that glTF has. @returns whether anything is left of it */

@@ -1,7 +1,9 @@
 import { t } from '@farol/editing';
 import type { Light } from '@farol/engine';
 import { lightExtrasOf } from '@farol/engine/files';
-import { DirectionalLight, type Light as ThreeLight, Object3D, PointLight, SpotLight } from 'three';
+import { Color, DirectionalLight, type Light as ThreeLight, Object3D, PointLight, SpotLight } from 'three';
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
+import type { ProfileLight } from './GltfProfiles';
 
 /** glTF's cones have a soft edge, be it ever so thin. */
 const THINNEST_EDGE = 1e-3;
@@ -37,7 +39,6 @@ export function gltfShapeLight({ type, width, height, diffuse, intensity, areaRa
 /** What of a light glTF cannot say, which is in its extras, or lost; null when it says all. @see KHR_lights_punctual */
 export function whatIsLost(light: Light): string | null {
   const hasPlace = light.type === 'point' || light.type === 'spot';
-  if (hasPlace && light.profile !== null) return t('Profiles of lights are left out');
   if (hasPlace && (light.attenuation !== 'physical' || light.decay !== 2)) {
     return t(
       'Lights that fade in a way of their own do so in Farol alone; elsewhere they fade as in nature, as bright half way',
@@ -52,6 +53,44 @@ export function whatIsLost(light: Light): string | null {
   return null;
 }
 
+/** What a light with a photometric profile loses, besides what any light does; null for nothing. @see EXT_lights_ies */
+export function whatProfileLoses(source: ThreeLight): string | null {
+  if (source instanceof SpotLight) return t('Cones of lights with a profile are left out');
+  if (source instanceof PointLight && source.distance > 0)
+    return t('Lights with a profile have an end in Farol alone; elsewhere they go on');
+  return null;
+}
+
+/** A colour as glTF has them, and by how much the light is brighter instead. */
+function split(source: ThreeLight): { colour: Color; largest: number } {
+  const colour = source.color.clone();
+  const largest = Math.max(1, colour.r, colour.g, colour.b);
+  return { colour: colour.multiplyScalar(1 / largest), largest };
+}
+
+/**
+ * A node for a light with a photometric profile, which shines along its -z, and what it says of the light.
+ * @param light - the component; null where there is none
+ */
+export function gltfProfileLight(
+  source: PointLight | SpotLight,
+  profile: PhotometricProfile,
+  light: Light | null,
+): { node: Object3D; light: ProfileLight } {
+  const { colour, largest } = split(source);
+  const most = profile.maximumIntensity;
+  const intensity = source.intensity * largest * (light ? asBright(light) : 1);
+  const node = new Object3D();
+  // three's point lights hang down their -y
+  if (source instanceof PointLight) node.rotation.x = -Math.PI / 2;
+  const { distance, color } = source;
+  // elsewhere a light that ends is as bright as one that does not
+  const end = distance > 0 && { intensity: source.intensity, color: color.toArray(), distance, decay: 2 };
+  const extras = source instanceof PointLight && (lightExtrasOf(source, largest > 1) ?? end);
+  if (extras) node.userData.farolLight = extras;
+  return { node, light: { profile, multiplier: most > 0 ? intensity / most : 0, color: colour.toArray() } };
+}
+
 /**
  * A light as glTF has them, fading with the square of the distance; null for those from all sides. One that fades in
  * another way is as bright as before half way to its end, and has what it is like in its extras.
@@ -59,9 +98,7 @@ export function whatIsLost(light: Light): string | null {
  */
 export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight | null {
   if (!(source instanceof DirectionalLight || source instanceof PointLight || source instanceof SpotLight)) return null;
-  const colour = source.color.clone();
-  const largest = Math.max(1, colour.r, colour.g, colour.b);
-  colour.multiplyScalar(1 / largest);
+  const { colour, largest } = split(source);
   const intensity = source.intensity * largest * (light ? asBright(light) : 1);
   let copy: DirectionalLight | PointLight | SpotLight;
   if (source instanceof SpotLight) {
