@@ -5,10 +5,14 @@
  *     node packages/tools/makeSamples.mjs
  *     node packages/tools/bakeSample.mjs            # on the software rasteriser: some minutes
  *     node packages/tools/bakeSample.mjs --gpu
+ *
+ * For a GPU host without Vite: `--built --out FILE` bakes by the built editor and writes the baked light alone. Put FILE at
+ * `public/scenes/baked-room.bake` here, run makeSamples.mjs, and delete it.
  */
 import { execFileSync } from 'node:child_process';
 import { rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { gpuFlags, softwareFlags } from './browserFlags.mjs';
 import { ensureBrowser } from './ensureBrowser.mjs';
@@ -17,8 +21,11 @@ import { serveApps } from './serveApps.mjs';
 
 const NAME = 'baked-room';
 
-const flags = process.argv.includes('--gpu') ? gpuFlags : softwareFlags;
-const server = await serveApps({ ports: { editor: 0 }, watch: false });
+const { values } = parseArgs({
+  options: { gpu: { type: 'boolean' }, built: { type: 'boolean' }, out: { type: 'string' } },
+});
+const flags = values.gpu ? gpuFlags : softwareFlags;
+const server = await serveApps({ ports: { editor: 0 }, built: values.built, watch: false });
 const browser = await chromium.launch({ executablePath: ensureBrowser(), args: [...flags] });
 try {
   const page = await browser.newPage({ viewport: { width: 480, height: 360 }, acceptDownloads: true });
@@ -57,10 +64,12 @@ try {
     })
   );
   const seconds = ((Date.now() - begun) / 1000).toFixed(0);
-  const path = join(root, `public/scenes/${NAME}.bake`);
+  const path = values.out ?? join(root, `public/scenes/${NAME}.bake`);
   writeFileSync(path, Uint8Array.from(data));
-  execFileSync(process.execPath, [join(root, 'packages/tools/makeSamples.mjs')]);
-  rmSync(path);
+  if (values.out === undefined) {
+    execFileSync(process.execPath, [join(root, 'packages/tools/makeSamples.mjs')]);
+    rmSync(path);
+  }
   console.log(`${NAME}: ${(data.length / 1000).toFixed(1)} kB of baked light in ${seconds} s`);
 } finally {
   await browser.close();

@@ -112,7 +112,7 @@ export async function bakedRoom(readPublic: ReadPublic): Promise<SampleScene> {
   const scene = new SampleScene('Baked room');
   Object.assign(scene.settings, {
     ...{ backgroundColour: [0.004, 0.005, 0.008], toneMapping: 'agx', exposure: 1.35, antialiasing: 'auto' },
-    ...{ bakeSize: '256', bakeSamples: 256, bakeBounces: 4, bakeSky: false, bakeProbeSpacing: 0.5 },
+    ...{ bakeSize: '512', bakeSamples: 512, bakeBounces: 4, bakeSky: false, bakeProbeSpacing: 0.5 },
   });
   addCamera(scene, [0, 1.5, 6.1], [0, 1.45, 0], { fov: 0.72 });
   addRoom(scene);
