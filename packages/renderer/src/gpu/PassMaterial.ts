@@ -1,6 +1,7 @@
 import { GLSL3, RawShaderMaterial, ShaderMaterial, type IUniform, type ShaderMaterialParameters } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
 import { FULL_PRECISION } from '../three/inFullPrecision';
+import { threeChunks } from '../three/ThreeChunks';
 
 export interface PassMaterialOptions extends Pick<
   ShaderMaterialParameters,
@@ -41,6 +42,13 @@ function compose(material: ShaderMaterial, registry: MicroShaderRegistry, option
 }
 
 function follow(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): () => void {
+  let version = 0;
+  // a change of three's chunks, which the text includes, is another version, and another program
+  Object.defineProperty(material, 'version', {
+    get: () => version + threeChunks.revision,
+    set: (value: number) => (version = value - threeChunks.revision),
+  });
+  material.customProgramCacheKey = () => `${threeChunks.revision}`;
   compose(material, registry, options);
   const names = [...options.vertex, ...options.fragment];
   let revision = registry.revision(names);
