@@ -29,6 +29,7 @@ const packed = [
     'public/microshaders',
   ],
   'packages/renderer/src',
+  'apps/editor/src/model/surfaces',
   ...['@playwright/test', 'playwright', 'playwright-core', 'pixelmatch', 'pngjs'].map((name) => `node_modules/${name}`),
 ];
 
