@@ -44,9 +44,17 @@ export class PlayEdits {
 
   constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
 
-  /** Values that can be kept: of fields that are there, since a script's text may have changed after the scene stopped. */
+  /**
+   * Values that can be kept: of fields that are there, since a script's text may have changed after the scene stopped, and no
+   * names of assets that are gone, since those that were made or renamed while it played are.
+   */
   get changes(): readonly PlayChange[] {
-    return this.values.filter(({ owner, name }) => Object.hasOwn(owner.fields, name));
+    const { assets } = this.document.scene;
+    return this.values.filter(({ owner, name, to }) => {
+      const field = Object.hasOwn(owner.fields, name) ? owner.fields[name] : null;
+      if (field?.kind !== 'asset' || typeof to !== 'string') return field !== null;
+      return assets.problemWith(field.assetType, to) === null;
+    });
   }
 
   /** Labels of edits that are no values, such as an object that was added; they can be kept only with all others. */

@@ -181,14 +181,12 @@ export function setValues(
   return new SetFields(label, edits);
 }
 
-/** Gives fields their defaults: those named, or all. */
+/** Gives fields their defaults: those named, or all; components of unknown classes, whose fields have none, keep their values. */
 export function resetFields(label: string, owners: readonly FieldOwner[], names?: readonly string[]): Command {
   const edits = owners.flatMap((owner) =>
-    (names ?? Object.keys(owner.fields).filter((name) => owner.fields[name].viewOf === undefined)).map((name) => ({
-      owner,
-      name,
-      value: owner.fields[name].default,
-    })),
+    (names ?? Object.keys(owner.fields).filter((name) => owner.fields[name].viewOf === undefined))
+      .map((name) => ({ owner, name, value: owner.fields[name].default }))
+      .filter(({ value }) => value !== undefined),
   );
   return new SetFields(label, edits);
 }

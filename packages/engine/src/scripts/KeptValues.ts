@@ -4,12 +4,28 @@ import { unknownClass } from '../core/UnknownComponent';
 import type { FieldValue } from '../fields/Field';
 import { sameValue } from '../fields/FieldOwner';
 
+type Values = Readonly<Record<string, FieldValue>>;
+
+/** What a component was when it left a class. */
+interface Past {
+  /** Its values then, and those that it got in the next class. */
+  readonly left: Values;
+  readonly next: Values;
+  readonly kept: ReadonlyMap<string, FieldValue>;
+}
+
 interface Memory {
   /** Values that were set, also of fields that the present class does not have. */
   readonly kept: Map<string, FieldValue>;
   /** What each field of the present class had at first. */
-  given: ReadonlyMap<string, FieldValue>;
+  given: Values;
+  /** What the present class came of, and what it was when it left others. */
+  origin: object;
+  readonly pasts: Map<object, Past>;
 }
+
+/** What components come of whose script is not there, or does not run. */
+const UNKNOWN = {};
 
 /**
  * Brings components from class to class with the values of their fields: those that do not fit a class are kept for one that
@@ -18,30 +34,49 @@ interface Memory {
 export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();
 
-  /** Makes a component one of another class; data that are kept when there is none. */
-  change(component: Component, type: ComponentClass | null): void {
-    const { kept } = this.note(component);
+  /**
+   * Makes a component one of another class; data that are kept when there is none. One that has still the values that it got
+   * when it left a class gets back what it was there.
+   *
+   * @param origin - what the class comes of, the same for the same text of a script; absent when there is no class
+   */
+  change(component: Component, type: ComponentClass | null, origin: object = UNKNOWN): void {
+    const memory = this.note(component);
     const { componentClass: before } = component;
-    const next = type ?? unknownClass({ type: before.typeName, version: before.version, values: changedOf(component) });
-    changeClass(
-      component,
-      next,
-      valuesFor(component, next, type ? kept : new Map(Object.entries(changedOf(component)))),
-    );
-    this.memories.set(component, { kept, given: new Map(Object.entries(component.authoredValues())) });
+    const left = component.authoredValues();
+    const past = memory.pasts.get(origin);
+    const back = past !== undefined && sameValues(past.next, left) ? past : null;
+    const keptNow = new Map(memory.kept);
+    const data = back?.left ?? changedOf(component);
+    const next = type ?? unknownClass({ type: before.typeName, version: before.version, values: data });
+    const values = back || !type ? new Map(Object.entries(data)) : memory.kept;
+    changeClass(component, next, valuesFor(component, next, values));
+    if (back) {
+      memory.kept.clear();
+      for (const [name, value] of back.kept) memory.kept.set(name, value);
+    }
+    const given = component.authoredValues();
+    memory.pasts.set(memory.origin, { left, next: given, kept: keptNow });
+    Object.assign(memory, { given, origin });
+    this.memories.set(component, memory);
   }
 
   /** Notes which values were set since the component got its class. */
   private note(component: Component): Memory {
-    const memory = this.memories.get(component) ?? { kept: new Map(), given: new Map() };
+    const memory: Memory = this.memories.get(component) ?? { kept: new Map(), given: {}, origin: {}, pasts: new Map() };
     for (const [name, field] of Object.entries(component.fields)) {
       const value = component.getAuthored(name);
-      const given = memory.given.has(name) ? memory.given.get(name)! : field.default;
+      const given = Object.hasOwn(memory.given, name) ? memory.given[name] : field.default;
       if (!sameValue(value, given)) memory.kept.set(name, value);
     }
     return memory;
   }
 }
+
+const sameValues = (a: Values, b: Values): boolean => {
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => name in b && sameValue(a[name], b[name]));
+};
 
 /** Authored values that are not the default, as in a file. */
 function changedOf(component: Component): Record<string, FieldValue> {

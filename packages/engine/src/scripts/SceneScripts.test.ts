@@ -92,6 +92,22 @@ test('a broken text leaves the last good class running, and is told with its lin
   expect(problems(scripts)).toEqual([]);
 });
 
+test('texts and values that are taken back one by one give what there was: a default stays one', async () => {
+  const fast = spin('rate: number(2, { help })', '');
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene);
+  await edit(scene, scripts, 'Spin', fast);
+  component.set('rate', 3);
+  await edit(scene, scripts, 'Spin', `${fast}// more`);
+  await edit(scene, scripts, 'Spin', fast);
+  expect(component.get('rate')).toBe(3);
+  component.set('rate', 2);
+  await edit(scene, scripts, 'Spin', plain);
+  expect(component.get('rate')).toBe(1);
+  await edit(scene, scripts, 'Spin', fast);
+  expect(component.get('rate')).toBe(2);
+});
+
 test('without its script a component is data, and is itself again when the script is back', async () => {
   const { scene, scripts } = await make({ Spin: plain });
   const component = addSpin(scene, { rate: 3 });

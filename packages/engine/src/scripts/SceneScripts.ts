@@ -307,12 +307,17 @@ export class SceneScripts {
       const { componentClass, typeName } = component;
       const entry = this.entryOf.get(componentClass);
       if (entry) {
-        if (entry.componentClass !== componentClass) this.values.change(component, entry.componentClass);
+        if (entry.componentClass !== componentClass) this.change(component, entry, entry.componentClass);
       } else if (component instanceof UnknownComponent) {
         const known = this.registry.types.get(typeName);
-        if (known && this.entryOf.has(known)) this.values.change(component, known);
+        const owner = known && this.entryOf.get(known);
+        if (owner) this.change(component, owner, known);
       }
     }
+  }
+
+  private change(component: Component, { run }: Entry, type: ComponentClass | null): void {
+    this.values.change(component, type, (type && run) ?? undefined);
   }
 
   private tell(): void {

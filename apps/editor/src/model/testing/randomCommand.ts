@@ -166,8 +166,10 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return addPhysics(scene, some(random, all), pick(random, kinds));
     }
     default: {
-      // components of scripts that do not run have no fields
-      const owners = pick(random, all).components.filter(({ fields }) => Object.keys(fields).length > 0);
+      // components of scripts that do not run have no fields that can be edited
+      const owners = pick(random, all).components.filter(({ fields }) =>
+        Object.values(fields).some((field) => field.default !== undefined),
+      );
       return randomEdit(random, document, pick(random, owners));
     }
   }
