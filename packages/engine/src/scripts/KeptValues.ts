@@ -19,13 +19,9 @@ interface Memory {
   readonly kept: Map<string, FieldValue>;
   /** What each field of the present class had at first. */
   given: Values;
-  /** What the present class came of, and what it was when it left others. */
-  origin: object;
-  readonly pasts: Map<object, Past>;
+  /** What it was when it left a class, by what the class came of. */
+  readonly pasts: Map<object | null, Past>;
 }
-
-/** What components come of whose script is not there, or does not run. */
-const UNKNOWN = {};
 
 /**
  * Brings components from class to class with the values of their fields: those that do not fit a class are kept for one that
@@ -38,9 +34,10 @@ export class KeptValues {
    * Makes a component one of another class; data that are kept when there is none. One that has still the values that it got
    * when it left a class gets back what it was there.
    *
-   * @param origin - what the class comes of, the same for the same text of a script; absent when there is no class
+   * @param from - what the class that it has comes of, the same for the same text of a script; null for data that are kept
+   * @param origin - what the next class comes of
    */
-  change(component: Component, type: ComponentClass | null, origin: object = UNKNOWN): void {
+  change(component: Component, type: ComponentClass | null, from: object | null, origin: object | null): void {
     const memory = this.note(component);
     const { componentClass: before } = component;
     const left = component.authoredValues();
@@ -56,14 +53,14 @@ export class KeptValues {
       for (const [name, value] of back.kept) memory.kept.set(name, value);
     }
     const given = component.authoredValues();
-    memory.pasts.set(memory.origin, { left, next: given, kept: keptNow });
-    Object.assign(memory, { given, origin });
+    memory.pasts.set(from, { left, next: given, kept: keptNow });
+    memory.given = given;
     this.memories.set(component, memory);
   }
 
   /** Notes which values were set since the component got its class. */
   private note(component: Component): Memory {
-    const memory: Memory = this.memories.get(component) ?? { kept: new Map(), given: {}, origin: {}, pasts: new Map() };
+    const memory: Memory = this.memories.get(component) ?? { kept: new Map(), given: {}, pasts: new Map() };
     for (const [name, field] of Object.entries(component.fields)) {
       const value = component.getAuthored(name);
       const given = Object.hasOwn(memory.given, name) ? memory.given[name] : field.default;

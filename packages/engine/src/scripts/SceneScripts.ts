@@ -69,6 +69,8 @@ export class SceneScripts {
   private readonly modules: ScriptModules;
   private readonly values = new KeptValues();
   private readonly entryOf = new WeakMap<ComponentClass, Entry>();
+  /** The function of the text that each class comes of. */
+  private readonly runOf = new WeakMap<ComponentClass, ScriptFunction>();
   private readonly listeners = new Set<() => void>();
   private readonly endings: (() => void)[];
   private readonly waiting: (() => void)[] = [];
@@ -272,6 +274,7 @@ export class SceneScripts {
       const type = scriptClass(module, source, entry.componentClass !== null);
       if (type) this.checkFree(type, entry);
       this.setClass(entry, type);
+      if (type) this.runOf.set(type, newest);
       entry.run = newest;
       entry.name = name;
     } catch (error) {
@@ -307,17 +310,18 @@ export class SceneScripts {
       const { componentClass, typeName } = component;
       const entry = this.entryOf.get(componentClass);
       if (entry) {
-        if (entry.componentClass !== componentClass) this.change(component, entry, entry.componentClass);
+        if (entry.componentClass !== componentClass) this.change(component, entry.componentClass);
       } else if (component instanceof UnknownComponent) {
         const known = this.registry.types.get(typeName);
-        const owner = known && this.entryOf.get(known);
-        if (owner) this.change(component, owner, known);
+        if (known && this.entryOf.has(known)) this.change(component, known);
       }
     }
   }
 
-  private change(component: Component, { run }: Entry, type: ComponentClass | null): void {
-    this.values.change(component, type, (type && run) ?? undefined);
+  private change(component: Component, type: ComponentClass | null): void {
+    const { runOf } = this;
+    const origin = type && (runOf.get(type) ?? null);
+    this.values.change(component, type, runOf.get(component.componentClass) ?? null, origin);
   }
 
   private tell(): void {
