@@ -4,6 +4,7 @@ import type { BrowserContext, Download, Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { glbProblems } from '../support/glbProblems';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
+import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 import type { ReadGltf } from '../pages/gltf';
 import { addObject, openEditor, serialized, waitUntilReady } from './editor';
@@ -221,7 +222,7 @@ async function checkPages(
   await other.close();
 }
 
-/** Two tests share the samples, for two workers; links and frames take turns. */
+/** Two tests share the samples, for two workers; pages and glTF take turns in `npm test`, links and frames always. */
 for (const half of [0, 1]) {
   test(`each sample as glTF, web page, link and frame, half ${half + 1}`, async ({ page, context, pagesURL }, info) => {
     test.setTimeout(240_000);
@@ -236,8 +237,10 @@ for (const half of [0, 1]) {
     for (const [turn, name] of samples.filter((_, index) => index % 2 === half).entries()) {
       await test.step(name, async () => {
         await openSample(page, name);
-        await checkPages(page, context, name, info.outputPath(`${name}.html`), turn % 2 === 0);
-        await checkGltf(page, reader, name);
+        for (const part of inTurn(['pages', 'glTF'], turn + half, 2)) {
+          if (part === 'glTF') await checkGltf(page, reader, name);
+          else await checkPages(page, context, name, info.outputPath(`${name}.html`), turn % 4 < 2);
+        }
       });
     }
   });

@@ -1,8 +1,8 @@
-/** Whether everything is compared, as by `npm run agree`; `npm test` has what costs most take turns. */
-const isWhole = Boolean(process.env.FAROL_AGREE);
+/** Whether everything is gone through, as by `npm run agree` and with FAROL_WHOLE=1; `npm test` has what costs most take turns. */
+const isWhole = Boolean(process.env.FAROL_AGREE ?? process.env.FAROL_WHOLE);
 
 /**
- * What of a list has its turn: item i at turns i, i + every, i + 2 every, …; all of them with FAROL_AGREE.
+ * What of a list has its turn: item i at turns i, i + every, i + 2 every, …; all of them with FAROL_AGREE or FAROL_WHOLE.
  *
  * @param turn a whole number
  * @param every turns until each item had one

@@ -46,7 +46,9 @@ function follow(material: ShaderMaterial, registry: MicroShaderRegistry, options
   // a change of three's chunks, which the text includes, is another version, and another program
   Object.defineProperty(material, 'version', {
     get: () => version + threeChunks.revision,
-    set: (value: number) => (version = value - threeChunks.revision),
+    set(value: number) {
+      version = value - threeChunks.revision;
+    },
   });
   material.customProgramCacheKey = () => `${threeChunks.revision}`;
   compose(material, registry, options);
