@@ -89,7 +89,7 @@ export class PlayEdits {
     this.takeAssets();
     const others = taken.filter((command) => !isOfScripts(command));
     for (const command of taken) if (isOfScripts(command)) commands.run(command);
-    this.all = isWhole ? others : [];
+    this.all = isWhole ? others.map(asNew) : [];
     if (!isWhole) for (const command of others) command.forget?.(false);
     this.last = commands.last;
     this.values = changesOf(others);
@@ -166,6 +166,10 @@ function isOfScripts(command: Command): boolean {
     ? command.edits.every(({ owner }) => owner instanceof ScriptAsset || owner instanceof SurfaceAsset)
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
+
+/** An edit of values that has not been done: texts of scripts that stay may give the fields other values to go back to. */
+const asNew = (command: Command): Command =>
+  command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 
 /** What a change is of, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {
