@@ -47,6 +47,8 @@ const pictureOf = (page: Page): Promise<Picture> =>
     const { viewport, document: edited } = window.editor;
     viewport.renderNow();
     const { canvas } = viewport;
+    // other pictures, such as thumbnails, may be drawn while this one is decoded
+    const lights = viewport.farol.info.lights.total;
     const data = canvas.toDataURL();
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [canvas.width, canvas.height];
@@ -67,7 +69,6 @@ const pictureOf = (page: Page): Promise<Picture> =>
       for (let i = 0; i < texels.length; i += 4) sum += texels[i];
       return sum / 25;
     };
-    const lights = viewport.farol.info.lights.total;
     return { data, floor: brightness(0.1, 0, 1.2), ball: brightness(0.9, 0.8, 0.2), lights };
   });
 

@@ -59,6 +59,7 @@ test('numbers take what people type, say why they do not, and give the keys back
   await page.keyboard.press('e');
   expect(await page.evaluate(() => window.editor.viewport.mode)).toBe('rotate');
   await page.keyboard.press('Control+a');
+  await inspectorFollows(page);
   await enter(y, '+=0.5');
   await enter(y, '*=2');
   expect(await position(page, 'Box')).toEqual([0, 1.6, 1.5]);
@@ -68,7 +69,10 @@ test('numbers take what people type, say why they do not, and give the keys back
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   await inspectorFollows(page);
   await page.keyboard.press('F2');
-  await page.keyboard.type('Lamp');
+  await page.keyboard.type('La');
+  // the tree may give the focus to the row that was clicked only now
+  await page.getByRole('treeitem', { name: 'Sun' }).evaluate((row: HTMLElement) => row.focus());
+  await page.keyboard.type('mp');
   await page.keyboard.press('Enter');
   expect((await history(page)).at(-1)).toBe('Renamed Sun to Lamp');
 

@@ -11,7 +11,10 @@ export type Sky = 'none' | 'environment' | ColorRepresentation | Texture;
 export interface TraceOptions {
   /** Times that light is reflected before it arrives, 0 (direct light only) to 16. Default 3. */
   bounces?: number;
-  /** Paths that arrive at each texel, 1 to 65,536; probes take 1,024 at least. Default 256. */
+  /**
+   * Paths that arrive at each texel by the first bounce, 1 to 65,536; each further bounce takes half as many, 16 at least;
+   * probes take 1,024 at least. Default 256.
+   */
   samples?: number;
   /** Default 'none'. */
   sky?: Sky;

@@ -38,6 +38,12 @@ const SAMPLES_OF_A_DRAW = 4;
 /** Samples of lights with soft shadows. */
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
+/**
+ * Samples of a bounce: each reflects a part of the light of the one before, so that its noise counts less.
+ * @param bounce from 0
+ */
+const bounceSamples = (samples: number, bounce: number): number =>
+  Math.min(samples, Math.max(16, Math.ceil(samples / 2 ** bounce)));
 /** Milliseconds between two pictures of what is there so far. */
 const PREVIEW_MILLISECONDS = 250;
 
@@ -120,7 +126,9 @@ export class LightmapTracer {
     const { samples, bounces } = this.options;
     const stages = this.makeStages(tables, skies);
     const layers = this.totals.length;
-    this.whole = layers * (stages.reduce((sum, { cost }) => sum + cost, 0) + bounces * samples);
+    let cost = stages.reduce((sum, stage) => sum + stage.cost, 0);
+    for (let bounce = 0; bounce < bounces; bounce++) cost += bounceSamples(samples, bounce);
+    this.whole = layers * cost;
     if (this.scene.shines) {
       keepState(this.renderer, () => this.totals.forEach((_, i) => this.surfaces.drawEmission(i, this.emission)));
     }
@@ -138,7 +146,7 @@ export class LightmapTracer {
       [this.radiance, this.nextRadiance] = [this.nextRadiance, this.radiance];
       this.shared.farol_radiance.value = this.radiance.texture;
       for (let lightmap = 0; lightmap < layers; lightmap++) {
-        const stage = this.gatherStage(`bounce`, samples, false, {}, {}, 16 + bounce);
+        const stage = this.gatherStage(`bounce`, bounceSamples(samples, bounce), false, {}, {}, 16 + bounce);
         await this.runStage(stage, lightmap, slices);
         await this.finishStage(lightmap, stage, false, bounce < bounces - 1, slices);
       }
