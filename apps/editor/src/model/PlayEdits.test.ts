@@ -119,6 +119,18 @@ export default class Maker extends component({}) {
     expect(commands.undo()).toBe(true);
   });
 
+  it('that are kept go back to the values that there were then, which a script’s new text may have changed', () => {
+    const { commands, simulation, playEdits } = document;
+    simulation.play();
+    set(light, 'range', 4);
+    simulation.stop();
+    light.set('range', 2);
+    playEdits.keepAll();
+    expect(light.get('range')).toBe(4);
+    commands.undo();
+    expect(light.get('range')).toBe(2);
+  });
+
   it('that are no values are kept with all others, as one step', () => {
     const { commands, simulation, playEdits, scene } = document;
     const before = state();

@@ -20,7 +20,7 @@ export interface FuzzResult {
   /** What is wrong; null when all is well. */
   readonly failure: string | null;
   readonly isTaken: boolean;
-  /** What opening it took, or what opening that which it was saved to took, whichever is more. */
+  /** What opening it, saving it and opening what it was saved to took. */
   readonly seconds: number;
   /** Bytes. */
   readonly memory: number;
@@ -143,7 +143,7 @@ const used = (): number => {
 
 /** Measures what one file costs at a time. */
 class Meter {
-  /** Most seconds of a file. */
+  /** Of all files. */
   seconds = 0;
   /** Bytes that the first file took. */
   memory = 0;
@@ -162,7 +162,7 @@ class Meter {
   lap(): void {
     const { user, system } = process.cpuUsage(this.work);
     // neither what other processes took of the machine, nor threads that worked at once
-    this.seconds = Math.max(this.seconds, Math.min((performance.now() - this.start) / 1e3, (user + system) / 1e6));
+    this.seconds += Math.min((performance.now() - this.start) / 1e3, (user + system) / 1e6);
     if (this.isFirst) {
       this.collect();
       this.memory = used() - this.before;
