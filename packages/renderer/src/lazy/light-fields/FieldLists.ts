@@ -13,12 +13,11 @@ import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
 import type { TileDepthUse } from '../../lighting/lists/TileDepthUse';
+import { fitGrids, ListGrids } from '../../lighting/lists/ListGrids';
 import { TILE_SHIFT } from '../../lighting/lists/tileUniforms';
 import { fit } from './FieldOrder';
 import { type FieldSlices, SLICES } from './FieldSlices';
 
-/** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
-const ROW = 2048;
 const LIGHTS_PER_QUAD = 128;
 /** Pixels along the side of a block in which depths are looked at first. */
 const BLOCK = 4;
@@ -63,6 +62,7 @@ export class FieldLists {
       depthBuffer: false,
     }),
   };
+  private readonly grids = new ListGrids();
   private readonly depthBlocks = this.step('tile depth blocks', 'tileDepthBlocks');
   private readonly depths = this.step('tile depths', 'tileDepth');
   private readonly blocks: Step;
@@ -106,7 +106,8 @@ export class FieldLists {
     const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
     const quads = Math.ceil(count / LIGHTS_PER_QUAD);
     const pages = Math.ceil(quads / 128);
-    this.setUniforms(frame, x, y, quads);
+    const shift = this.grids.inRow(x, quads);
+    this.setUniforms(frame, x, y, quads, shift);
     const { uniforms } = frame;
     const run = uniforms.farol_tileRun.value;
     run[0] = first;
@@ -121,12 +122,12 @@ export class FieldLists {
       setSize(this.depths.target, x, y);
       draw(frame, this.depths);
     }
-    fit(this.blocks.target, ROW, Math.ceil((Math.ceil(x / 4) * Math.ceil(y / 4) * quads) / ROW));
+    fitGrids(this.blocks.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);
     draw(frame, this.blocks);
-    fit(this.fine.target, ROW, Math.ceil((x * y * quads) / ROW));
+    fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
     // made in any case: loops have it bound
-    fit(this.summary.target, ROW, Math.ceil((x * y * pages) / ROW));
+    fitGrids(this.summary.target, x, y, pages, shift);
     draw(frame, this.summary);
     uniforms.farol_tileMask.value = this.fine.target.texture;
     uniforms.farol_tileSummary.value = this.summary.target.texture;
@@ -143,10 +144,11 @@ export class FieldLists {
     }
   }
 
-  private setUniforms(frame: Frame, x: number, y: number, quads: number): void {
+  private setUniforms(frame: Frame, x: number, y: number, quads: number, shift: number): void {
     const { own } = this;
     const { uniforms, queue } = frame;
     const grid = uniforms.farol_tiles.value;
+    grid[0] = shift;
     grid[1] = x;
     grid[2] = y;
     grid[3] = quads;

@@ -30,27 +30,33 @@ float farol_insideSides(const in FarolTile tile, const in vec4 low, const in vec
   return min(min(sides.x, sides.y), min(sides.z, sides.w));
 }
 
+bool farol_reaches(const in FarolTile tile, const in vec2 range, const in vec4 sphere) {
+  float radius = sphere.w * 1.0001;
+  return radius - sphere.z >= range.x && -radius - sphere.z <= range.y && farol_touches(tile, sphere, 0);
+}
+
 uint farol_inBlock(const in FarolTile tile, const in vec2 range, const in int start) {
   uint touching = 0u;
   int end = min(32, farol_tileRun.y - start);
-  for (int i = 0; i < end; i++) {
+  // two at once: reads of both are under way together
+  for (int i = 0; i < end; i += 2) {
+    int other = min(i + 1, end - 1);
     vec4 sphere = farol_lightSphere(farol_tileRun.x + start + i);
-    float radius = sphere.w * 1.0001;
-    if (radius - sphere.z >= range.x && -radius - sphere.z <= range.y && farol_touches(tile, sphere, 0))
-      touching |= 1u << uint(i);
+    vec4 otherSphere = farol_lightSphere(farol_tileRun.x + start + other);
+    if (farol_reaches(tile, range, sphere)) touching |= 1u << uint(i);
+    if (farol_reaches(tile, range, otherSphere)) touching |= 1u << uint(other);
   }
   return touching;
 }
 //# main
-int quads = farol_tiles.w;
 ivec2 grid = (farol_tiles.yz + 3) >> 2;
-int index = int(gl_FragCoord.x) + (int(gl_FragCoord.y) << 11);
-int list = index / quads;
-int quad = index - list * quads;
-ivec2 block = ivec2(list - list / grid.x * grid.x, list / grid.x);
+ivec2 at = ivec2(gl_FragCoord.xy);
+ivec2 place = at / grid;
+ivec2 block = at - place * grid;
+int quad = place.x + (place.y << farol_tiles.x);
 farol_mask = uvec4(0u);
-if (block.y < grid.y) {
-  FarolTile tile = farol_tileAt(block, farol_tiles.x + 2);
+if (quad < farol_tiles.w) {
+  FarolTile tile = farol_tileAt(block, FAROL_TILE_SHIFT + 2);
   vec4 lows[4];
   bool inside[4];
   bool any = false;

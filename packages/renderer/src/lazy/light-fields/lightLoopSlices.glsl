@@ -6,8 +6,8 @@
 uniform highp usampler2D farol_sliceQuads;
 
 // quads of a page of the tile's list that reach into the slice
-uvec4 farol_sliceOf(const in int list, const in int page, const in int slice) {
-  uvec4 filled = farol_summaryOf(list, page);
+uvec4 farol_sliceOf(const in ivec2 tile, const in int page, const in int slice) {
+  uvec4 filled = farol_summaryOf(tile, page);
   for (int i = 0; i < 4; i++) {
     if (filled[i] != 0u) filled[i] &= texelFetch(farol_sliceQuads, ivec2(slice, page * 4 + i), 0).r;
   }
@@ -15,9 +15,9 @@ uvec4 farol_sliceOf(const in int list, const in int page, const in int slice) {
 }
 
 #define FAROL_FOR_EACH_LISTED(positionVS) \
-  int farol_list = farol_tileOf(gl_FragCoord.xy); \
+  ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy); \
   int farol_slice = int(clamp(farol_slicePlace(-(positionVS).z), 0.0, 255.0)); \
-  FAROL_FOR_EACH_IN_QUADS(farol_sliceOf(farol_list, farol_page, farol_slice), farol_summary.x)
+  FAROL_FOR_EACH_IN_QUADS(farol_sliceOf(farol_tile, farol_page, farol_slice), farol_summary.x)
 
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);

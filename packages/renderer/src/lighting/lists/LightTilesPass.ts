@@ -4,13 +4,12 @@ import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
 import type { TileDepthUse } from './TileDepthUse';
+import { fitGrids, ListGrids } from './ListGrids';
 import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
 import { textureHandle } from '../../three/handles';
 
-/** Texels a row of a list texture; WebGL 2's least MAX_TEXTURE_SIZE. */
-const ROW = 2048;
 const LIGHTS_PER_QUAD = 128;
 /** Pixels along the side of a block in which depths are looked at first. */
 const BLOCK = 4;
@@ -54,6 +53,7 @@ export class LightTilesPass implements Pass {
   private readonly fine: Step;
   private readonly summary = this.step('light list summary', 'tileSummary');
   private readonly steps: readonly Step[];
+  private readonly grids = new ListGrids();
   private isCompiled = false;
 
   constructor(private readonly use: TileDepthUse) {
@@ -77,7 +77,8 @@ export class LightTilesPass implements Pass {
     const quads = Math.max(1, Math.ceil(lights.bounded / LIGHTS_PER_QUAD));
     const pages = Math.ceil(quads / 128);
     frame.resources.put('light-lists', LISTS);
-    this.setUniforms(frame, x, y, quads, pages);
+    const shift = this.grids.inRow(x, quads);
+    this.setUniforms(frame, x, y, quads, shift);
     if (!this.isCompiled) this.compile(frame);
     this.giveStorage(frame);
     if (lights.bounded === 0) return;
@@ -87,13 +88,13 @@ export class LightTilesPass implements Pass {
       setSize(this.depths.target, x, y);
       draw(frame, this.depths);
     }
-    fit(this.coarse.target, Math.ceil(x / 4) * Math.ceil(y / 4) * quads);
+    fitGrids(this.coarse.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);
     draw(frame, this.coarse);
-    fit(this.fine.target, x * y * quads);
+    fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
     // a list of one quad is its own summary
     if (quads === 1) return;
-    fit(this.summary.target, x * y * pages);
+    fitGrids(this.summary.target, x, y, pages, shift);
     draw(frame, this.summary);
   }
 
@@ -105,17 +106,18 @@ export class LightTilesPass implements Pass {
     this.isCompiled = false;
   }
 
-  private setUniforms(frame: Frame, x: number, y: number, quads: number, pages: number): void {
+  private setUniforms(frame: Frame, x: number, y: number, quads: number, shift: number): void {
     const { uniforms: own } = this;
     const { uniforms, queue } = frame;
     const grid = uniforms.farol_tiles.value;
+    grid[0] = shift;
     grid[1] = x;
     grid[2] = y;
     grid[3] = quads;
     const run = uniforms.farol_tileRun.value;
     run[0] = frame.lights.firstBounded;
     run[1] = frame.lights.bounded;
-    run[2] = pages;
+    run[2] = Math.ceil(quads / 128);
     run[3] = frame.lights.plainQuads;
     uniforms.farol_tileMask.value = this.fine.target.texture;
     uniforms.farol_tileSummary.value = this.summary.target.texture;
@@ -133,7 +135,7 @@ export class LightTilesPass implements Pass {
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
       if (textureHandle(frame.webgl, target.texture) !== undefined) continue;
-      fit(target, 1);
+      fitGrids(target, 1, 1, 1, 0);
       frame.bind(target);
     }
   }
@@ -161,11 +163,4 @@ function draw(frame: Frame, { pass, target }: Step): void {
 
 function setSize(target: WebGLRenderTarget, width: number, height: number): void {
   if (target.width !== width || target.height !== height) target.setSize(width, height);
-}
-
-/** Gives a target room for a number of texels, some more when it grows, and limits drawing to that number. */
-function fit(target: WebGLRenderTarget, texels: number): void {
-  const rows = Math.ceil(texels / ROW);
-  if (target.width !== ROW || target.height < rows) target.setSize(ROW, Math.ceil(rows * 1.25) + 4);
-  target.viewport.set(0, 0, ROW, rows);
 }

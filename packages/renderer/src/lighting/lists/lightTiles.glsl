@@ -1,17 +1,22 @@
 // Where the light lists of the screen's tiles lie, and single bits of them.
-// Farol; a list is a bit a light, 128 lights a texel (a quad of words), lists one after another in rows of 2,048 texels
+// Farol; a list is a bit a light, 128 lights a texel (a quad of words). The texels of one quad lie as the tiles do, so
+// that neighbours in a texture are neighbours on the screen, with the same candidates; such grids lie side by side.
 //? farol_lowestBit(1u) == 0
 //? farol_lowestBit(2147483648u) == 31
 //? farol_lowestBit(40u) == 3
 //? farol_bitsFrom(0, 0, 31) == 4294967295u
 //? farol_bitsFrom(32, 33, 34) == 6u
 //? farol_bitsFrom(32, 0, 20) == 0u
-uniform highp ivec4 farol_tiles; // pixels a side, as a power of two; tiles in x; tiles in y; quads a tile
+// grids side by side in a row of a list texture, as a power of two; tiles in x; tiles in y; quads a tile
+uniform highp ivec4 farol_tiles;
 // first record of the listed lights; their number; summary texels a tile; quads of plain point lights
 uniform highp ivec4 farol_tileRun;
 
-ivec2 farol_listTexel(const in int index) {
-  return ivec2(index & 2047, index >> 11);
+const int FAROL_TILE_SHIFT = 4; // pixels a side, as a power of two
+
+// texel of a tile, or of a block of tiles, in the index-th of the grids of a list texture
+ivec2 farol_listTexel(const in ivec2 tile, const in ivec2 grid, const in int index) {
+  return tile + grid * ivec2(index & ((1 << farol_tiles.x) - 1), index >> farol_tiles.x);
 }
 
 int farol_lowestBit(const in uint bits) {

@@ -15,8 +15,8 @@ float farol_viewDistance(const in float depth, const in float steps) {
   return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15;
 }
 //# main
-ivec2 first = ivec2(gl_FragCoord.xy) << (farol_tiles.x - 2);
-ivec2 last = min(first + (1 << (farol_tiles.x - 2)), (ivec2(farol_size) + 3) >> 2);
+ivec2 first = ivec2(gl_FragCoord.xy) << (FAROL_TILE_SHIFT - 2);
+ivec2 last = min(first + (1 << (FAROL_TILE_SHIFT - 2)), (ivec2(farol_size) + 3) >> 2);
 float nearest = 2.0;
 float farthest = -2.0;
 uint empty = 0u;

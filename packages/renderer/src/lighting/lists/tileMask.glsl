@@ -64,7 +64,8 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   int last = int(clamp(slices.y, 0.0, 31.0));
   if ((tile.slices & farol_bitsFrom(0, max(first - 1, 0), min(last + 1, 31))) == 0u) return false;
 #endif
-  if (!farol_lightIsPlain(farol_tileRun.x + light)) { // a cone against the sphere round the box
+  // a cone against the sphere round the box; plain quads have none
+  if (light >= farol_tileRun.w << 7 && !farol_lightIsPlain(farol_tileRun.x + light)) {
     vec4 cone = farol_lightCone(farol_tileRun.x + light);
     if (farol_lightIsCone(cone)) {
       float cutoff = farol_lightCutoff(cone);
@@ -83,34 +84,36 @@ uint farol_touching(const in FarolTile tile, const in uint candidates, const in 
   uint touching = 0u;
   for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
     int bit = farol_lowestBit(bits);
-    int light = start + bit;
-    if (farol_touches(tile, farol_lightSphere(farol_tileRun.x + light), light)) touching |= 1u << uint(bit);
+    // two at once: reads of both are under way together
+    bits &= bits - 1u;
+    int other = bits == 0u ? bit : farol_lowestBit(bits);
+    vec4 sphere = farol_lightSphere(farol_tileRun.x + start + bit);
+    vec4 otherSphere = farol_lightSphere(farol_tileRun.x + start + other);
+    if (farol_touches(tile, sphere, start + bit)) touching |= 1u << uint(bit);
+    if (farol_touches(tile, otherSphere, start + other)) touching |= 1u << uint(other);
   }
   return touching;
 }
 //# main
-int quads = farol_tiles.w;
 ivec2 grid = farol_tiles.yz;
-int shift = farol_tiles.x;
+int shift = FAROL_TILE_SHIFT;
 #ifdef FAROL_COARSE
 grid = (grid + 3) >> 2;
 shift += 2;
 #endif
-int index = int(gl_FragCoord.x) + (int(gl_FragCoord.y) << 11);
-int list = index / quads;
-int start = (index - list * quads) * 128;
-ivec2 position = ivec2(list - list / grid.x * grid.x, list / grid.x);
+ivec2 at = ivec2(gl_FragCoord.xy);
+ivec2 place = at / grid;
+ivec2 position = at - place * grid;
+int quad = place.x + (place.y << farol_tiles.x);
+int start = quad * 128;
 farol_mask = uvec4(0u);
-if (position.y < grid.y) {
+if (quad < farol_tiles.w) {
 #ifdef FAROL_COARSE
   int last = farol_tileRun.y - 1;
   uvec4 candidates = uvec4(farol_bitsFrom(start, 0, last), farol_bitsFrom(start + 32, 0, last),
     farol_bitsFrom(start + 64, 0, last), farol_bitsFrom(start + 96, 0, last));
 #else
-  ivec2 block = position >> 2;
-  int blocks = (grid.x + 3) >> 2;
-  int texel = (block.y * blocks + block.x) * quads + (start >> 7);
-  uvec4 candidates = texelFetch(farol_coarseMask, farol_listTexel(texel), 0);
+  uvec4 candidates = texelFetch(farol_coarseMask, farol_listTexel(position >> 2, (grid + 3) >> 2, quad), 0);
 #endif
   if (candidates != uvec4(0u)) {
     FarolTile tile = farol_tileAt(position, shift);

@@ -1,11 +1,11 @@
 import { Vector2, type IUniform, type Texture } from 'three';
 
-/** Pixels of a tile's side, as a power of two. */
+/** Pixels of a tile's side, as a power of two; FAROL_TILE_SHIFT in lightTiles.glsl. */
 export const TILE_SHIFT = 4;
 
 /** Uniforms of lightTiles.glsl, lightLoopTiled.glsl and viewport.glsl; one set a FarolRenderer. */
 export interface TileUniforms extends Record<string, IUniform> {
-  /** Side of a tile (pixels, as a power of two), tiles in x, tiles in y, quads of 128 lights a tile. */
+  /** Grids of tiles side by side in a list texture (as a power of two), tiles in x, tiles in y, quads of 128 lights a tile. */
   readonly farol_tiles: { value: number[] };
   /** First record of the listed lights, their number, summary texels a tile, quads of plain point lights. */
   readonly farol_tileRun: { value: number[] };
@@ -17,7 +17,7 @@ export interface TileUniforms extends Record<string, IUniform> {
 
 export function tileUniforms(): TileUniforms {
   return {
-    farol_tiles: { value: [TILE_SHIFT, 1, 1, 1] },
+    farol_tiles: { value: [0, 1, 1, 1] },
     farol_tileRun: { value: [0, 0, 1, 0] },
     farol_tileMask: { value: null },
     farol_tileSummary: { value: null },

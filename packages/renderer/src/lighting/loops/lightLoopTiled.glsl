@@ -7,18 +7,18 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
   return bits & farol_bitsFrom(start, first, last);
 }
 
-// opens loops over quads firstQuad to lastQuad of the list farol_list
+// opens loops over quads firstQuad to lastQuad of the list of farol_tile
 #define FAROL_FOR_EACH_LISTED_IN(firstQuad, lastQuad) \
-  FAROL_FOR_EACH_IN_QUADS(farol_summaryOf(farol_list, farol_page), \
+  FAROL_FOR_EACH_IN_QUADS(farol_summaryOf(farol_tile, farol_page), \
     farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad))
 #define FAROL_FOR_EACH_LISTED(positionVS) \
-  int farol_list = farol_tileOf(gl_FragCoord.xy); \
+  ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy); \
   FAROL_FOR_EACH_LISTED_IN(0, farol_tiles.w - 1)
 
 // plain point lights by one loop, area lights by another, all else by a third, so that each stays short
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
-  int farol_list = farol_tileOf(gl_FragCoord.xy);
+  ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy);
   FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record); FAROL_END_LISTED
   if (FAROL_OTHER_LIGHTS > 0) {
     FAROL_FOR_EACH_LISTED_IN(farol_tileRun.w, farol_tiles.w - 1) farol_addLocal(s, farol_record); FAROL_END_LISTED

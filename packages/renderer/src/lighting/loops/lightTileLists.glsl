@@ -6,18 +6,17 @@
 uniform highp usampler2D farol_tileMask;
 uniform highp usampler2D farol_tileSummary;
 
-int farol_tileOf(const in vec2 fragCoord) {
-  ivec2 tile = ivec2(fragCoord - farol_offset) >> farol_tiles.x;
-  return tile.y * farol_tiles.y + tile.x;
+ivec2 farol_tileOf(const in vec2 fragCoord) {
+  return ivec2(fragCoord - farol_offset) >> FAROL_TILE_SHIFT;
 }
 
-// quads of a page of a list that hold lights; lists of one quad need no summary
-uvec4 farol_summaryOf(const in int list, const in int page) {
+// quads of a page of a tile's list that hold lights; lists of one quad need no summary
+uvec4 farol_summaryOf(const in ivec2 tile, const in int page) {
   if (farol_tiles.w == 1) return uvec4(farol_tileRun.y > 0 ? 1u : 0u, 0u, 0u, 0u);
-  return texelFetch(farol_tileSummary, farol_listTexel(list * farol_tileRun.z + page), 0);
+  return texelFetch(farol_tileSummary, farol_listTexel(tile, farol_tiles.yz, page), 0);
 }
 
-// Opens five loops over the list farol_list; farol_record is a light's record.
+// Opens five loops over the list of the tile farol_tile; farol_record is a light's record.
 // summary: of farol_page: its quads that may hold a light; quads: of those in farol_summary.x, from quad farol_word on,
 // those to go through
 #define FAROL_FOR_EACH_IN_QUADS(summary, quads) \
@@ -27,8 +26,8 @@ uvec4 farol_summaryOf(const in int list, const in int page) {
          farol_word += 32, farol_summary = uvec4(farol_summary.yzw, 0u)) \
       for (uint farol_quads = quads; farol_quads != 0u; farol_quads &= farol_quads - 1u) { \
         int farol_start = (farol_word + farol_lowestBit(farol_quads)) * 128; \
-        int farol_quad = farol_list * farol_tiles.w + (farol_start >> 7); \
-        uvec4 farol_mask = texelFetch(farol_tileMask, farol_listTexel(farol_quad), 0); \
+        ivec2 farol_texel = farol_listTexel(farol_tile, farol_tiles.yz, farol_start >> 7); \
+        uvec4 farol_mask = texelFetch(farol_tileMask, farol_texel, 0); \
         for (; farol_mask != uvec4(0u); farol_mask = uvec4(farol_mask.yzw, 0u), farol_start += 32) \
           for (uint farol_bits = farol_mask.x; farol_bits != 0u; farol_bits &= farol_bits - 1u) { \
             int farol_record = farol_tileRun.x + farol_start + farol_lowestBit(farol_bits);
