@@ -13,7 +13,7 @@ import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
 import type { TileDepthUse } from '../../lighting/lists/TileDepthUse';
-import { fitGrids, ListGrids } from '../../lighting/lists/ListGrids';
+import { fitGrids, setTiles } from '../../lighting/lists/listGrids';
 import { TILE_SHIFT } from '../../lighting/lists/tileUniforms';
 import { fit } from './FieldOrder';
 import { type FieldSlices, SLICES } from './FieldSlices';
@@ -62,7 +62,6 @@ export class FieldLists {
       depthBuffer: false,
     }),
   };
-  private readonly grids = new ListGrids();
   private readonly depthBlocks = this.step('tile depth blocks', 'tileDepthBlocks');
   private readonly depths = this.step('tile depths', 'tileDepth');
   private readonly blocks: Step;
@@ -106,8 +105,8 @@ export class FieldLists {
     const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
     const quads = Math.ceil(count / LIGHTS_PER_QUAD);
     const pages = Math.ceil(quads / 128);
-    const shift = this.grids.inRow(x, quads);
-    this.setUniforms(frame, x, y, quads, shift);
+    this.setUniforms(frame, x, y, quads);
+    const shift = frame.uniforms.farol_tiles.value[0];
     const { uniforms } = frame;
     const run = uniforms.farol_tileRun.value;
     run[0] = first;
@@ -117,9 +116,9 @@ export class FieldLists {
     fit(this.boxes.target, 4, quads);
     draw(frame, this.boxes);
     if (this.use !== 'none') {
-      setSize(this.depthBlocks.target, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      this.depthBlocks.target.setSize(Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
       draw(frame, this.depthBlocks);
-      setSize(this.depths.target, x, y);
+      this.depths.target.setSize(x, y);
       draw(frame, this.depths);
     }
     fitGrids(this.blocks.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);
@@ -127,7 +126,7 @@ export class FieldLists {
     fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
     // made in any case: loops have it bound
-    fitGrids(this.summary.target, x, y, pages, shift);
+    fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
     draw(frame, this.summary);
     uniforms.farol_tileMask.value = this.fine.target.texture;
     uniforms.farol_tileSummary.value = this.summary.target.texture;
@@ -144,14 +143,10 @@ export class FieldLists {
     }
   }
 
-  private setUniforms(frame: Frame, x: number, y: number, quads: number, shift: number): void {
+  private setUniforms(frame: Frame, x: number, y: number, quads: number): void {
     const { own } = this;
     const { uniforms, queue } = frame;
-    const grid = uniforms.farol_tiles.value;
-    grid[0] = shift;
-    grid[1] = x;
-    grid[2] = y;
-    grid[3] = quads;
+    setTiles(uniforms.farol_tiles.value, x, y, quads);
     uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     setUnprojectUniforms(own, frame.camera, frame.webgl);
     own.farol_size.value.set(frame.width, frame.height);
@@ -177,8 +172,4 @@ export class FieldLists {
 
 function draw(frame: Frame, { pass, target }: Step): void {
   pass.drawTo(frame, target);
-}
-
-function setSize(target: WebGLRenderTarget, width: number, height: number): void {
-  if (target.width !== width || target.height !== height) target.setSize(width, height);
 }

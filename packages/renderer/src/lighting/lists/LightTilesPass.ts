@@ -4,7 +4,7 @@ import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { LightLists } from './LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
 import type { TileDepthUse } from './TileDepthUse';
-import { fitGrids, ListGrids } from './ListGrids';
+import { fitGrids, setTiles } from './listGrids';
 import { TILE_SHIFT } from './tileUniforms';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { wordTarget } from '../../gpu/wordTarget';
@@ -53,7 +53,6 @@ export class LightTilesPass implements Pass {
   private readonly fine: Step;
   private readonly summary = this.step('light list summary', 'tileSummary');
   private readonly steps: readonly Step[];
-  private readonly grids = new ListGrids();
   private isCompiled = false;
 
   constructor(private readonly use: TileDepthUse) {
@@ -67,25 +66,22 @@ export class LightTilesPass implements Pass {
   }
 
   render(frame: Frame): void {
-    if (frame.fields !== null) {
-      frame.fields.makeTiles(frame, this.use);
-      return frame.resources.put('light-lists', LISTS);
-    }
+    frame.resources.put('light-lists', LISTS);
+    if (frame.fields !== null) return frame.fields.makeTiles(frame, this.use);
     const { lights } = frame;
     const x = Math.ceil(frame.width / (1 << TILE_SHIFT));
     const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
     const quads = Math.max(1, Math.ceil(lights.bounded / LIGHTS_PER_QUAD));
     const pages = Math.ceil(quads / 128);
-    frame.resources.put('light-lists', LISTS);
-    const shift = this.grids.inRow(x, quads);
-    this.setUniforms(frame, x, y, quads, shift);
+    this.setUniforms(frame, x, y, quads);
+    const shift = frame.uniforms.farol_tiles.value[0];
     if (!this.isCompiled) this.compile(frame);
     this.giveStorage(frame);
     if (lights.bounded === 0) return;
     if (this.use !== 'none') {
-      setSize(this.blocks.target, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      this.blocks.target.setSize(Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
       draw(frame, this.blocks);
-      setSize(this.depths.target, x, y);
+      this.depths.target.setSize(x, y);
       draw(frame, this.depths);
     }
     fitGrids(this.coarse.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);
@@ -94,7 +90,7 @@ export class LightTilesPass implements Pass {
     draw(frame, this.fine);
     // a list of one quad is its own summary
     if (quads === 1) return;
-    fitGrids(this.summary.target, x, y, pages, shift);
+    fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
     draw(frame, this.summary);
   }
 
@@ -106,14 +102,10 @@ export class LightTilesPass implements Pass {
     this.isCompiled = false;
   }
 
-  private setUniforms(frame: Frame, x: number, y: number, quads: number, shift: number): void {
+  private setUniforms(frame: Frame, x: number, y: number, quads: number): void {
     const { uniforms: own } = this;
     const { uniforms, queue } = frame;
-    const grid = uniforms.farol_tiles.value;
-    grid[0] = shift;
-    grid[1] = x;
-    grid[2] = y;
-    grid[3] = quads;
+    setTiles(uniforms.farol_tiles.value, x, y, quads);
     const run = uniforms.farol_tileRun.value;
     run[0] = frame.lights.firstBounded;
     run[1] = frame.lights.bounded;
@@ -134,9 +126,7 @@ export class LightTilesPass implements Pass {
   /** A list that is not made in a frame is bound all the same: its texture must exist, also after a lost context. */
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
-      if (textureHandle(frame.webgl, target.texture) !== undefined) continue;
-      fitGrids(target, 1, 1, 1, 0);
-      frame.bind(target);
+      if (textureHandle(frame.webgl, target.texture) === undefined) frame.bind(target);
     }
   }
 
@@ -159,8 +149,4 @@ export class LightTilesPass implements Pass {
 
 function draw(frame: Frame, { pass, target }: Step): void {
   pass.drawTo(frame, target);
-}
-
-function setSize(target: WebGLRenderTarget, width: number, height: number): void {
-  if (target.width !== width || target.height !== height) target.setSize(width, height);
 }
