@@ -1,5 +1,6 @@
 import type { FieldTable, FieldValue } from '../fields/Field';
 import { type AssetNames, BaseFieldOwner, own, sameValue } from '../fields/FieldOwner';
+import { savedFields } from '../fields/savedFields';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
 import type {
@@ -167,8 +168,7 @@ export abstract class BaseComponent extends BaseFieldOwner implements ComponentT
 
   authoredValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
-    for (const [name, { viewOf }] of Object.entries(this.fields))
-      if (viewOf === undefined) values[name] = this.getAuthored(name);
+    for (const { name } of savedFields(this.fields)) values[name] = this.getAuthored(name);
     return values;
   }
 }

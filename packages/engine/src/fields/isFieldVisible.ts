@@ -5,14 +5,23 @@ import type { FieldTable } from './Field';
  * @param get - reads the value of a field by its name
  */
 export function isFieldVisible(fields: FieldTable, name: string, get: (field: string) => unknown): boolean {
-  const seen = new Set<string>();
-  const holds = (field: string): boolean => {
-    if (seen.has(field)) return true;
-    seen.add(field);
-    for (let condition = fields[field]?.visibleWhen; condition; condition = condition.and) {
-      if (!condition.equals.includes(get(condition.field)) || !holds(condition.field)) return false;
-    }
-    return true;
-  };
-  return holds(name);
+  return holds(fields, name, get, null);
+}
+
+/** @param above - fields whose conditions led here: what comes back to one of them ends there */
+function holds(
+  fields: FieldTable,
+  name: string,
+  get: (field: string) => unknown,
+  above: readonly string[] | null,
+): boolean {
+  let condition = fields[name]?.visibleWhen;
+  if (!condition || above?.includes(name)) return true;
+  let way: readonly string[] | null = null;
+  for (; condition; condition = condition.and) {
+    const { field } = condition;
+    if (!condition.equals.includes(get(field))) return false;
+    if (fields[field]?.visibleWhen && !holds(fields, field, get, (way ??= [...(above ?? []), name]))) return false;
+  }
+  return true;
 }

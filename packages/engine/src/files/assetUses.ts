@@ -1,8 +1,8 @@
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
-import { assetFields } from '../fields/assetFields';
-import type { AssetType, FieldTable, FieldValue } from '../fields/Field';
+import { assetFields, type NamedAssetField } from '../fields/assetFields';
+import type { AssetType, FieldValue } from '../fields/Field';
 import type { FarolFile, FileObject } from './FarolFile';
 
 /** A place in a file that names an asset. */
@@ -12,29 +12,45 @@ export interface AssetUse {
   readonly name: string;
 }
 
+/** Its path is for messages, and written when one asks for it: a large scene has thousands of uses. */
+class Use implements AssetUse {
+  constructor(
+    readonly type: AssetType,
+    readonly name: string,
+    private readonly field: string,
+    private readonly pathOf: () => string,
+  ) {}
+
+  get path(): string {
+    return `${this.pathOf()}.${this.field}`;
+  }
+}
+
 function usesIn(
   values: Readonly<Record<string, FieldValue>>,
-  fields: FieldTable,
+  fields: readonly NamedAssetField[],
   pathOf: () => string,
   list: AssetUse[],
 ): void {
-  for (const { name, assetType, default: usual } of assetFields(fields)) {
+  for (const { name, assetType, default: usual } of fields) {
     const value = Object.hasOwn(values, name) ? values[name] : usual;
-    if (typeof value === 'string') list.push({ path: `${pathOf()}.${name}`, type: assetType, name: value });
+    if (typeof value === 'string') list.push(new Use(assetType, value, name, pathOf));
   }
 }
 
 /** Every place of a checked file that names an asset, defaults included. */
 export function assetUses(file: FarolFile, registry: ComponentRegistry): AssetUse[] {
   const list: AssetUse[] = [];
-  usesIn(file.settings, sceneFields, () => 'settings', list);
+  usesIn(file.settings, assetFields(sceneFields), () => 'settings', list);
   file.assets.forEach(({ type, values }, i) => {
-    if (values && isFieldAssetType(type)) usesIn(values, fieldAssetFields[type], () => `assets[${i}].values`, list);
+    if (values && isFieldAssetType(type))
+      usesIn(values, assetFields(fieldAssetFields[type]), () => `assets[${i}].values`, list);
   });
   const visit = (objects: readonly FileObject[], path: string): void =>
     objects.forEach((object, i) => {
       object.components.forEach(({ type, values }, j) => {
-        usesIn(values, registry.fieldsOf(type), () => `${path}[${i}].components[${j}].values`, list);
+        const fields = assetFields(registry.fieldsOf(type));
+        if (fields.length > 0) usesIn(values, fields, () => `${path}[${i}].components[${j}].values`, list);
       });
     });
   visit(file.objects, 'objects');

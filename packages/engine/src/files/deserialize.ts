@@ -10,7 +10,7 @@ import { cancellable } from '../core/cancellable';
 import { isCameraComponent } from '../core/isCameraComponent';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { Scene } from '../core/Scene';
-import { assetUses } from './assetUses';
+import { assetUses, type AssetUse } from './assetUses';
 import { OwnAssets } from './OwnAssets';
 import type { FarolFile } from './FarolFile';
 import { FileError } from './FileError';
@@ -41,11 +41,11 @@ export type MayFetch = boolean | Iterable<string>;
 /** Registers the demo scenes' own meshes when a file names one, such as 'temple/column', that the library does not have; their names in `registered`. */
 async function registerNamedSceneAssets(
   file: FarolFile,
-  registry: ComponentRegistry,
+  uses: readonly AssetUse[],
   assets: AssetLibrary,
   registered: string[],
 ): Promise<void> {
-  if (!missingAssets(file, registry, assets).some(({ type, name }) => type === 'mesh' && name.includes('/'))) return;
+  if (!missingAssets(file, uses, assets).some(({ type, name }) => type === 'mesh' && name.includes('/'))) return;
   const { registerSceneAssets } = await import('../scenes/registerSceneAssets');
   const before = new Set(assets.list());
   registerSceneAssets(assets);
@@ -106,15 +106,14 @@ async function readInline(file: FarolFile): Promise<Map<string, Blob>> {
 
 async function loadAssets(
   file: FarolFile,
-  registry: ComponentRegistry,
+  uses: readonly AssetUse[],
   assets: AssetLibrary,
   signal?: AbortSignal,
 ): Promise<void> {
-  const uses = assetUses(file, registry);
   const own = new OwnAssets(file.assets);
   /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
-  const needed = new Map(uses.map((use) => [loadedFor(use.name), use.path]));
+  const needed = new Map(uses.map((use) => [loadedFor(use.name), use]));
   // a material is made when it is drawn first, of textures that are there by then
   const names = [...needed.keys()].filter((name) => !assets.fieldAsset(name));
   const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
@@ -126,14 +125,15 @@ async function loadAssets(
     if (result.status === 'fulfilled') return;
     const { reason } = result as { reason: Error };
     if (reason instanceof AddressRefusedError) refused.add(names[i]);
-    else problems.add(needed.get(names[i])!, `needs an asset: ${reason.message}`);
+    else problems.add(needed.get(names[i])!.path, `needs an asset: ${reason.message}`);
   });
   problems.throwIfAny();
-  for (const { path, type, name } of uses) {
+  for (const use of uses) {
+    const { type, name } = use;
     const model = assets.has(name) ? name : loadedFor(name);
     if (model !== name && refused.has(model)) assets.registerPart(name, type, model);
     const problem = assets.problemWith(type, name);
-    if (problem) problems.add(path, problem);
+    if (problem) problems.add(use.path, problem);
     if (problems.isFull) break;
   }
   problems.throwIfAny();
@@ -163,14 +163,15 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
   try {
     const problems = new ProblemList();
     const checked = readFile(file, registry, problems);
-    await registerNamedSceneAssets(checked, registry, scene.assets, registered);
-    checkAssets(checked, registry, scene.assets, problems);
+    const uses = assetUses(checked, registry);
+    await registerNamedSceneAssets(checked, uses, scene.assets, registered);
+    checkAssets(checked, uses, scene.assets, problems);
     problems.throwIfAny();
     const origins = await allowedOrigins(checked, options);
     if (options.mayFetch) scene.assets.allowedOrigins = origins;
     await registerAssets(checked, scene.assets, options.fileOf ?? (() => null), registered);
     signal?.throwIfAborted();
-    await loadAssets(checked, registry, scene.assets, signal);
+    await loadAssets(checked, uses, scene.assets, signal);
     if (checked.settings.bakedLight) await loadBakeCode();
     scene.name = checked.name;
     for (const folder of checked.assetFolders ?? []) scene.assets.setFolder(folder, true);

@@ -110,7 +110,7 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   const registry = options.registry ?? builtinComponents;
   const problems = new ProblemList();
   const file = readFile(input, registry, problems);
-  if (options.assets) checkAssets(file, registry, options.assets, problems);
+  if (options.assets) checkAssets(file, assetUses(file, registry), options.assets, problems);
   problems.throwIfAny();
   return file;
 }
@@ -158,21 +158,24 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
   };
 }
 
-/** The uses of assets that neither a library nor the file itself may have. */
-export function missingAssets(file: FarolFile, registry: ComponentRegistry, assets: AssetLibrary): AssetUse[] {
+/** The uses of assets that neither a library nor the file itself may have. @param uses those of the file */
+export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets: AssetLibrary): AssetUse[] {
   const own = new OwnAssets(file.assets);
-  return assetUses(file, registry).filter((use) => !assets.has(use.name) && !own.mayHold(use));
+  return uses.filter((use) => !assets.has(use.name) && !own.mayHold(use));
 }
 
-/** The second half of `parseFile`: every asset that the file names must be in the library, or among the file's own. */
+/**
+ * The second half of `parseFile`: every asset that the file names must be in the library, or among the file's own.
+ * @param uses those of the file
+ */
 export function checkAssets(
   file: FarolFile,
-  registry: ComponentRegistry,
+  uses: readonly AssetUse[],
   assets: AssetLibrary,
   problems: ProblemList,
 ): void {
   const own = new OwnAssets(file.assets);
-  for (const use of assetUses(file, registry)) {
+  for (const use of uses) {
     if (problems.isFull) return;
     if (!assets.has(use.name) && own.mayHold(use)) continue;
     const problem = assets.problemWith(use.type, use.name);

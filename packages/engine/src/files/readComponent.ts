@@ -14,7 +14,9 @@ export function readValues(
   problems: ProblemList,
 ): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
-  for (const [name, each] of Object.entries(problems.record(value, path))) {
+  const given = problems.record(value, path);
+  for (const name of Object.keys(given)) {
+    const each = given[name];
     const known = Object.hasOwn(fields, name);
     const problem = known
       ? checkFieldValue(fields[name], each)
@@ -88,6 +90,8 @@ function readVersion(version: unknown, path: string, problems: ProblemList): num
   return null;
 }
 
+const componentKeys = ['type', 'version', 'id', 'enabled', 'values'];
+
 /** Reads a component; null, and the problems, when it cannot be read. */
 export function readComponent(
   value: unknown,
@@ -99,7 +103,7 @@ export function readComponent(
     problems.record(value, path);
     return null;
   }
-  problems.onlyKeys(value, path, ['type', 'version', 'id', 'enabled', 'values']);
+  problems.onlyKeys(value, path, componentKeys);
   const typeName = problems.text(value.type, join(path, 'type'));
   const type = registry.types.get(typeName);
   if (!type && typeName && registry.keepsUnknown) {

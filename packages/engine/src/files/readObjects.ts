@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { describeValue } from '../fields/checkFieldValue';
+import { objectFields } from '../fields/objectFields';
 import type { FileComponent, FileObject } from './FarolFile';
 import { counted } from '../core/counted';
 import { fileLimits } from './fileLimits';
@@ -33,6 +34,8 @@ function readComponents(
   return components;
 }
 
+const objectKeys = ['id', 'name', 'parent', 'active', 'locked', 'static', 'tags', 'prefab', 'components'];
+
 function readObject(
   value: unknown,
   path: string,
@@ -43,17 +46,7 @@ function readObject(
     problems.record(value, path);
     return null;
   }
-  problems.onlyKeys(value, path, [
-    'id',
-    'name',
-    'parent',
-    'active',
-    'locked',
-    'static',
-    'tags',
-    'prefab',
-    'components',
-  ]);
+  problems.onlyKeys(value, path, objectKeys);
   const id = problems.text(value.id, join(path, 'id'));
   const name = problems.text(value.name, join(path, 'name'), true);
   const parent = value.parent === null ? null : problems.text(value.parent, join(path, 'parent'));
@@ -80,7 +73,7 @@ function readObject(
 
 function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<string, ReadObject> {
   const byId = new Map<string, ReadObject>();
-  const componentPaths = new Map<string, string>();
+  const owners = new Map<string, ReadObject>();
   for (const object of objects) {
     const other = byId.get(object.id);
     if (other && object.id)
@@ -90,11 +83,16 @@ function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<st
       );
     else byId.set(object.id, object);
     for (const { id, type } of object.components) {
-      const path = `${object.path} ${type}`;
-      const taken = componentPaths.get(id);
-      if (taken && id)
-        problems.add(path, `has the id '${shortText(id)}', which is that of ${taken} too: ids must differ.`);
-      else componentPaths.set(id, path);
+      const owner = owners.get(id);
+      if (!owner || !id) {
+        owners.set(id, object);
+        continue;
+      }
+      const taken = owner.components.find((each) => each.id === id)!;
+      problems.add(
+        `${object.path} ${type}`,
+        `has the id '${shortText(id)}', which is that of ${owner.path} ${taken.type} too: ids must differ.`,
+      );
     }
   }
   return byId;
@@ -149,9 +147,11 @@ function checkReferences(
 ): void {
   for (const object of objects) {
     for (const { type, values } of object.components) {
-      const fields = registry.types.get(type)?.fields ?? {};
-      for (const [name, value] of Object.entries(values)) {
-        if (fields[name]?.kind !== 'object' || typeof value !== 'string' || byId.has(value)) continue;
+      const fields = registry.types.get(type)?.fields;
+      if (!fields) continue;
+      for (const name of objectFields(fields)) {
+        const value = Object.hasOwn(values, name) ? values[name] : null;
+        if (typeof value !== 'string' || byId.has(value)) continue;
         problems.add(
           `${object.path} ${type}.${name}`,
           `names the object '${shortText(value)}', which is not in the file.`,

@@ -4,6 +4,7 @@ import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import type { SceneView } from '../core/SceneViews';
 import type { FieldOwner } from '../fields/FieldOwner';
+import { savedFields } from '../fields/savedFields';
 import { copyValue, sameValue } from '../fields/FieldOwner';
 import type { FieldValue } from '../fields/Field';
 import { assetUses } from './assetUses';
@@ -17,8 +18,7 @@ export interface SerializeOptions {
 /** Authored values that are not the default; a reference to an object that is gone becomes null. */
 function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
-  for (const [name, field] of Object.entries(owner.fields)) {
-    if (field.viewOf !== undefined) continue;
+  for (const { name, field } of savedFields(owner.fields)) {
     let value = owner.getAuthored(name);
     if (field.kind === 'object' && typeof value === 'string' && scene && !scene.findById(value)) value = null;
     if (!sameValue(value, field.default)) values[name] = copyValue(value);

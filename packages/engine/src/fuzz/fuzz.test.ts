@@ -1,7 +1,5 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { setFlagsFromString } from 'node:v8';
-import { runInNewContext } from 'node:vm';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { fuzzCase, type FuzzCase, type FuzzKind } from './generate';
 import { minimise } from './minimise';
@@ -13,9 +11,6 @@ const cases = Number(FAROL_FUZZ_CASES ?? 2000);
 const seed = Number(FAROL_FUZZ_SEED ?? 1);
 const found = join(import.meta.dirname, 'found');
 
-setFlagsFromString('--expose-gc');
-const collectGarbage = runInNewContext('gc') as () => void;
-
 // three tells the console of what it reads in models: that is no fault
 beforeEach(() => {
   for (const method of ['warn', 'error', 'log'] as const) vi.spyOn(console, method).mockImplementation(() => {});
@@ -24,13 +19,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-/** What is wrong with a case; another run decides on time and memory, which depend on what else goes on and on garbage. */
-async function failureOf(given: FuzzCase): Promise<string | null> {
-  const { failure } = await runCase(given);
-  return failure === null || !/^[\d.]+ (s|MB)$/.test(failure)
-    ? failure
-    : (await runCase(given, collectGarbage)).failure;
-}
+const failureOf = async (given: FuzzCase): Promise<string | null> => (await runCase(given)).failure;
 
 /** Cases of one test: a long run tells how far it is, and each part has an hour. */
 const BATCH = 5000;
@@ -48,9 +37,7 @@ test.each(batches)(
     let largest = { ratio: 0, seed: 0 };
     for (let i = 0; i < all; i++) {
       const given = fuzzCase(first + i);
-      let result = await runCase(given);
-      if (result.failure !== null && /^[\d.]+ (s|MB)$/.test(result.failure))
-        result = await runCase(given, collectGarbage);
+      const result = await runCase(given);
       const count = (counts[given.kind] ??= { cases: 0, taken: 0 });
       count.cases++;
       if (result.isTaken) count.taken++;

@@ -1,4 +1,4 @@
-import { BufferGeometry, Float32BufferAttribute } from 'three';
+import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vector3Tuple } from '../fields/Field';
 
 /** Where the planes of a grid lie along x, y and z (m); in any order, also twice. */
@@ -25,50 +25,58 @@ export function solidGrid(planes: GridPlanes, isSolid: (middle: Vector3Tuple) =>
   const [nx, ny, nz] = lines.map(({ length }) => Math.max(0, length - 1));
   const middle = (axis: number, i: number): number => (lines[axis][i] + lines[axis][i + 1]) / 2;
   const solid = new Uint8Array(nx * ny * nz);
-  const at = (x: number, y: number, z: number): number => (z * ny + y) * nx + x;
-  for (let z = 0; z < nz; z++)
-    for (let y = 0; y < ny; y++)
-      for (let x = 0; x < nx; x++) if (isSolid([middle(0, x), middle(1, y), middle(2, z)])) solid[at(x, y, z)] = 1;
   const counts = [nx, ny, nz];
-  const isFull = (cell: readonly number[]): boolean =>
-    cell.every((i, axis) => i >= 0 && i < counts[axis]) && solid[at(cell[0], cell[1], cell[2])] === 1;
-
-  const positions: number[] = [];
-  const normals: number[] = [];
-  const uvs: number[] = [];
-  const indices: number[] = [];
-  const face = (cell: readonly number[], axis: number, side: -1 | 1): void => {
-    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    // upright faces have v upwards, so that a texture stands
-    const [across, up] = axis === 0 ? [v, u] : [u, v].toSorted((a, b) => a - b);
-    const base = positions.length / 3;
-    for (const [a, b] of corners) {
-      const corner = [0, 0, 0];
-      corner[axis] = lines[axis][cell[axis] + (side + 1) / 2];
-      corner[u] = lines[u][cell[u] + a];
-      corner[v] = lines[v][cell[v] + b];
-      positions.push(...corner);
-      normals.push(...[0, 1, 2].map((i) => (i === axis ? side : 0)));
-      uvs.push(corner[across], corner[up]);
-    }
-    const [second, fourth] = side === 1 ? [1, 3] : [3, 1];
-    indices.push(base, base + second, base + 2, base, base + 2, base + fourth);
-  };
-  for (let z = 0; z < nz; z++)
+  const strides = [1, nx, nx * ny];
+  for (let z = 0, at = 0; z < nz; z++)
     for (let y = 0; y < ny; y++)
-      for (let x = 0; x < nx; x++) {
-        const cell = [x, y, z];
-        if (!isFull(cell)) continue;
-        for (let axis = 0; axis < 3; axis++)
-          for (const side of [-1, 1] as const)
-            if (!isFull(cell.map((i, each) => (each === axis ? i + side : i)))) face(cell, axis, side);
+      for (let x = 0; x < nx; x++, at++) if (isSolid([middle(0, x), middle(1, y), middle(2, z)])) solid[at] = 1;
+
+  /** Visits each face between a solid and an empty cell. */
+  const eachFace = (visit: (cell: Vector3Tuple, axis: number, side: -1 | 1) => void): void => {
+    for (let at = 0; at < solid.length; at++) {
+      if (solid[at] === 0) continue;
+      const cell = [at % nx, Math.floor(at / nx) % ny, Math.floor(at / strides[2])] as const;
+      for (let axis = 0; axis < 3; axis++) {
+        if (cell[axis] === 0 || solid[at - strides[axis]] === 0) visit(cell, axis, -1);
+        if (cell[axis] === counts[axis] - 1 || solid[at + strides[axis]] === 0) visit(cell, axis, 1);
       }
+    }
+  };
+  let faces = 0;
+  eachFace(() => faces++);
+  const positions = new Float32Array(faces * 12);
+  const normals = new Float32Array(faces * 12);
+  const uvs = new Float32Array(faces * 8);
+  const indices = new (faces * 4 > 65_535 ? Uint32Array : Uint16Array)(faces * 6);
+  let made = 0;
+  eachFace((cell, axis, side) => {
+    const u = (axis + 1) % 3;
+    const v = (axis + 2) % 3;
+    // upright faces have v upwards, so that a texture stands
+    const across = axis === 0 ? v : Math.min(u, v);
+    const up = axis === 0 ? u : Math.max(u, v);
+    const base = made * 4;
+    for (let corner = 0; corner < 4; corner++) {
+      const [a, b] = corners[corner];
+      const at = (base + corner) * 3;
+      positions[at + axis] = lines[axis][cell[axis] + (side + 1) / 2];
+      positions[at + u] = lines[u][cell[u] + a];
+      positions[at + v] = lines[v][cell[v] + b];
+      normals[at + axis] = side;
+      uvs[(base + corner) * 2] = positions[at + across];
+      uvs[(base + corner) * 2 + 1] = positions[at + up];
+    }
+    const second = base + (side === 1 ? 1 : 3);
+    const fourth = base + (side === 1 ? 3 : 1);
+    indices.set([base, second, base + 2, base, base + 2, fourth], made * 6);
+    made++;
+  });
 
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
-  geometry.setAttribute('normal', new Float32BufferAttribute(normals, 3));
-  geometry.setAttribute('uv', new Float32BufferAttribute(uvs, 2));
-  geometry.setIndex(indices);
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+  geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
+  geometry.setIndex(new BufferAttribute(indices, 1));
   return geometry;
 }
 

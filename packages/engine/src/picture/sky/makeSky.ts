@@ -1,7 +1,6 @@
 import {
   ClampToEdgeWrapping,
   DataTexture,
-  DataUtils,
   EquirectangularReflectionMapping,
   HalfFloatType,
   LinearFilter,
@@ -10,6 +9,7 @@ import {
 } from 'three';
 import type { Vector3Tuple } from '../../fields/Field';
 import type { SkyPreset } from '../pictureFields';
+import { halfOf } from './halfOf';
 import { paintSky } from './paintSky';
 import { type SkyLook, skyLooks } from './skyLooks';
 
@@ -43,11 +43,12 @@ function paint(look: SkyLook, width: number): Painted {
   const height = width / 2;
   const pixels = paintSky(look, width, height);
   const halves = new Uint16Array(width * height * 4);
-  const one = DataUtils.toHalfFloat(1);
+  const bits = new Uint32Array(pixels.buffer);
+  const one = 0x3c00;
   for (let from = 0, to = 0; from < pixels.length; from += 3, to += 4) {
-    halves[to] = DataUtils.toHalfFloat(pixels[from]);
-    halves[to + 1] = DataUtils.toHalfFloat(pixels[from + 1]);
-    halves[to + 2] = DataUtils.toHalfFloat(pixels[from + 2]);
+    halves[to] = halfOf(bits[from]);
+    halves[to + 1] = halfOf(bits[from + 1]);
+    halves[to + 2] = halfOf(bits[from + 2]);
     halves[to + 3] = one;
   }
   return { halves, width, horizon: horizonOf(pixels, width, height) };

@@ -12,6 +12,9 @@ function directionOf({ elevation, azimuth }: SkyDisc | SkyBox): [number, number,
   return [Math.cos(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.sin(azimuth) * Math.cos(elevation)];
 }
 
+/** Cosine of the angle from the sun within which its glow is seen: at the edge it is below 1e-12 of what it is at the sun. */
+const GLOWING = 0.88;
+
 /** Share of a cloud in a direction above the horizon, and how lit it is: written to `cloud`. */
 const cloud = { share: 0, lit: 0 };
 
@@ -57,27 +60,36 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
   const lamps = boxes.map((box) => ({ box, to: directionOf(box) }));
   const edge = disc ? Math.cos(disc.radius) : 2;
   const softEdge = disc ? Math.cos(disc.radius * 1.5) : 2;
+  const cosines = new Float64Array(width);
+  const sines = new Float64Array(width);
+  for (let column = 0; column < width; column++) {
+    const angle = ((column + 0.5) / width - 0.5) * 2 * Math.PI;
+    cosines[column] = Math.cos(angle);
+    sines[column] = Math.sin(angle);
+  }
   for (let row = 0, at = 0; row < height; row++) {
     const elevation = ((row + 0.5) / height - 0.5) * Math.PI;
     const y = Math.sin(elevation);
     const flat = Math.cos(elevation);
     const isUp = y >= 0;
+    const low = 1 - 0.7 * smooth(0, 0.5, y);
     const share = isUp ? y ** 0.55 : smooth(0, 0.12, -y) * 0.75 + smooth(0.05, 1, -y) * 0.25;
     const far = isUp ? top : ground;
     const red = horizon[0] + (far[0] - horizon[0]) * share;
     const green = horizon[1] + (far[1] - horizon[1]) * share;
     const blue = horizon[2] + (far[2] - horizon[2]) * share;
     for (let column = 0; column < width; column++, at += 3) {
-      const angle = ((column + 0.5) / width - 0.5) * 2 * Math.PI;
-      const x = Math.cos(angle) * flat;
-      const z = Math.sin(angle) * flat;
-      let [r, g, b] = [red, green, blue];
+      const x = cosines[column] * flat;
+      const z = sines[column] * flat;
+      let r = red;
+      let g = green;
+      let b = blue;
       let open = isUp ? 1 : Math.max(0, 1 + y * 12);
       if (disc && sun && open > 0) {
         const near = Math.max(0, x * sun[0] + y * sun[1] + z * sun[2]);
-        const low = 1 - 0.7 * smooth(0, 0.5, y);
         const haze = near ** 6 * low * open;
-        const glow = near ** 220 * open;
+        // farther away it is less than a half float can tell from nothing
+        const glow = near > GLOWING ? near ** 220 * open : 0;
         r += disc.haze[0] * haze + disc.glow[0] * glow;
         g += disc.haze[1] * haze + disc.glow[1] * glow;
         b += disc.haze[2] * haze + disc.glow[2] * glow;

@@ -1,0 +1,13 @@
+import type { FieldTable } from './Field';
+
+const known = new WeakMap<FieldTable, readonly string[]>();
+
+/** The names of the fields of a table that refer to objects: found once for each table. */
+export function objectFields(fields: FieldTable): readonly string[] {
+  let list = known.get(fields);
+  if (!list) {
+    list = Object.keys(fields).filter((name) => fields[name].kind === 'object');
+    known.set(fields, list);
+  }
+  return list;
+}

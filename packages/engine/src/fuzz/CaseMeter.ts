@@ -1,0 +1,70 @@
+import { performance } from 'node:perf_hooks';
+
+const used = (): number => {
+  const { heapUsed, arrayBuffers } = process.memoryUsage();
+  return heapUsed + arrayBuffers;
+};
+
+/** Lets the queue of promises run empty: until then a WeakRef holds what it refers to. */
+const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
+
+/**
+ * Measures what one case costs.
+ *
+ * Its time is that in which this process worked, garbage collection included, and in which its event loop had nothing to do
+ * but wait: for a timer, a stream, a worker. So a case that waits is as slow as one that works. What is left of the time on
+ * the wall is that in which other processes had the processor. A synchronous wait would be left too: pages have none.
+ * It is never more than the time on the wall, which threads that work at once would make it.
+ */
+export class CaseMeter {
+  /** Of all laps. */
+  seconds = 0;
+  /** Bytes that were taken until the end of the first lap. */
+  memory = 0;
+  /** Whether garbage of earlier cases was collected meanwhile, so that `memory` is too little by an unknown amount. */
+  isBlurred = false;
+  private isFirst = true;
+  private readonly before = used();
+  private start = 0;
+  private work = process.cpuUsage();
+  private idle = 0;
+
+  private constructor(
+    private readonly collect: (() => void) | null,
+    /** Only a whole collection clears it: not one of young objects, which frees less than `youngBytes`. */
+    private readonly canary: WeakRef<object>,
+  ) {
+    this.restart();
+  }
+
+  /** @param collect collects all garbage, so that memory in use alone is measured; null counts garbage of the case, too */
+  static async begin(collect: (() => void) | null): Promise<CaseMeter> {
+    const canary = new WeakRef({});
+    await turn();
+    collect?.();
+    return new CaseMeter(collect, canary);
+  }
+
+  /** Ends a lap. What collecting garbage by force takes is no part of one. */
+  lap(): void {
+    const { user, system } = process.cpuUsage(this.work);
+    const idle = performance.eventLoopUtilization().idle - this.idle;
+    this.seconds += Math.min(performance.now() - this.start, (user + system) / 1e3 + idle) / 1e3;
+    if (this.isFirst) {
+      this.isBlurred = this.collect === null && this.canary.deref() === undefined;
+      this.collect?.();
+      this.memory = used() - this.before;
+    }
+    this.isFirst = false;
+    this.restart();
+  }
+
+  private restart(): void {
+    this.start = performance.now();
+    this.work = process.cpuUsage();
+    this.idle = performance.eventLoopUtilization().idle;
+  }
+}
+
+/** Bytes of young objects of earlier cases that may be collected in a case without being told of. */
+export const youngBytes = 16 * 2 ** 20;
