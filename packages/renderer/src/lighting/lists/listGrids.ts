@@ -24,7 +24,7 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
  * @param shift grids in a row, as a power of two
  */
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
-  const rows = Math.ceil(grids / (1 << shift));
+  const rows = ((grids - 1) >> shift) + 1;
   if (target.width !== x << shift || target.height < rows * y)
     target.setSize(x << shift, Math.ceil(rows * 1.25 - 0.25) * y);
   target.viewport.set(0, 0, Math.min(grids, 1 << shift) * x, rows * y);
