@@ -37,7 +37,7 @@ export interface LightmapTracerOptions {
   /** One a lightmap: texels along a metre. */
   readonly texelsPerMetre: readonly number[];
   readonly samples: number;
-  /** Texels at which indirect light is gathered, along a side, by those of the lightmap: 1, 0.5 or 0.25. */
+  /** Texels at which light that was reflected twice or more is gathered, along a side, by all: 1, 0.5 or 0.25. */
   readonly indirectScale: number;
   readonly bounces: number;
   readonly padding: number;
@@ -70,9 +70,9 @@ const PREVIEW_MILLISECONDS = 250;
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
 
 /**
- * Light of lightmaps. What lights give directly is reckoned at each texel. Indirect light is gathered at the texels of a
- * coarser grid: the first gather sees the sky, what shines by itself, and what surfaces reflect of the lights; each one
- * after it what surfaces reflect of the light that the one before has found.
+ * Light of lightmaps: what lights give directly, then what is gathered. The first gather sees the sky, what shines by
+ * itself, and what surfaces reflect of the lights; each one after it what surfaces reflect of the light that the one before
+ * has found. That is smooth, and is gathered at the texels of a coarser grid.
  *
  * One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where its texels were moved to and two
  * layers of radiance.
@@ -82,11 +82,12 @@ export class LightmapTracer {
   readonly pictures: readonly Texture[];
   private readonly pictureTargets;
   private readonly totals;
-  /** Indirect light so far, with its variance. */
+  /** Light of the coarser grid so far, with its variance. */
   private readonly indirect;
   private readonly moves;
   private readonly agreements;
   private readonly fine: Grid;
+  /** The fine one itself, where all is gathered there. */
   private readonly coarse: Grid;
   private readonly albedo;
   private readonly emission;
@@ -117,10 +118,9 @@ export class LightmapTracer {
     this.totals = texelsPerMetre.map(() => texelTarget(size, FloatType));
     this.moves = texelsPerMetre.map(() => texelTarget(size, HalfFloatType));
     this.agreements = maskTarget(size);
-    this.fine = { ...gridTargets(size, 1), settled: texelTarget(size, FloatType) };
-    const coarse = gridTargets(size / this.block, 2);
-    this.coarse = { ...coarse, settled: null };
-    this.indirect = texelsPerMetre.map(() => texelTarget(coarse.size, FloatType));
+    this.fine = { ...gridTargets(size), settled: texelTarget(size, FloatType) };
+    this.coarse = this.block === 1 ? this.fine : { ...gridTargets(size / this.block), settled: null };
+    this.indirect = this.block === 1 ? [] : texelsPerMetre.map(() => texelTarget(size / this.block, FloatType));
     this.albedo = texelTarget(size, HalfFloatType);
     this.emission = layersTarget(scene.shines ? size : 1, layers);
     this.radiance = layersTarget(size, layers);
@@ -196,7 +196,7 @@ export class LightmapTracer {
     for (let lightmap = 0; lightmap < layers; lightmap++) {
       await this.timed(slices, () => {
         this.use(lightmap);
-        if (gathers.length > 0) this.addIndirect(lightmap);
+        if (gathers.length > 1 && this.indirect.length > 0) this.addIndirect(lightmap);
         this.finish(lightmap);
       });
     }
@@ -224,7 +224,7 @@ export class LightmapTracer {
 
   dispose(): void {
     const { fine, coarse, totals, indirect, moves, pictureTargets } = this;
-    for (const grid of [fine, coarse]) {
+    for (const grid of new Set([fine, coarse])) {
       for (const target of [grid.places, grid.sums, ...grid.light]) target.dispose();
       grid.settled?.dispose();
     }
@@ -249,6 +249,7 @@ export class LightmapTracer {
           cost: isSoft ? perDraw + 0.1 * count : 1,
           firstSamples: isSoft && count > perDraw ? perDraw : 0,
           isNoisy: isSoft,
+          isGather: false,
         };
       };
       return [...(table.hasHard ? [stage(false)] : []), ...(table.hasSoft ? [stage(true)] : [])];
@@ -298,8 +299,10 @@ export class LightmapTracer {
     const samples = gatherSamples(this.options.samples, index);
     const noSky = { SKY_LIGHTS: 1, SAMPLES: SAMPLES_OF_A_DRAW };
     const pass = this.tracePass(name, gather, uniforms, { ...noSky, ...defines });
-    const base = { perDraw: SAMPLES_OF_A_DRAW, cost: samples / this.block ** 2, scale: Math.PI, stream, isIndirect };
-    return { pass, samples, grid: this.coarse, firstSamples: 0, isNoisy: true, ...base };
+    const grid = index === 0 ? this.fine : this.coarse;
+    const cost = samples * (grid.size / this.options.size) ** 2;
+    const base = { perDraw: SAMPLES_OF_A_DRAW, cost, scale: Math.PI, stream, isIndirect };
+    return { pass, samples, grid, firstSamples: 0, isNoisy: true, isGather: true, ...base };
   }
 
   private tracePass(
@@ -358,7 +361,7 @@ export class LightmapTracer {
       this.shared.farol_agreedSamples.value = firstSamples;
     }
     await draw(first, batches - first);
-    measurePhase('trace', begin, { indirectSamples: grid === this.coarse ? samples * grid.size ** 2 : 0 });
+    measurePhase('trace', begin, { indirectSamples: stage.isGather ? samples * grid.size ** 2 : 0 });
   }
 
   /** @param samples so far */
@@ -412,7 +415,7 @@ export class LightmapTracer {
   private placeTexels(lightmap: number): void {
     this.shared.farol_moves.value = this.moves[lightmap].texture;
     this.pass('move', move).draw(this.renderer, this.fine.settled!);
-    this.pass('coarsen', coarsen).draw(this.renderer, this.coarse.places);
+    if (this.coarse !== this.fine) this.pass('coarsen', coarsen).draw(this.renderer, this.coarse.places);
     this.prepared = lightmap;
   }
 
@@ -423,7 +426,7 @@ export class LightmapTracer {
     shared.farol_texelNormals.value = grid.places.textures[1];
     shared.farol_faces.value = grid.places.textures[2];
     shared.farol_sums.value = grid.sums.textures[0];
-    shared.farol_sourceSums.value = grid.sums.textures[1] ?? null;
+    shared.farol_sourceSums.value = grid.sums.textures[1];
     shared.farol_texelSize.value = this.options.size / grid.size / this.options.texelsPerMetre[lightmap];
   }
 
@@ -437,14 +440,8 @@ export class LightmapTracer {
 
   /** Mean, denoise, fill: adds to the sum and to what the first gather sees. */
   private finishDirect(lightmap: number, stage: Stage, isReflected: boolean): void {
-    const { shared, renderer, fine } = this;
-    this.useGrid(fine, lightmap);
-    shared.farol_samples.value = stage.samples;
-    shared.farol_scale.value = stage.scale;
-    this.pass('resolve', resolve).draw(renderer, fine.light[0]);
-    if (stage.isNoisy && this.options.denoise) this.denoise(fine);
-    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
-    shared.farol_light.value = fine.light[0].texture;
+    const { renderer } = this;
+    this.resolveFine(lightmap, stage);
     if (isReflected) {
       const pass = this.pass('reflectDirect', copy, { REFLECT: '' }, additive);
       pass.draw(renderer, this.nextRadiance, lightmap);
@@ -453,20 +450,37 @@ export class LightmapTracer {
     if (!stage.isIndirect) this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.totals[lightmap]);
   }
 
-  /** Adds to the sum of indirect light, and brings it to all texels for what the next gather sees: noise does no harm there. */
-  private finishGather(lightmap: number, stage: Stage, isReflected: boolean, probes: Gather['probes']): void {
-    const { shared, renderer, fine, coarse } = this;
-    this.useGrid(coarse, lightmap);
+  /** Brings the mean of a stage to the first of the fine grid's light targets. */
+  private resolveFine(lightmap: number, stage: Stage): void {
+    const { shared, renderer, fine } = this;
+    this.useGrid(fine, lightmap);
     shared.farol_samples.value = stage.samples;
     shared.farol_scale.value = stage.scale;
-    if (!stage.isIndirect) {
-      this.pass('resolve', resolve).draw(renderer, coarse.light[0]);
-      shared.farol_light.value = coarse.light[0].texture;
+    this.pass('resolve', resolve).draw(renderer, fine.light[0]);
+    if (stage.isNoisy && this.options.denoise) this.denoise(fine);
+    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
+  }
+
+  /** Adds to the sums, and to what the next gather sees: noise does no harm there. */
+  private finishGather(lightmap: number, stage: Stage, isReflected: boolean, probes: Gather['probes']): void {
+    const { shared, renderer, fine } = this;
+    const { grid } = stage;
+    if (!stage.isIndirect && grid === fine) {
+      this.resolveFine(lightmap, stage);
+      this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.totals[lightmap]);
+    }
+    this.useGrid(grid, lightmap);
+    shared.farol_samples.value = stage.samples;
+    shared.farol_scale.value = stage.scale;
+    if (!stage.isIndirect && grid !== fine) {
+      this.pass('resolve', resolve).draw(renderer, grid.light[0]);
+      shared.farol_light.value = grid.light[0].texture;
       this.pass('addIndirect', copy, { ADD_VARIANCE: '' }, additive).draw(renderer, this.indirect[lightmap]);
     }
     if (!isReflected) return;
-    this.pass('resolveSources', resolve, { SOURCES: '' }).draw(renderer, coarse.light[0]);
-    this.upsample(lightmap, coarse.light[0].texture);
+    this.pass('resolveSources', resolve, { SOURCES: '' }).draw(renderer, grid.light[0]);
+    if (grid !== fine) this.upsample(lightmap, grid.light[0].texture);
     for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
     shared.farol_light.value = fine.light[0].texture;
     const pass = this.pass('reflect', copy, { REFLECT: '', SOURCES: '' }, additive);
@@ -476,7 +490,7 @@ export class LightmapTracer {
     (probes === 'all' ? pass : alone).draw(renderer, this.reflected, lightmap);
   }
 
-  /** Takes the noise out of indirect light, and adds it to the sum. */
+  /** Takes the noise out of the coarser grid's light, and adds it to the sum. */
   private addIndirect(lightmap: number): void {
     const { shared, renderer, fine, coarse } = this;
     this.useGrid(coarse, lightmap);
@@ -518,7 +532,7 @@ export class LightmapTracer {
     shared.farol_samples.value = Math.max(1, samples);
     shared.farol_scale.value = stage.scale;
     shared.farol_light.value = this.totals[lightmap].texture;
-    if (stage.grid === coarse) {
+    if (stage.grid !== fine) {
       shared.farol_light.value = this.indirect[lightmap].texture;
       this.pass('preview', preview).draw(renderer, coarse.light[0]);
       this.upsample(lightmap, coarse.light[0].texture);
@@ -570,16 +584,16 @@ interface Grid {
   readonly places: WebGLRenderTarget;
   /** Positions as settle.glsl has moved them, where those are apart. */
   readonly settled: WebGLRenderTarget | null;
+  /** Of all light, and of the luminance of that which lights have not given. */
   readonly sums: WebGLRenderTarget;
   /** A filter reads the first and writes the second. */
   readonly light: WebGLRenderTarget[];
 }
 
-/** @param sums targets of sums: of all light, and of that which lights have not given */
-const gridTargets = (size: number, sums: 1 | 2): Omit<Grid, 'settled'> => ({
+const gridTargets = (size: number): Omit<Grid, 'settled'> => ({
   size,
   places: placeTarget(size),
-  sums: sumsTarget(size, sums),
+  sums: sumsTarget(size),
   light: [texelTarget(size, FloatType), texelTarget(size, FloatType)],
 });
 
@@ -609,4 +623,5 @@ interface Stage {
   /** Reflected, not shown. */
   readonly isIndirect: boolean;
   readonly isNoisy: boolean;
+  readonly isGather: boolean;
 }

@@ -12,6 +12,7 @@ uniform highp sampler2D farol_agreements;
 uniform int farol_firstSample;
 uniform float farol_offset;
 layout(location = 0) out highp vec4 farol_sum;
+layout(location = 1) out highp vec4 farol_sourceSum; // nothing
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -20,7 +21,7 @@ void main() {
   if (farol_firstSample > 0 && texelFetch(farol_agreements, texel, 0).r > 0.5) discard;
   vec3 normal = normalize(texelFetch(farol_texelNormals, texel, 0).xyz);
   vec3 origin = place.xyz + farol_offset * texelFetch(farol_faces, texel, 0).xyz;
-  farol_sum = vec4(0.0);
+  farol_sum = farol_sourceSum = vec4(0.0);
   ivec2 list = farol_lightList(place.xyz);
   for (int i = 0; i < SAMPLES; i++) {
     vec3 light = vec3(0.0);

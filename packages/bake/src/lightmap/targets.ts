@@ -18,9 +18,9 @@ const linear = { ...plain, minFilter: LinearFilter, magFilter: LinearFilter, typ
 export const texelTarget = (size: number, type: TextureDataType): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type });
 
-/** Sums of samples in floats, of one or two kinds. */
-export const sumsTarget = (size: number, count: 1 | 2): WebGLRenderTarget =>
-  new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count });
+/** Sums of samples in floats, of two kinds. */
+export const sumsTarget = (size: number): WebGLRenderTarget =>
+  new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count: 2 });
 
 /** One byte a texel. */
 export const maskTarget = (size: number): WebGLRenderTarget =>
