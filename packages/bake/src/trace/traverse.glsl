@@ -46,6 +46,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
   FarolHit hit = FarolHit(1e30, -1, -1, vec2(0.0), true);
   through = 1.0;
   float nearest = most;
+  float before = -1.0; // distance of the last that was met
   vec3 safe = vec3(
     abs(direction.x) > 1e-12 ? direction.x : 1e-12,
     abs(direction.y) > 1e-12 ? direction.y : 1e-12,
@@ -88,6 +89,9 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
         if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // throws no shadow
         float opacity = farol_opacityAt(triangle, range, barycentric);
         if (shadow) {
+          // along an edge two triangles are met, which are one surface
+          if (abs(distance - before) <= 1e-6 * distance) continue;
+          if (opacity > 0.0) before = distance;
           through *= 1.0 - opacity;
           if (through < 1e-3) {
             through = 0.0;
