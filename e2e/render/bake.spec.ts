@@ -355,7 +355,9 @@ test('lights and what shines are reflected as often as asked, on grids of all sc
         texelsPerMetre: 12,
         isStatic: () => true,
       });
-      const inside = texels.filter((_, i) => i % 32 > 3 && i % 32 < 20 && i / 32 > 4 && i / 32 < 20).map(([red]) => red);
+      const inside = texels
+        .filter((_, i) => i % 32 > 3 && i % 32 < 20 && i / 32 > 4 && i / 32 < 20)
+        .map(([red]) => red);
       panes[name] = { least: Math.min(...inside), most: Math.max(...inside) };
     }
     return { direct, rooms, panes };
