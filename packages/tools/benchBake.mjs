@@ -20,6 +20,8 @@ const help = `node packages/tools/benchBake.mjs [options]
   --size 2048         width of the lightmap (texels)
   --bounces 3
   --samples 256       of the bake that is timed
+  --settings A;B      bakes several times, each with options of its own beside those above, and compares all with one
+                      reference: "samples=64;samples=256,indirectScale=0.25,denoise=false"
   --reference 4096    samples of the bake that it is compared with; 0: none
   --lights 50         point lights of the atrium, beside its sun and sky
   --padding 4         texels between charts
@@ -45,6 +47,7 @@ try {
         size: text,
         bounces: text,
         samples: text,
+        settings: text,
         reference: text,
         lights: text,
         slice: text,
@@ -105,6 +108,25 @@ function number(name, given, usual, least) {
   throw new Error(`--${name} ${given}: a whole number of ${least} or more is needed.`);
 }
 
+/**
+ * Options of each bake: those that all have in common, and its own.
+ *
+ * @param {string} text "samples=64,denoise=false;samples=128"
+ * @param {Record<string, unknown>} common
+ * @returns {{ name: string, bake: Record<string, unknown> }[]}
+ */
+function readSettings(text, common) {
+  return text.split(';').map((each) => {
+    const own = each.split(',').map((pair) => {
+      const [, key, value] = /^\s*(\w+)=([\w.]+)\s*$/.exec(pair) ?? [];
+      if (key === undefined) throw new Error(`--settings ${pair}: name=value is needed, as in samples=64.`);
+      const known = /** @type {Record<string, unknown>} */ ({ true: true, false: false });
+      return [key, value in known ? known[value] : Number(value)];
+    });
+    return { name: each.trim(), bake: { ...common, ...Object.fromEntries(own) } };
+  });
+}
+
 /** @param {Record<string, string | boolean | undefined>} values */
 function readOptions(values) {
   const of = (/** @type {string} */ name, /** @type {number} */ usual, least = 1) =>
@@ -142,14 +164,27 @@ async function measure(values) {
       return own.bakeBench.device;
     }, options.lights);
     const { size, bounces, samples } = options.bake;
+    const settings = readSettings(String(values.settings ?? `samples=${samples}`), options.bake);
     console.log(`${device}, Chromium ${browser.version()}`);
-    console.log(`Atrium, ${options.lights} lights, sun and sky; ${size}², ${bounces} bounces, ${samples} samples`);
+    console.log(`Atrium, ${options.lights} lights, sun and sky; ${size}², ${bounces} bounces`);
     const says = setInterval(() => void tellProgress(tab), 30_000);
     try {
-      const baked = await run(tab, 'bake', options.bake);
-      printBake(baked);
-      const difference = options.reference > 0 ? await run(tab, 'compare', reference(options)) : null;
-      if (difference) printDifference(difference, options.reference);
+      /** @type {{ name: string, baked: any, difference?: any }[]} */
+      const bakes = [];
+      for (const { name, bake } of settings) {
+        console.log(name);
+        const baked = await run(tab, 'bake', bake);
+        printBake(baked);
+        bakes.push({ name, baked });
+      }
+      if (options.reference > 0) {
+        /** @type {any[]} */
+        const differences = await run(tab, 'compare', reference(options));
+        differences.forEach((difference, i) => {
+          bakes[i].difference = difference;
+          printDifference(bakes[i].name, difference, options.reference);
+        });
+      }
       /** @type {Record<string, any>} */
       const frames = {};
       for (const technique of options.techniques) {
@@ -157,7 +192,7 @@ async function measure(values) {
         printFrames(technique, frames[technique], options.frame);
       }
       if (values.json) {
-        const figures = { device, browser: browser.version(), options, baked, difference, frames };
+        const figures = { device, browser: browser.version(), options, bakes, frames };
         writeFileSync(resolve(String(values.json)), `${JSON.stringify(figures, null, 2)}\n`);
       }
     } finally {
@@ -171,7 +206,7 @@ async function measure(values) {
 
 /** Another seed, so that nothing of its noise is that of the bake. @param {ReturnType<typeof readOptions>} options */
 function reference({ bake, reference: samples }) {
-  return { ...bake, samples, seed: 2, denoise: false };
+  return { ...bake, samples, seed: 2, denoise: false, indirectScale: 1 };
 }
 
 /** @param {import('playwright-core').Page} tab @param {string} name @param {unknown[]} given @returns {Promise<any>} */
@@ -185,8 +220,8 @@ async function tellProgress(tab) {
   if (progress) console.log(`  … ${progress}`);
 }
 
-/** @param {{ seconds: Record<string, number>, covered: number, texelsPerMetre: number, lightmaps: number, bytes: number, warnings: string[] }} figures */
-function printBake({ seconds, covered, texelsPerMetre, lightmaps, bytes, warnings }) {
+/** @param {{ seconds: Record<string, number>, covered: number, texelsPerMetre: number, lightmaps: number, bytes: number, rays: number, warnings: string[] }} figures */
+function printBake({ seconds, covered, texelsPerMetre, lightmaps, bytes, rays, warnings }) {
   const names = {
     ...{ unwrap: 'unwrap', merge: 'merge triangles', bvh: 'build BVH', tables: 'fill tables', trace: 'trace' },
     ...{
@@ -202,15 +237,19 @@ function printBake({ seconds, covered, texelsPerMetre, lightmaps, bytes, warning
     console.log(`  ${name.padEnd(20)}${(seconds[key] ?? 0).toFixed(2)} s`);
   console.log(
     `  charts cover ${(100 * covered).toFixed(1)}% of ${lightmaps} lightmap${lightmaps > 1 ? 's' : ''}, ` +
-      `${texelsPerMetre.toFixed(1)} texels a metre; file ${(bytes / 1e6).toFixed(2)} MB`,
+      `${texelsPerMetre.toFixed(1)} texels a metre; file ${(bytes / 1e6).toFixed(2)} MB, ${(rays / 1e6).toFixed(2)} M rays of indirect light`,
   );
   for (const warning of warnings) console.log(`  warning: ${warning}`);
 }
 
-/** @param {{ linear: number, coded: number, white: number, bias: number, texels: number }} difference @param {number} samples */
-function printDifference({ linear, coded, white, bias, texels }, samples) {
+/**
+ * @param {string} name
+ * @param {{ linear: number, coded: number, white: number, bias: number, texels: number }} difference
+ * @param {number} samples
+ */
+function printDifference(name, { linear, coded, white, bias, texels }, samples) {
   console.log(
-    `  against ${samples} samples, ${texels} texels: ${linear.toFixed(1)} dB linear, ${coded.toFixed(1)} dB as sRGB ` +
+    `${name}: against ${samples} samples, ${texels} texels: ${linear.toFixed(1)} dB linear, ${coded.toFixed(1)} dB as sRGB ` +
       `(white ${white.toFixed(2)}, the 99.9th percentile), mean ${bias < 0 ? '' : '+'}${(100 * bias).toFixed(2)}%`,
   );
 }

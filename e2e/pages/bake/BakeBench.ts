@@ -14,6 +14,8 @@ export interface BakeFigures {
   readonly texelsPerMetre: number;
   /** Share of the lightmaps' texels that charts cover. */
   readonly covered: number;
+  /** Rays of indirect light, about. */
+  readonly rays: number;
   /** Of the file. */
   readonly bytes: number;
   readonly warnings: readonly string[];
@@ -36,7 +38,8 @@ const PREFIX = 'farol-bake ';
 /** Bakes the atrium, compares the bake with a better one, and times frames that show it. */
 export class BakeBench {
   private readonly webgl = new THREE.WebGLRenderer({ antialias: false, powerPreference: 'high-performance' });
-  private baked: Bake | null = null;
+  /** In the order in which they were made; the last is drawn by {@link frames}. */
+  private readonly bakes: Bake[] = [];
 
   private constructor(private readonly scene: Scene) {
     this.scene.three.traverse((object) => {
@@ -56,10 +59,10 @@ export class BakeBench {
     return String(gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   }
 
+  /** Bakes, and keeps the result. */
   async bake(options: BakeOptions): Promise<BakeFigures> {
     const warnings: string[] = [];
     performance.clearMeasures();
-    this.baked?.dispose();
     const begin = performance.now();
     const bake = await bakeLightmaps(this.webgl, this.scene.three, {
       ...{ showProgress: false, ...options },
@@ -75,12 +78,16 @@ export class BakeBench {
       const phase = name.slice(PREFIX.length);
       seconds[phase] = (seconds[phase] ?? 0) + duration / 1000;
     }
+    let indirectSamples = 0;
+    for (const { name, detail } of performance.getEntriesByType('measure') as PerformanceMeasure[]) {
+      if (name === `${PREFIX}trace`) indirectSamples += (detail as { indirectSamples: number }).indirectSamples;
+    }
     const known = Object.values(seconds).reduce((sum, each) => sum + each, 0);
     const all = (performance.now() - begin) / 1000;
     const encoding = performance.now();
     const file = await writeBake(dataOf(bake));
     const encode = (performance.now() - encoding) / 1000;
-    this.baked = bake;
+    this.bakes.push(bake);
     let [covered, texels] = [0, 0];
     bake.lightmaps.forEach((_, lightmap) => {
       const each = coveredTexels(bake, lightmap);
@@ -91,6 +98,7 @@ export class BakeBench {
       seconds: { ...seconds, other: all - known, all, encode },
       lightmaps: bake.lightmaps.length,
       texelsPerMetre: Math.sqrt(covered / areaOf(bake)),
+      rays: (indirectSamples * covered) / texels,
       ...{ covered: covered / texels, bytes: file.length, warnings },
     };
   }
@@ -98,17 +106,13 @@ export class BakeBench {
   /** How far the bake is, in a few words. */
   progress = '';
 
-  /** Bakes once more, and compares what was baked before with that. */
-  async compare(options: BakeOptions): Promise<BakeDifference> {
-    const { baked } = this;
-    if (!baked) throw new Error('There is no bake to compare: call bake() first.');
-    this.baked = null;
+  /** Bakes once more, and compares each bake that was made before with that. */
+  async compare(options: BakeOptions): Promise<BakeDifference[]> {
     await this.bake(options);
-    const reference = this.baked as Bake | null;
-    this.baked = baked;
-    const difference = compareBakes(baked, reference!);
-    reference!.dispose();
-    return difference;
+    const reference = this.bakes.pop()!;
+    const differences = this.bakes.map((bake) => compareBakes(bake, reference));
+    reference.dispose();
+    return differences;
   }
 
   /**
@@ -123,7 +127,8 @@ export class BakeBench {
     rounds: number,
     milliseconds: number,
   ): Promise<FrameFigures> {
-    const { webgl, baked } = this;
+    const { webgl } = this;
+    const baked = this.bakes.at(-1);
     const { three, activeCamera } = this.scene;
     if (!baked || !activeCamera) throw new Error('There is no bake to draw: call bake() first.');
     webgl.setSize(size.width, size.height, false);

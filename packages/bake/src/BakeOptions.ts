@@ -12,10 +12,16 @@ export interface TraceOptions {
   /** Times that light is reflected before it arrives, 0 (direct light only) to 16. Default 3. */
   bounces?: number;
   /**
-   * Paths that arrive at each texel by the first bounce, 1 to 65,536; each further bounce takes half as many, 16 at least;
-   * probes take 1,024 at least. Default 256.
+   * Paths of indirect light that arrive at each texel, 1 to 65,536: so many of light that comes from the sky or was
+   * reflected once, half as many of light that was reflected once more, and so on, 16 at least; probes take 1,024 at least.
+   * Default 256.
    */
   samples?: number;
+  /**
+   * Texels at which light that was reflected twice or more is gathered, along a side of a lightmap, by all: 1, 0.5 or 0.25.
+   * Those between take the light of those around them on the same surface. Default 0.5.
+   */
+  indirectScale?: 1 | 0.5 | 0.25;
   /** Default 'none'. */
   sky?: Sky;
   /** Equal seeds give equal bakes on one machine: a whole number. Default 1. */

@@ -12,6 +12,7 @@ export function checkTraceOptions(options: TraceOptions): CheckedTraceOptions {
   return {
     bounces: whole('bounces', options.bounces ?? 3, 0, 16),
     samples: whole('samples', options.samples ?? 256, 1, 65536),
+    indirectScale: scale(options.indirectScale ?? 0.5),
     sky: options.sky ?? 'none',
     seed: whole('seed', options.seed ?? 1, 0, 0xffffffff),
     sliceMilliseconds: within('sliceMilliseconds', options.sliceMilliseconds ?? 12, 1, 1000),
@@ -41,6 +42,11 @@ export function checkBakeOptions(options: BakeOptions): CheckedBakeOptions {
     stitch: options.stitch ?? true,
     showProgress: options.showProgress ?? true,
   };
+}
+
+function scale(value: number): 1 | 0.5 | 0.25 {
+  if (value === 1 || value === 0.5 || value === 0.25) return value;
+  throw new RangeError(`indirectScale must be 1, 0.5 or 0.25, and is ${value}.`);
 }
 
 function within(name: string, value: number, least: number, most: number): number {

@@ -11,10 +11,11 @@ export interface SlicedWork {
   onSlice(share: number, batch: number): void;
 }
 
-/** Draws work in slices of about so many milliseconds of GPU time, between which the page may draw. */
-export class Slices {
-  private lastFrame = performance.now();
+/** Slices that the GPU has in hand: it goes on with one while the page hears that another is done. */
+const IN_FLIGHT = 2;
 
+/** Draws work in slices; between those that the GPU has in hand, of about so many milliseconds, the page may draw. */
+export class Slices {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly milliseconds: number,
@@ -27,24 +28,33 @@ export class Slices {
     let perRow = this.milliseconds / 8;
     // rows of all batches, one after the other
     const all = height * batches;
-    let done = 0;
-    while (done < all) {
+    const flying: { until: number; rows: number; begin: number; fence: WebGLSync | null }[] = [];
+    let given = 0;
+    let lastEnd = 0;
+    while (given < all || flying.length > 0) {
       this.signal?.throwIfAborted();
-      const begin = performance.now();
-      const drawn = this.drawSlice(work, done, perRow);
-      await this.wait();
+      if (given < all && flying.length < IN_FLIGHT) {
+        const begin = performance.now();
+        const rows = this.drawSlice(work, given, perRow);
+        given += rows;
+        flying.push({ until: given, rows, begin, fence: this.fence() });
+        if (flying.length < IN_FLIGHT && given < all) continue;
+      }
+      const { until, rows, begin, fence } = flying.shift()!;
+      await this.passed(fence);
+      const now = performance.now();
       // not more than four times as much at once: the next rows may be dearer
-      perRow = Math.max((performance.now() - begin) / drawn, perRow / 4);
-      done += drawn;
-      onSlice(done / all, Math.floor(done / height));
-      await this.nextFrame();
+      perRow = Math.max((now - Math.max(begin, lastEnd)) / rows, perRow / 4);
+      lastEnd = now;
+      onSlice(until / all, Math.floor(until / height));
     }
   }
 
   /** @returns rows that were drawn */
   private drawSlice({ height, batches, draw }: SlicedWork, from: number, perRow: number): number {
     const begin = performance.now();
-    const most = Math.min(Math.max(1, Math.floor(this.milliseconds / perRow)), height * batches - from);
+    const milliseconds = this.milliseconds / IN_FLIGHT;
+    const most = Math.min(Math.max(1, Math.floor(milliseconds / perRow)), height * batches - from);
     let drawn = 0;
     keepState(this.renderer, () => {
       // submitting takes time as well, where the GPU is a processor's
@@ -53,16 +63,25 @@ export class Slices {
         const count = Math.min(most - drawn, height - first);
         draw(Math.floor((from + drawn) / height), { first, count });
         drawn += count;
-      } while (drawn < most && performance.now() - begin < this.milliseconds);
+      } while (drawn < most && performance.now() - begin < milliseconds);
     });
     return drawn;
   }
 
   /** Waits until the GPU has done what it was given. */
-  async wait(): Promise<void> {
+  wait(): Promise<void> {
+    return this.passed(this.fence());
+  }
+
+  private fence(): WebGLSync | null {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
+    return fence;
+  }
+
+  private async passed(fence: WebGLSync | null): Promise<void> {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
     for (;;) {
       await pause();
       if (fence === null || gl.isContextLost()) throw new Error('The bake ended: the WebGL context was lost.');
@@ -71,19 +90,6 @@ export class Slices {
     }
     gl.deleteSync(fence);
     this.signal?.throwIfAborted();
-  }
-
-  /** Lets the page draw, if it did not for a while. A page that is not seen draws nothing. */
-  private async nextFrame(): Promise<void> {
-    if (performance.now() - this.lastFrame < 12) return;
-    await new Promise<void>((resolve) => {
-      const timer = setTimeout(resolve, 50);
-      requestAnimationFrame(() => {
-        clearTimeout(timer);
-        resolve();
-      });
-    });
-    this.lastFrame = performance.now();
   }
 }
 

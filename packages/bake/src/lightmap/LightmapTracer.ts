@@ -1,4 +1,13 @@
-import { CustomBlending, FloatType, HalfFloatType, OneFactor, type Texture, type WebGLRenderer } from 'three';
+import {
+  CustomBlending,
+  FloatType,
+  HalfFloatType,
+  OneFactor,
+  type Texture,
+  type WebGLArrayRenderTarget,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import type { Slices } from '../gpu/Slices';
 import { keepState } from '../gpu/keepState';
@@ -8,22 +17,28 @@ import type { BakedProbes } from '../probes/BakedProbes';
 import { traceProbes } from '../probes/traceProbes';
 import type { SkySource } from '../trace/SkySource';
 import type { TracedScene } from '../trace/TracedScene';
+import agree from './agree.glsl?raw';
+import coarsen from './coarsen.glsl?raw';
 import copy from './copy.glsl?raw';
 import denoise from './denoise.glsl?raw';
 import dilate from './dilate.glsl?raw';
 import direct from './direct.glsl?raw';
 import gather from './gather.glsl?raw';
+import move from './move.glsl?raw';
 import preview from './preview.glsl?raw';
 import resolve from './resolve.glsl?raw';
 import settle from './settle.glsl?raw';
 import type { Surfaces } from './Surfaces';
-import { layersTarget, pictureTarget, placeTarget, texelTarget } from './targets';
+import { layersTarget, maskTarget, pictureTarget, placeTarget, sumsTarget, texelTarget } from './targets';
+import upsample from './upsample.glsl?raw';
 
 export interface LightmapTracerOptions {
   readonly size: number;
   /** One a lightmap: texels along a metre. */
   readonly texelsPerMetre: readonly number[];
   readonly samples: number;
+  /** Texels at which light that was reflected twice or more is gathered, along a side, by all: 1, 0.5 or 0.25. */
+  readonly indirectScale: number;
   readonly bounces: number;
   readonly padding: number;
   readonly denoise: boolean;
@@ -35,41 +50,56 @@ export interface LightmapTracerOptions {
 
 /** Samples that a draw takes at each texel: always as many, so that sums are rounded alike however fast the GPU is. */
 const SAMPLES_OF_A_DRAW = 4;
-/** Samples of lights with soft shadows. */
+/** Samples of lights with soft shadows, where the first few differ. */
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
 /**
- * Samples of a bounce: each reflects a part of the light of the one before, so that its noise counts less.
- * @param bounce from 0
+ * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise counts
+ * less.
+ * @param index from 0
  */
-const bounceSamples = (samples: number, bounce: number): number =>
-  Math.min(samples, Math.max(16, Math.ceil(samples / 2 ** bounce)));
+const gatherSamples = (samples: number, index: number): number =>
+  SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
+/** What it costs to settle a texel, in samples: eight rays or more, and four short ones. */
+const SETTLE_COST = 10;
+/** Steps of the filter. */
+const FILTERS = 4;
 /** Milliseconds between two pictures of what is there so far. */
 const PREVIEW_MILLISECONDS = 250;
 
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
 
 /**
- * Light of lightmaps: what lights give directly, then what each texel sees of the light that the bounce before has left in
- * the lightmaps. One set of targets serves all lightmaps in turn; each keeps its sum, its picture and two layers of radiance.
+ * Light of lightmaps: what lights give directly, then what is gathered. The first gather sees the sky, what shines by
+ * itself, and what surfaces reflect of the lights; each one after it what surfaces reflect of the light that the one before
+ * has found. That is smooth, and is gathered at the texels of a coarser grid.
+ *
+ * One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where its texels were moved to and two
+ * layers of radiance.
  */
 export class LightmapTracer {
   /** What materials may show while it runs. */
   readonly pictures: readonly Texture[];
   private readonly pictureTargets;
   private readonly totals;
-  private readonly places;
-  private readonly settled;
-  private readonly sums;
-  private readonly light;
+  /** Light of the coarser grid so far, with its variance. */
+  private readonly indirect;
+  private readonly moves;
+  private readonly agreements;
+  private readonly fine: Grid;
+  /** The fine one itself, where all is gathered there. */
+  private readonly coarse: Grid;
   private readonly albedo;
   private readonly emission;
   private radiance;
   private nextRadiance;
-  /** Radiance of all bounces but the last, for probes. */
+  /** Radiance of all that is reflected once less than may be, for probes. */
   private readonly reflected;
   private readonly passes: Record<string, FullscreenPass> = {};
   private readonly shared: Record<string, { value: unknown }>;
+  private readonly block: number;
+  /** Lightmap whose texels are in the targets. */
+  private prepared = -1;
   private lastPreview = -Infinity;
   private done = 0;
   private whole = 1;
@@ -80,15 +110,17 @@ export class LightmapTracer {
     private readonly scene: TracedScene,
     private readonly options: LightmapTracerOptions,
   ) {
-    const { size, texelsPerMetre } = options;
+    const { size, texelsPerMetre, indirectScale } = options;
     const layers = texelsPerMetre.length;
+    this.block = Math.round(1 / indirectScale);
     this.pictureTargets = texelsPerMetre.map(() => pictureTarget(size));
     this.pictures = this.pictureTargets.map(({ texture }) => texture);
     this.totals = texelsPerMetre.map(() => texelTarget(size, FloatType));
-    this.places = placeTarget(size);
-    this.settled = texelTarget(size, FloatType);
-    this.sums = texelTarget(size, FloatType);
-    this.light = [texelTarget(size, FloatType), texelTarget(size, FloatType)];
+    this.moves = texelsPerMetre.map(() => texelTarget(size, HalfFloatType));
+    this.agreements = maskTarget(size);
+    this.fine = { ...gridTargets(size), settled: texelTarget(size, FloatType) };
+    this.coarse = this.block === 1 ? this.fine : { ...gridTargets(size / this.block), settled: null };
+    this.indirect = this.block === 1 ? [] : texelsPerMetre.map(() => texelTarget(size / this.block, FloatType));
     this.albedo = texelTarget(size, HalfFloatType);
     this.emission = layersTarget(scene.shines ? size : 1, layers);
     this.radiance = layersTarget(size, layers);
@@ -97,14 +129,24 @@ export class LightmapTracer {
     this.shared = {
       ...scene.uniforms,
       farol_seed: { value: options.seed >>> 0 },
-      farol_positions: { value: this.settled.texture },
-      farol_texelNormals: { value: this.places.textures[1] },
-      farol_faces: { value: this.places.textures[2] },
+      farol_stride: { value: 1 },
+      farol_places: { value: this.fine.places.textures[0] },
+      farol_settled: { value: this.fine.settled!.texture },
+      farol_placeNormals: { value: this.fine.places.textures[1] },
+      farol_placeFaces: { value: this.fine.places.textures[2] },
+      farol_moves: { value: null },
+      farol_block: { value: this.block },
+      farol_positions: { value: null },
+      farol_texelNormals: { value: null },
+      farol_faces: { value: null },
       farol_texelSize: { value: 1 },
       farol_firstSample: { value: 0 },
-      farol_sums: { value: this.sums.texture },
+      farol_sums: { value: null },
+      farol_sourceSums: { value: null },
       farol_light: { value: null },
       farol_albedo: { value: this.albedo.texture },
+      farol_agreements: { value: this.agreements.texture },
+      farol_agreedSamples: { value: 0 },
       farol_samples: { value: 1 },
       farol_scale: { value: 1 },
       farol_step: { value: 1 },
@@ -123,38 +165,41 @@ export class LightmapTracer {
     skies: readonly [SkySource, SkySource],
     slices: Slices,
   ): Promise<void> {
-    const { samples, bounces } = this.options;
-    const stages = this.makeStages(tables, skies);
+    const { bounces } = this.options;
     const layers = this.totals.length;
-    let cost = stages.reduce((sum, stage) => sum + stage.cost, 0);
-    for (let bounce = 0; bounce < bounces; bounce++) cost += bounceSamples(samples, bounce);
-    this.whole = layers * cost;
+    const direct = this.directStages(tables);
+    const gathers = this.gathers(skies);
+    const all = [...direct, ...gathers.flatMap(({ stages }) => stages)];
+    this.whole = layers * (SETTLE_COST + all.reduce((sum, stage) => sum + stage.cost, 0));
     if (this.scene.shines) {
       keepState(this.renderer, () => this.totals.forEach((_, i) => this.surfaces.drawEmission(i, this.emission)));
     }
-    // direct light of all kinds is what the first bounce reflects
     for (let lightmap = 0; lightmap < layers; lightmap++) {
-      let isFirst = true;
-      for (const stage of stages) {
+      await this.settle(lightmap, slices);
+      keepState(this.renderer, () => this.clear(this.nextRadiance, lightmap));
+      for (const stage of direct) {
         await this.runStage(stage, lightmap, slices);
-        await this.finishStage(lightmap, stage, !isFirst, this.options.bounces > 0, slices);
-        isFirst = false;
+        await this.timed(slices, () => this.finishDirect(lightmap, stage, bounces > 0));
       }
-      if (isFirst) keepState(this.renderer, () => this.clearLayer(lightmap));
     }
-    for (let bounce = 0; bounce < bounces; bounce++) {
+    for (const { stages, isReflected, probes } of gathers) {
       [this.radiance, this.nextRadiance] = [this.nextRadiance, this.radiance];
       this.shared.farol_radiance.value = this.radiance.texture;
       for (let lightmap = 0; lightmap < layers; lightmap++) {
-        const stage = this.gatherStage(`bounce`, bounceSamples(samples, bounce), false, {}, {}, 16 + bounce);
-        await this.runStage(stage, lightmap, slices);
-        await this.finishStage(lightmap, stage, false, bounce < bounces - 1, slices);
+        keepState(this.renderer, () => this.clear(this.nextRadiance, lightmap));
+        for (const stage of stages) {
+          await this.runStage(stage, lightmap, slices);
+          await this.timed(slices, () => this.finishGather(lightmap, stage, isReflected, probes));
+        }
       }
     }
-    const begin = performance.now();
-    keepState(this.renderer, () => this.totals.forEach((_, lightmap) => this.finish(lightmap)));
-    await slices.wait();
-    measurePhase('filter', begin);
+    for (let lightmap = 0; lightmap < layers; lightmap++) {
+      await this.timed(slices, () => {
+        this.use(lightmap);
+        if (gathers.length > 1 && this.indirect.length > 0) this.addIndirect(lightmap);
+        this.finish(lightmap);
+      });
+    }
   }
 
   /** Light that arrives at points, once it has run with `hasProbes`. */
@@ -178,49 +223,86 @@ export class LightmapTracer {
   }
 
   dispose(): void {
-    const all = [this.places, this.settled, this.sums, this.albedo, this.emission, this.radiance, this.nextRadiance];
-    for (const target of [...all, ...this.light, ...this.totals, ...this.pictureTargets]) target.dispose();
+    const { fine, coarse, totals, indirect, moves, pictureTargets } = this;
+    for (const grid of new Set([fine, coarse])) {
+      for (const target of [grid.places, grid.sums, ...grid.light]) target.dispose();
+      grid.settled?.dispose();
+    }
+    const single = [this.agreements, this.albedo, this.emission, this.radiance, this.nextRadiance];
+    for (const target of [...single, ...totals, ...indirect, ...moves, ...pictureTargets]) target.dispose();
     this.reflected?.dispose();
     Object.values(this.passes).forEach((pass) => pass.dispose());
   }
 
-  private makeStages(tables: readonly [LightTable, LightTable], skies: readonly [SkySource, SkySource]): Stage[] {
+  private directStages(tables: readonly [LightTable, LightTable]): Stage[] {
     const { samples, bounces } = this.options;
-    const stages: Stage[] = [];
-    tables.forEach((table, i) => {
-      if (table.count === 0 || (i === 1 && bounces === 0)) return;
-      stages.push(this.directStage(`direct${i}`, table, i === 1));
+    return tables.flatMap((table, i) => {
+      if (i === 1 && bounces === 0) return [];
+      const stage = (isSoft: boolean): Stage => {
+        const perDraw = isSoft ? SAMPLES_OF_A_DRAW : 1;
+        const count = isSoft ? softSamples(samples) : 1;
+        const defines = { SAMPLES: perDraw, SOFT: String(isSoft) };
+        return {
+          pass: this.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
+          ...{ grid: this.fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
+          // few texels need them all
+          cost: isSoft ? perDraw + 0.1 * count : 1,
+          firstSamples: isSoft && count > perDraw ? perDraw : 0,
+          isNoisy: isSoft,
+          isGather: false,
+        };
+      };
+      return [...(table.hasHard ? [stage(false)] : []), ...(table.hasSoft ? [stage(true)] : [])];
     });
-    skies.forEach((sky, i) => {
-      const shines = i === 0 && this.scene.shines;
-      if ((sky.isBlack && !shines) || (i === 1 && bounces === 0)) return;
-      const defines = { ...sky.defines, FROM_SOURCES: '' };
-      const stage = this.gatherStage(`sources${i}`, samples, i === 1, sky.uniforms, defines, 8 + i);
-      stages.push(stage);
-    });
-    return stages;
   }
 
-  private directStage(name: string, table: LightTable, isIndirect: boolean): Stage {
-    const samples = table.isSoft ? softSamples(this.options.samples) : 1;
-    const perDraw = table.isSoft ? SAMPLES_OF_A_DRAW : 1;
-    const pass = this.tracePass(name, direct, lightUniforms(table), { SAMPLES: perDraw });
-    return { pass, samples, perDraw, cost: samples, scale: 1, stream: 0, isIndirect, isNoisy: table.isSoft };
+  /**
+   * Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by the first gather, which
+   * it takes beside: the last one then is of that alone.
+   */
+  private gathers(skies: readonly [SkySource, SkySource]): Gather[] {
+    const { bounces } = this.options;
+    const [sky, hidden] = skies;
+    const shines = !sky.isBlack || this.scene.shines;
+    const reflectsHidden = !hidden.isBlack && bounces > 0;
+    const hasSources = shines || reflectsHidden;
+    const count = shines || reflectsHidden ? bounces + 1 : bounces;
+    return Array.from({ length: count }, (_, i): Gather => {
+      const isLast = hasSources && i === bounces;
+      const reflected = {
+        ...(i > 0 || bounces > 0 ? { REFLECTED: '' } : {}),
+        ...(isLast ? { SOURCES_ALONE: '' } : {}),
+      };
+      const stages: Stage[] = [];
+      if (i === 0 && shines) {
+        const defines = { ...sky.defines, ...reflected, FROM_SOURCES: '' };
+        stages.push(this.gatherStage('sources', i, false, sky.uniforms, defines, 8));
+      } else if (i > 0 || bounces > 0) {
+        stages.push(this.gatherStage(isLast ? 'last' : 'bounce', i, false, {}, reflected, 16 + i));
+      }
+      if (i === 0 && reflectsHidden) {
+        stages.push(this.gatherStage('hidden', i, true, hidden.uniforms, { ...hidden.defines, FROM_SOURCES: '' }, 9));
+      }
+      const probes = i <= bounces - 2 ? 'all' : hasSources && i === bounces - 1 ? 'sources' : 'none';
+      return { stages, isReflected: i < count - 1, probes };
+    });
   }
 
   private gatherStage(
     name: string,
-    asked: number,
+    index: number,
     isIndirect: boolean,
     uniforms: Record<string, { value: unknown }>,
     defines: Record<string, unknown>,
     stream: number,
   ): Stage {
-    const samples = SAMPLES_OF_A_DRAW * Math.ceil(asked / SAMPLES_OF_A_DRAW);
+    const samples = gatherSamples(this.options.samples, index);
     const noSky = { SKY_LIGHTS: 1, SAMPLES: SAMPLES_OF_A_DRAW };
     const pass = this.tracePass(name, gather, uniforms, { ...noSky, ...defines });
-    const base = { perDraw: SAMPLES_OF_A_DRAW, cost: samples, scale: Math.PI, stream, isIndirect, isNoisy: true };
-    return { pass, samples, ...base };
+    const grid = index === 0 ? this.fine : this.coarse;
+    const cost = samples * (grid.size / this.options.size) ** 2;
+    const base = { perDraw: SAMPLES_OF_A_DRAW, cost, scale: Math.PI, stream, isIndirect };
+    return { pass, samples, grid, firstSamples: 0, isNoisy: true, isGather: true, ...base };
   }
 
   private tracePass(
@@ -241,141 +323,298 @@ export class LightmapTracer {
   }
 
   private async runStage(stage: Stage, lightmap: number, slices: Slices): Promise<void> {
-    const { size, seed } = this.options;
-    keepState(this.renderer, () => this.prepare(lightmap));
-    // bounces use other random numbers
-    this.shared.farol_seed.value = (seed + 0x9e3779b9 * (1 + stage.stream + 32 * lightmap)) >>> 0;
-    const before = this.done;
+    const { seed } = this.options;
+    const { samples, perDraw, grid, firstSamples } = stage;
     const begin = performance.now();
+    keepState(this.renderer, () => {
+      this.use(lightmap);
+      grid.sums.scissorTest = false;
+      this.renderer.setRenderTarget(grid.sums);
+      this.renderer.clear();
+    });
+    this.useGrid(grid, lightmap);
+    this.shared.farol_agreedSamples.value = 0;
+    // stages use other random numbers
+    this.shared.farol_seed.value = (seed + 0x9e3779b9 * (1 + stage.stream + 32 * lightmap)) >>> 0;
+    this.shared.farol_stride.value = 2 ** Math.ceil(Math.log2(samples));
+    const before = this.done;
+    const batches = samples / perDraw;
+    const first = firstSamples / perDraw;
+    const draw = async (from: number, count: number): Promise<void> => {
+      await slices.run({
+        height: grid.size,
+        batches: count,
+        draw: (batch, rows) => {
+          this.shared.farol_firstSample.value = (from + batch) * perDraw;
+          stage.pass.draw(this.renderer, grid.sums, 0, rows);
+        },
+        onSlice: (share, batch) => {
+          this.done = before + (stage.cost * (from + share * count)) / batches;
+          this.tellSlice(stage, lightmap, (from + batch) * perDraw);
+        },
+      });
+    };
+    if (first > 0) {
+      await draw(0, first);
+      this.shared.farol_samples.value = firstSamples;
+      keepState(this.renderer, () => this.pass('agree', agree).draw(this.renderer, this.agreements));
+      this.shared.farol_agreedSamples.value = firstSamples;
+    }
+    await draw(first, batches - first);
+    measurePhase('trace', begin, { indirectSamples: stage.isGather ? samples * grid.size ** 2 : 0 });
+  }
+
+  /** @param samples so far */
+  private tellSlice(stage: Stage, lightmap: number, samples: number): void {
+    if (performance.now() - this.lastPreview > PREVIEW_MILLISECONDS && !stage.isIndirect) {
+      this.lastPreview = performance.now();
+      keepState(this.renderer, () => this.showSoFar(lightmap, stage, samples));
+    }
+    this.options.onSlice(Math.min(1, this.done / this.whole), samples);
+  }
+
+  /** Finds the points at which the texels of a lightmap are lit. */
+  private async settle(lightmap: number, slices: Slices): Promise<void> {
+    const begin = performance.now();
+    const { places } = this.fine;
+    keepState(this.renderer, () => this.drawPlaces(lightmap));
+    this.shared.farol_texelSize.value = 1 / this.options.texelsPerMetre[lightmap];
+    this.shared.farol_seed.value = (this.options.seed + 0x9e3779b9 * (32 * lightmap)) >>> 0;
+    this.shared.farol_stride.value = 32;
+    this.shared.farol_faces.value = places.textures[2];
+    const pass = (this.passes.settle ??= new FullscreenPass('settle', settle, this.shared, {
+      defines: this.scene.defines,
+    }));
+    const before = this.done;
     await slices.run({
-      height: size,
-      batches: stage.samples / stage.perDraw,
-      draw: (batch, rows) => {
-        this.shared.farol_firstSample.value = batch * stage.perDraw;
-        stage.pass.draw(this.renderer, this.sums, 0, rows);
-      },
-      onSlice: (share, batch) => {
-        this.done = before + share * stage.cost;
-        if (performance.now() - this.lastPreview > PREVIEW_MILLISECONDS) {
-          this.lastPreview = performance.now();
-          if (!stage.isIndirect) keepState(this.renderer, () => this.showSoFar(lightmap, stage, batch));
-        }
-        this.options.onSlice(Math.min(1, this.done / this.whole), batch * stage.perDraw);
+      height: this.options.size,
+      batches: 1,
+      draw: (_, rows) => pass.draw(this.renderer, this.moves[lightmap], 0, rows),
+      onSlice: (share) => {
+        this.done = before + share * SETTLE_COST;
+        this.options.onSlice(Math.min(1, this.done / this.whole), 0);
       },
     });
-    measurePhase('trace', begin);
+    keepState(this.renderer, () => this.placeTexels(lightmap));
+    measurePhase('trace', begin, { indirectSamples: 0 });
   }
 
-  /** Where the texels of a lightmap are, and no light at them. */
-  private prepare(lightmap: number): void {
-    this.shared.farol_texelSize.value = 1 / this.options.texelsPerMetre[lightmap];
-    this.surfaces.drawPlaces(lightmap, this.places);
+  /** Brings the texels of a lightmap into the targets. */
+  private use(lightmap: number): void {
+    if (this.prepared === lightmap) return;
+    this.drawPlaces(lightmap);
+    this.placeTexels(lightmap);
+  }
+
+  private drawPlaces(lightmap: number): void {
+    this.prepared = -1;
+    this.surfaces.drawPlaces(lightmap, this.fine.places);
     this.surfaces.drawAlbedo(lightmap, this.albedo);
+  }
+
+  private placeTexels(lightmap: number): void {
+    this.shared.farol_moves.value = this.moves[lightmap].texture;
+    this.pass('move', move).draw(this.renderer, this.fine.settled!);
+    if (this.coarse !== this.fine) this.pass('coarsen', coarsen).draw(this.renderer, this.coarse.places);
+    this.prepared = lightmap;
+  }
+
+  /** Which texels passes read. */
+  private useGrid(grid: Grid, lightmap: number): void {
     const { shared } = this;
-    const settlePass = this.tracedSettle();
-    shared.farol_positions.value = this.places.textures[0];
-    settlePass.draw(this.renderer, this.settled);
-    shared.farol_positions.value = this.settled.texture;
-    this.sums.scissorTest = false;
-    this.renderer.setRenderTarget(this.sums);
-    this.renderer.clear();
+    shared.farol_positions.value = (grid.settled ?? grid.places).texture;
+    shared.farol_texelNormals.value = grid.places.textures[1];
+    shared.farol_faces.value = grid.places.textures[2];
+    shared.farol_sums.value = grid.sums.textures[0];
+    shared.farol_sourceSums.value = grid.sums.textures[1];
+    shared.farol_texelSize.value = this.options.size / grid.size / this.options.texelsPerMetre[lightmap];
   }
 
-  private tracedSettle(): FullscreenPass {
-    return (this.passes.settle ??= new FullscreenPass('settle', settle, this.shared, { defines: this.scene.defines }));
-  }
-
-  /** Ends a stage, and waits until the GPU has done so. */
-  private async finishStage(
-    lightmap: number,
-    stage: Stage,
-    isAdded: boolean,
-    isReflected: boolean,
-    slices: Slices,
-  ): Promise<void> {
+  /** Does work after a stage, and waits until the GPU has done it. */
+  private async timed(slices: Slices, work: () => void): Promise<void> {
     const begin = performance.now();
-    keepState(this.renderer, () => this.filterStage(lightmap, stage, isAdded, isReflected));
+    keepState(this.renderer, work);
     await slices.wait();
     measurePhase('filter', begin);
   }
 
-  /** Mean, denoise, fill: adds to the sum and to what the next bounce reflects. */
-  private filterStage(lightmap: number, stage: Stage, isAdded: boolean, isReflected: boolean): void {
-    const { shared, renderer } = this;
-    shared.farol_samples.value = stage.samples;
-    shared.farol_scale.value = stage.scale;
-    this.pass('resolve', resolve).draw(renderer, this.light[0]);
-    const filters = stage.isNoisy && this.options.denoise ? 4 : 0;
-    for (let i = 0; i < filters; i++) {
-      shared.farol_step.value = 2 ** i;
-      this.filter('denoise', denoise);
-    }
-    for (let i = 0; i < 2; i++) this.filter('dilate', dilate);
-    shared.farol_light.value = this.light[0].texture;
-    const more = isAdded ? additive : {};
-    const reflect = this.pass(isAdded ? 'reflectMore' : 'reflect', copy, { REFLECT: '' }, more);
-    reflect.draw(renderer, this.nextRadiance, lightmap);
-    if (this.reflected && isReflected) {
-      this.pass('reflectMore', copy, { REFLECT: '' }, additive).draw(renderer, this.reflected, lightmap);
+  /** Mean, denoise, fill: adds to the sum and to what the first gather sees. */
+  private finishDirect(lightmap: number, stage: Stage, isReflected: boolean): void {
+    const { renderer } = this;
+    this.resolveFine(lightmap, stage);
+    if (isReflected) {
+      const pass = this.pass('reflectDirect', copy, { REFLECT: '' }, additive);
+      pass.draw(renderer, this.nextRadiance, lightmap);
+      if (this.reflected) pass.draw(renderer, this.reflected, lightmap);
     }
     if (!stage.isIndirect) this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.totals[lightmap]);
   }
 
-  /** From the first of the two light targets to the second, which is the first from then on. */
-  private filter(name: string, fragment: string): void {
-    const [a, b] = this.light;
-    this.shared.farol_light.value = a.texture;
-    this.pass(name, fragment).draw(this.renderer, b);
-    this.light.reverse();
+  /** Brings the mean of a stage to the first of the fine grid's light targets. */
+  private resolveFine(lightmap: number, stage: Stage): void {
+    const { shared, renderer, fine } = this;
+    this.useGrid(fine, lightmap);
+    shared.farol_samples.value = stage.samples;
+    shared.farol_scale.value = stage.scale;
+    this.pass('resolve', resolve).draw(renderer, fine.light[0]);
+    if (stage.isNoisy && this.options.denoise) this.denoise(fine);
+    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
   }
 
-  private showSoFar(lightmap: number, stage: Stage, batch: number): void {
-    const { shared, renderer } = this;
-    const samples = Math.max(1, batch * stage.perDraw);
+  /** Adds to the sums, and to what the next gather sees: noise does no harm there. */
+  private finishGather(lightmap: number, stage: Stage, isReflected: boolean, probes: Gather['probes']): void {
+    const { shared, renderer, fine } = this;
+    const { grid } = stage;
+    if (!stage.isIndirect && grid === fine) {
+      this.resolveFine(lightmap, stage);
+      this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.totals[lightmap]);
+    }
+    this.useGrid(grid, lightmap);
+    shared.farol_samples.value = stage.samples;
+    shared.farol_scale.value = stage.scale;
+    if (!stage.isIndirect && grid !== fine) {
+      this.pass('resolve', resolve).draw(renderer, grid.light[0]);
+      shared.farol_light.value = grid.light[0].texture;
+      this.pass('addIndirect', copy, { ADD_VARIANCE: '' }, additive).draw(renderer, this.indirect[lightmap]);
+    }
+    if (!isReflected) return;
+    this.pass('resolveSources', resolve, { SOURCES: '' }).draw(renderer, grid.light[0]);
+    if (grid !== fine) this.upsample(lightmap, grid.light[0].texture);
+    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
+    const pass = this.pass('reflect', copy, { REFLECT: '', SOURCES: '' }, additive);
+    pass.draw(renderer, this.nextRadiance, lightmap);
+    if (!this.reflected || probes === 'none') return;
+    const alone = this.pass('reflectSources', copy, { REFLECT: '', SOURCES: '', SOURCES_ALONE: '' }, additive);
+    (probes === 'all' ? pass : alone).draw(renderer, this.reflected, lightmap);
+  }
+
+  /** Takes the noise out of the coarser grid's light, and adds it to the sum. */
+  private addIndirect(lightmap: number): void {
+    const { shared, renderer, fine, coarse } = this;
+    this.useGrid(coarse, lightmap);
+    shared.farol_light.value = this.indirect[lightmap].texture;
+    this.pass('limit', copy, { LIMIT: '' }).draw(renderer, coarse.light[0]);
+    if (this.options.denoise) this.denoise(coarse);
+    this.upsample(lightmap, coarse.light[0].texture);
+    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
+    this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.totals[lightmap]);
+  }
+
+  private denoise(grid: Grid): void {
+    for (let i = 0; i < FILTERS; i++) {
+      this.shared.farol_step.value = 2 ** i;
+      this.filter(grid, 'denoise', denoise);
+    }
+  }
+
+  /** From the coarse grid to the first of the fine one's light targets. */
+  private upsample(lightmap: number, light: Texture): void {
+    this.useGrid(this.coarse, lightmap);
+    this.shared.farol_light.value = light;
+    this.pass('upsample', upsample).draw(this.renderer, this.fine.light[0]);
+    this.useGrid(this.fine, lightmap);
+  }
+
+  /** From the first of two light targets to the second, which is the first from then on. */
+  private filter(grid: Grid, name: string, fragment: string): void {
+    const [a, b] = grid.light;
+    this.shared.farol_light.value = a.texture;
+    this.pass(name, fragment).draw(this.renderer, b);
+    grid.light.reverse();
+  }
+
+  /** @param samples of the stage so far */
+  private showSoFar(lightmap: number, stage: Stage, samples: number): void {
+    const { shared, renderer, fine, coarse } = this;
+    shared.farol_samples.value = Math.max(1, samples);
+    shared.farol_scale.value = stage.scale;
     shared.farol_light.value = this.totals[lightmap].texture;
-    shared.farol_scale.value = stage.scale / samples;
-    this.pass('preview', preview).draw(renderer, this.light[0]);
-    for (let i = 0; i < 2; i++) this.filter('dilate', dilate);
-    this.shared.farol_light.value = this.light[0].texture;
+    if (stage.grid !== fine) {
+      shared.farol_light.value = this.indirect[lightmap].texture;
+      this.pass('preview', preview).draw(renderer, coarse.light[0]);
+      this.upsample(lightmap, coarse.light[0].texture);
+      shared.farol_light.value = this.totals[lightmap].texture;
+      shared.farol_sums.value = fine.light[0].texture;
+      shared.farol_samples.value = shared.farol_scale.value = 1;
+    }
+    this.pass('preview', preview).draw(renderer, fine.light[1]);
+    fine.light.reverse();
+    for (let i = 0; i < 2; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
     this.pass('picture', copy, { PICTURE: '' }).draw(renderer, this.pictureTargets[lightmap]);
+    this.useGrid(stage.grid, lightmap);
   }
 
   /** Fills what is between charts, and shows the whole. */
   private finish(lightmap: number): void {
-    const { shared, renderer } = this;
+    const { shared, renderer, fine } = this;
     shared.farol_light.value = this.totals[lightmap].texture;
-    this.pass('rest', copy, { REST: '' }).draw(renderer, this.light[0]);
-    for (let i = 0; i <= this.options.padding; i++) this.filter('dilate', dilate);
-    shared.farol_light.value = this.light[0].texture;
+    this.pass('rest', copy, { REST: '' }).draw(renderer, fine.light[0]);
+    for (let i = 0; i <= this.options.padding; i++) this.filter(fine, 'dilate', dilate);
+    shared.farol_light.value = fine.light[0].texture;
     this.pass('picture', copy, { PICTURE: '' }).draw(renderer, this.pictureTargets[lightmap]);
     this.pass('picture', copy, { PICTURE: '' }).draw(renderer, this.totals[lightmap]);
   }
 
   private clearTotals(): void {
-    for (const target of [...this.totals, ...this.pictureTargets]) {
+    for (const target of [...this.totals, ...this.indirect, ...this.pictureTargets]) {
       this.renderer.setRenderTarget(target);
       this.renderer.clear();
     }
     for (let lightmap = 0; this.reflected && lightmap < this.totals.length; lightmap++) {
-      this.renderer.setRenderTarget(this.reflected, lightmap);
-      this.renderer.clear();
+      this.clear(this.reflected, lightmap);
     }
   }
 
-  private clearLayer(lightmap: number): void {
-    for (const target of [this.radiance, this.nextRadiance]) {
-      this.renderer.setRenderTarget(target, lightmap);
-      this.renderer.clear();
-    }
+  private clear(target: WebGLArrayRenderTarget, lightmap: number): void {
+    target.scissorTest = false;
+    this.renderer.setRenderTarget(target, lightmap);
+    this.renderer.clear();
   }
+}
+
+/** Texels at which light is reckoned. */
+interface Grid {
+  /** Texels along a side. */
+  readonly size: number;
+  /** Positions, normals and normals of faces. */
+  readonly places: WebGLRenderTarget;
+  /** Positions as settle.glsl has moved them, where those are apart. */
+  readonly settled: WebGLRenderTarget | null;
+  /** Of all light, and of the luminance of that which lights have not given. */
+  readonly sums: WebGLRenderTarget;
+  /** A filter reads the first and writes the second. */
+  readonly light: WebGLRenderTarget[];
+}
+
+const gridTargets = (size: number): Omit<Grid, 'settled'> => ({
+  size,
+  places: placeTarget(size),
+  sums: sumsTarget(size),
+  light: [texelTarget(size, FloatType), texelTarget(size, FloatType)],
+});
+
+/** Light that is gathered at all texels before it is reflected. */
+interface Gather {
+  readonly stages: readonly Stage[];
+  /** Whether another one follows. */
+  readonly isReflected: boolean;
+  /** Which of its light probes see reflected. */
+  readonly probes: 'all' | 'sources' | 'none';
 }
 
 /** One kind of light, gathered at every texel. */
 interface Stage {
   readonly pass: FullscreenPass;
+  readonly grid: Grid;
   readonly samples: number;
   readonly perDraw: number;
-  /** Of the whole work. */
+  /** After so many, texels that they agree on take no more; 0: all take all. */
+  readonly firstSamples: number;
+  /** Of the whole work, in samples of a texel of the lightmap. */
   readonly cost: number;
   /** Irradiance by the mean of the samples. */
   readonly scale: number;
@@ -384,4 +623,5 @@ interface Stage {
   /** Reflected, not shown. */
   readonly isIndirect: boolean;
   readonly isNoisy: boolean;
+  readonly isGather: boolean;
 }

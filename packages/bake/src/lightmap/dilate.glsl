@@ -9,13 +9,15 @@ void main() {
   farol_dilated = texelFetch(farol_light, texel, 0);
   if (farol_dilated.a >= 0.0) return;
   vec4 sum = vec4(0.0);
+  float whole = 0.0;
   for (int y = -1; y <= 1; y++)
     for (int x = -1; x <= 1; x++) {
       ivec2 at = texel + ivec2(x, y);
       if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
       vec4 light = texelFetch(farol_light, at, 0);
       float weight = light.a < 0.0 ? 0.0 : x == 0 || y == 0 ? 1.0 : 0.5;
-      sum += vec4(weight * light.rgb, weight);
+      sum += weight * light;
+      whole += weight;
     }
-  if (sum.w > 0.0) farol_dilated = vec4(sum.rgb / sum.w, 0.0);
+  if (whole > 0.0) farol_dilated = sum / whole;
 }

@@ -1,5 +1,5 @@
-// Irradiance at each texel of a lightmap by the lights of the table: the sum over samples, and of the squares of its
-// luminance
+// Irradiance at each texel of a lightmap by the lights of the table whose shadows have soft edges, or by those whose do
+// not: the sum over samples, and of the squares of its luminance
 // three.js, lights_fragment_begin
 #include "tables"
 #include "random"
@@ -8,22 +8,26 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_faces;
+uniform highp sampler2D farol_agreements;
 uniform int farol_firstSample;
 uniform float farol_offset;
 layout(location = 0) out highp vec4 farol_sum;
+layout(location = 1) out highp vec4 farol_sourceSum; // nothing
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 place = texelFetch(farol_positions, texel, 0);
   if (place.w <= 0.0) discard;
+  if (farol_firstSample > 0 && texelFetch(farol_agreements, texel, 0).r > 0.5) discard;
   vec3 normal = normalize(texelFetch(farol_texelNormals, texel, 0).xyz);
   vec3 origin = place.xyz + farol_offset * texelFetch(farol_faces, texel, 0).xyz;
-  farol_sum = vec4(0.0);
+  farol_sum = farol_sourceSum = vec4(0.0);
   ivec2 list = farol_lightList(place.xyz);
   for (int i = 0; i < SAMPLES; i++) {
     vec3 light = vec3(0.0);
     for (int l = 0; l < farol_endlessLights + list.y; l++) {
       int which = farol_listedLight(list, l);
+      if (farol_isSoft(which) != SOFT) continue;
       vec2 u = farol_sample2(texel, farol_firstSample + i, 16 + which);
       light += farol_unshadowed(farol_arrival(which, place.xyz, normal, u), place.xyz, origin);
     }

@@ -1,5 +1,5 @@
 // Light at each texel of a lightmap, from what rays into the hemisphere meet: sums over samples of irradiance by pi and
-// of the square of its luminance
+// of the square of its luminance; and of the part of it that lights have not given
 // Kajiya 1986, The Rendering Equation
 #include "tables"
 #include "random"
@@ -8,11 +8,16 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_faces;
-uniform highp sampler2DArray farol_radiance;
+uniform highp sampler2DArray farol_radiance; // with the luminance of what lights have not given
 uniform int farol_firstSample;
 uniform float farol_offset;
 #include "emitters"
 layout(location = 0) out highp vec4 farol_sum;
+layout(location = 1) out highp vec4 farol_sourceSum;
+
+float farol_luminance(const in vec3 colour) {
+  return dot(colour, vec3(0.2126, 0.7152, 0.0722));
+}
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -21,7 +26,7 @@ void main() {
   vec3 normal = normalize(texelFetch(farol_texelNormals, texel, 0).xyz);
   vec3 face = texelFetch(farol_faces, texel, 0).xyz;
   vec3 origin = place.xyz + farol_offset * face;
-  farol_sum = vec4(0.0);
+  farol_sum = farol_sourceSum = vec4(0.0);
   for (int i = 0; i < SAMPLES; i++) {
     int which = farol_firstSample + i;
     vec3 along = farol_hemisphere(normal, farol_sample2(texel, which, 1));
@@ -29,28 +34,34 @@ void main() {
     float height = dot(along, face);
     if (height < 0.0) along -= 2.0 * height * face;
     vec3 light = vec3(0.0);
-    FarolHit hit = farol_trace(origin, along, 1e30, false);
+    float sources = 0.0;
+    FarolHit hit = farol_trace(origin, along, 1e30);
+    vec3 at = hit.triangle >= 0 && farol_hitShines(hit) ? farol_hitPlace(hit) : vec3(-1.0);
 #ifdef FROM_SOURCES
     if (hit.triangle < 0) light = farol_sky(along);
-    else if (farol_emitterCount > 0 && farol_hitShines(hit)) {
-      vec3 at = farol_hitPlace(hit);
-      if (at.z >= 0.0) {
-        light = textureLod(farol_emission, at, 0.0).rgb;
-        vec3 edge1 = farol_table(farol_triangles, 3 * hit.triangle + 1).xyz;
-        vec3 edge2 = farol_table(farol_triangles, 3 * hit.triangle + 2).xyz;
-        float byCosine = max(dot(normal, along), 1e-4) * 0.31830989;
-        float byPower = farol_emitterChance(hit.range, hit.distance, abs(dot(normalize(cross(edge1, edge2)), along)));
-        light *= byCosine / (byCosine + byPower);
-      }
+    else if (farol_emitterCount > 0 && at.z >= 0.0) {
+      light = textureLod(farol_emission, at, 0.0).rgb;
+      vec3 edge1 = farol_table(farol_triangles, 3 * hit.triangle + 1).xyz;
+      vec3 edge2 = farol_table(farol_triangles, 3 * hit.triangle + 2).xyz;
+      float byCosine = max(dot(normal, along), 1e-4) * 0.31830989;
+      float byPower = farol_emitterChance(hit.range, hit.distance, abs(dot(normalize(cross(edge1, edge2)), along)));
+      light *= byCosine / (byCosine + byPower);
     }
     if (farol_emitterCount > 0) light += farol_emitterLight(origin, normal, texel, which);
-#else
-    if (hit.triangle >= 0 && farol_hitShines(hit)) {
-      vec3 at = farol_hitPlace(hit);
-      if (at.z >= 0.0) light = textureLod(farol_radiance, at, 0.0).rgb;
+    sources = farol_luminance(light);
+#endif
+#ifdef REFLECTED
+    if (at.z >= 0.0) {
+      vec4 radiance = textureLod(farol_radiance, at, 0.0);
+#ifdef SOURCES_ALONE
+      radiance.rgb *= clamp(radiance.a / max(farol_luminance(radiance.rgb), 1e-12), 0.0, 1.0);
+#endif
+      light += radiance.rgb;
+      sources += radiance.a;
     }
 #endif
-    float luminance = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    float luminance = farol_luminance(light);
     farol_sum += vec4(light, luminance * luminance);
+    farol_sourceSum.r += sources;
   }
 }

@@ -1,14 +1,16 @@
 // The light so far: of the stages that are done, and the mean of the samples of the one that runs
 // three.js
+#include "sampleCount"
 uniform highp sampler2D farol_light;
 uniform highp sampler2D farol_sums;
 uniform highp sampler2D farol_positions;
-uniform float farol_scale; // by the samples
+uniform float farol_scale;
 layout(location = 0) out highp vec4 farol_preview;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   bool isValid = texelFetch(farol_positions, texel, 0).w > 0.0;
-  vec3 light = texelFetch(farol_light, texel, 0).rgb + farol_scale * texelFetch(farol_sums, texel, 0).rgb;
+  vec3 mean = texelFetch(farol_sums, texel, 0).rgb / farol_sampleCount(texel);
+  vec3 light = texelFetch(farol_light, texel, 0).rgb + farol_scale * mean;
   farol_preview = isValid ? vec4(light, 0.0) : vec4(0.0, 0.0, 0.0, -1.0);
 }

@@ -1,8 +1,10 @@
-// Mean of the samples of a texel, with the variance of the mean's luminance; -1 where there is no light of its own
+// Mean of the samples of a texel, with the variance of the mean's luminance, or with the luminance of what lights have not
+// given; -1 where there is no light of its own
 // Welford 1962
+#include "sampleCount"
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_sums;
-uniform float farol_samples;
+uniform highp sampler2D farol_sourceSums;
 uniform float farol_scale; // of the mean
 layout(location = 0) out highp vec4 farol_mean;
 
@@ -12,8 +14,13 @@ void main() {
     farol_mean = vec4(0.0, 0.0, 0.0, -1.0);
     return;
   }
-  vec4 mean = texelFetch(farol_sums, texel, 0) / farol_samples;
+  float samples = farol_sampleCount(texel);
+  vec4 mean = texelFetch(farol_sums, texel, 0) / samples;
+#ifdef SOURCES
+  farol_mean = farol_scale * vec4(mean.rgb, texelFetch(farol_sourceSums, texel, 0).r / samples);
+#else
   float luminance = dot(mean.rgb, vec3(0.2126, 0.7152, 0.0722));
-  float variance = max(mean.a - luminance * luminance, 0.0) / max(farol_samples - 1.0, 1.0);
+  float variance = max(mean.a - luminance * luminance, 0.0) / max(samples - 1.0, 1.0);
   farol_mean = vec4(farol_scale * mean.rgb, farol_scale * farol_scale * variance);
+#endif
 }

@@ -3,7 +3,9 @@ import {
   HalfFloatType,
   LinearFilter,
   NearestFilter,
+  RedFormat,
   type TextureDataType,
+  UnsignedByteType,
   WebGLArrayRenderTarget,
   WebGLRenderTarget,
 } from 'three';
@@ -15,6 +17,14 @@ const linear = { ...plain, minFilter: LinearFilter, magFilter: LinearFilter, typ
 /** A square target that is read texel by texel. */
 export const texelTarget = (size: number, type: TextureDataType): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type });
+
+/** Sums of samples in floats, of two kinds. */
+export const sumsTarget = (size: number): WebGLRenderTarget =>
+  new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count: 2 });
+
+/** One byte a texel. */
+export const maskTarget = (size: number): WebGLRenderTarget =>
+  new WebGLRenderTarget(size, size, { ...nearest, type: UnsignedByteType, format: RedFormat });
 
 /** Positions in floats, normals and normals of faces in half floats. */
 export function placeTarget(size: number): WebGLRenderTarget {

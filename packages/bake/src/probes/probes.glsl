@@ -43,7 +43,7 @@ void main() {
   for (int i = 0; i < SAMPLES; i++) {
     vec3 along = farol_sphere(farol_sample2(texel, farol_firstSample + i, 1));
     vec3 light = vec3(0.0);
-    FarolHit hit = farol_trace(point.xyz, along, 1e30, false);
+    FarolHit hit = farol_trace(point.xyz, along, 1e30);
     if (hit.triangle < 0) light = farol_sky(along);
     else if (farol_hitShines(hit)) {
       vec3 at = farol_hitPlace(hit);

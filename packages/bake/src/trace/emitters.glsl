@@ -12,16 +12,18 @@ float farol_emitterChance(const in int range, const in float distance, const in 
 }
 
 vec3 farol_emitterLight(const in vec3 origin, const in vec3 normal, const in ivec2 texel, const in int which) {
-  float chosen = farol_sample2(texel, which, 2).x;
+  vec2 u = farol_sample2(texel, which, 2);
   int low = 0;
   int high = farol_emitterCount - 1;
   while (low < high) {
     int middle = (low + high) / 2;
-    if (farol_table(farol_emitters, middle).x > chosen) high = middle;
+    if (farol_table(farol_emitters, middle).x > u.x) high = middle;
     else low = middle + 1;
   }
   int triangle = int(farol_table(farol_emitters, low).y);
-  vec2 u = farol_sample2(texel, which, 3);
+  // the place within the share of the triangle chosen is random as well
+  float before = low > 0 ? farol_table(farol_emitters, low - 1).x : 0.0;
+  u.x = clamp((u.x - before) / max(farol_table(farol_emitters, low).x - before, 1e-9), 0.0, 1.0);
   float root = sqrt(u.x);
   vec2 barycentric = vec2(root * (1.0 - u.y), root * u.y);
   vec4 corner = farol_table(farol_triangles, 3 * triangle);
@@ -34,8 +36,8 @@ vec3 farol_emitterLight(const in vec3 origin, const in vec3 normal, const in ive
   FarolHit hit = FarolHit(distance, triangle, int(corner.w), barycentric, dot(face, along) < 0.0);
   float cosine = dot(normal, along);
   if (cosine <= 0.0 || !farol_hitShines(hit)) return vec3(0.0);
-  if (farol_trace(origin, along, 0.9999 * distance, true).triangle >= 0) return vec3(0.0);
   float byCosine = cosine * 0.31830989;
   float byPower = farol_emitterChance(hit.range, distance, abs(dot(face, along)));
-  return textureLod(farol_emission, farol_hitPlace(hit), 0.0).rgb * byCosine / (byCosine + byPower);
+  float through = farol_transmittance(origin, along, 0.9999 * distance);
+  return through * textureLod(farol_emission, farol_hitPlace(hit), 0.0).rgb * byCosine / (byCosine + byPower);
 }

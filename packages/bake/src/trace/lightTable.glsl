@@ -92,8 +92,13 @@ vec3 farol_unshadowed(const in FarolArrival arrival, const in vec3 position, con
   if (arrival.irradiance == vec3(0.0)) return light;
   vec3 path = arrival.isEndless ? arrival.path : arrival.path + position - origin;
   float reach = length(path);
-  bool isFree = farol_trace(origin, path / reach, arrival.isEndless ? 1e30 : 0.9999 * reach, true).triangle < 0;
-  return isFree ? light + arrival.irradiance : light;
+  float through = farol_transmittance(origin, path / reach, arrival.isEndless ? 1e30 : 0.9999 * reach);
+  return light + through * arrival.irradiance;
+}
+
+// whether a light's shadows have soft edges
+bool farol_isSoft(const in int light) {
+  return farol_table(farol_lights, 9 * light).w >= 3.0 || farol_table(farol_lights, 9 * light + 3).z > 0.0;
 }
 
 // lights that reach a point: those without an end, then those of its cell

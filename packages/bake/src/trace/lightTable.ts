@@ -12,7 +12,9 @@ const MOST_CELLS = 32;
 export interface LightTable {
   readonly count: number;
   /** Whether shadows of any have soft edges, so that one sample is not enough. */
-  readonly isSoft: boolean;
+  readonly hasSoft: boolean;
+  /** Whether those of any have not. */
+  readonly hasHard: boolean;
   readonly lights: DataTexture;
   readonly cells: DataTexture;
   readonly cellLights: DataTexture;
@@ -49,10 +51,13 @@ export function lightTable(all: readonly TracedLight[], bounds: Box3): LightTabl
   return {
     ...textures,
     ...{ count: lights.length, grid, least: bounds.min.clone(), scale, endless: endless.length },
-    isSoft: lights.some(({ kind, radius }) => radius > 0 || kinds[kind] >= kinds.rectangle),
+    hasSoft: lights.some(isSoft),
+    hasHard: !lights.every(isSoft),
     dispose: () => Object.values(textures).forEach((texture) => texture.dispose()),
   };
 }
+
+const isSoft = ({ kind, radius }: TracedLight): boolean => radius > 0 || kinds[kind] >= kinds.rectangle;
 
 /** Uniforms of lightTable.glsl. */
 export function lightUniforms(table: LightTable): Record<string, { value: unknown }> {

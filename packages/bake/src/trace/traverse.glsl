@@ -1,4 +1,4 @@
-// Walks the bounding volume hierarchy along a ray: the nearest triangle, or whether there is any
+// Walks the bounding volume hierarchy along a ray: the nearest triangle, or the share of light that comes through
 // Aila and Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs; Möller and Trumbore 1997
 uniform highp sampler2D farol_nodes;
 uniform highp sampler2D farol_triangles; // three a triangle: corner and range, edge and place in the list, edge
@@ -25,10 +25,10 @@ float farol_boxDistance(const in vec4 least, const in vec4 greatest, const in ve
   return enter <= leave * 1.0000004 ? enter : 1e30;
 }
 
-// whether a ray goes through what is cut out of a surface, or is let through by chance
-bool farol_passes(const in int triangle, const in int range, const in vec2 barycentric, const in vec3 key) {
+// share of the rays that a surface keeps, where it is met
+float farol_opacityAt(const in int triangle, const in int range, const in vec2 barycentric) {
   vec4 surface = farol_table(farol_ranges, 2 * range);
-  if (surface.z == 0.0) return false; // opaque
+  if (surface.z == 0.0) return 1.0; // opaque
   float opacity = surface.w;
   if (surface.y >= 0.0) {
     vec2 uv = (1.0 - barycentric.x - barycentric.y) * farol_table(farol_corners, 3 * triangle).zw;
@@ -36,14 +36,17 @@ bool farol_passes(const in int triangle, const in int range, const in vec2 baryc
     uv += barycentric.y * farol_table(farol_corners, 3 * triangle + 2).zw;
     opacity *= textureLod(farol_opacity, vec3(uv, surface.y), 0.0).r;
   }
-  if (surface.z > 0.0) return opacity < surface.z;
-  return farol_random(floatBitsToUint(key) + uint(triangle)).x >= opacity;
+  if (surface.z > 0.0) return opacity < surface.z ? 0.0 : 1.0; // cut out
+  return clamp(opacity, 0.0, 1.0);
 }
 
-// most: distance beyond which nothing counts; any: ends at the first triangle that is met
-FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in float most, const in bool any) {
+// most: distance beyond which nothing counts; shadow: ends where nothing comes through; through: share that does, of light
+FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in float most, const in bool shadow,
+  out float through) {
   FarolHit hit = FarolHit(1e30, -1, -1, vec2(0.0), true);
+  through = 1.0;
   float nearest = most;
+  float before = -1.0; // distance of the last that was met
   vec3 safe = vec3(
     abs(direction.x) > 1e-12 ? direction.x : 1e-12,
     abs(direction.y) > 1e-12 ? direction.y : 1e-12,
@@ -83,11 +86,24 @@ FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in flo
         if (!isMet) continue;
         int range = int(corner.w);
         vec2 barycentric = vec2(u, v);
-        if (any && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // throws no shadow
-        if (farol_passes(triangle, range, barycentric, origin + direction)) continue;
+        if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // throws no shadow
+        float opacity = farol_opacityAt(triangle, range, barycentric);
+        if (shadow) {
+          // along an edge two triangles are met, which are one surface
+          if (abs(distance - before) <= 1e-6 * distance) continue;
+          if (opacity > 0.0) before = distance;
+          through *= 1.0 - opacity;
+          if (through < 1e-3) {
+            through = 0.0;
+            return hit;
+          }
+          continue;
+        }
+        // by chance, where a ray goes on or ends
+        uvec3 key = floatBitsToUint(origin + direction) + uint(triangle);
+        if (opacity < 1.0 && farol_random(key).x >= opacity) continue;
         nearest = distance;
         hit = FarolHit(distance, triangle, range, barycentric, determinant > 0.0);
-        if (any) return hit;
       }
       leaf = other;
     }
@@ -103,6 +119,19 @@ FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in flo
     }
   }
   return hit;
+}
+
+// the nearest hit
+FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in float most) {
+  float through;
+  return farol_walk(origin, direction, most, false, through);
+}
+
+// share of a light that comes through
+float farol_transmittance(const in vec3 origin, const in vec3 direction, const in float most) {
+  float through;
+  farol_walk(origin, direction, most, true, through);
+  return through;
 }
 
 // where a hit lies in its lightmap: UV and layer, -1 for none
