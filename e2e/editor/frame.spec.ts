@@ -25,7 +25,7 @@ test('the frame: technique and why, passes, two techniques side by side, all vie
   await page.keyboard.press('f');
   await page.getByRole('tab', { name: 'Frame' }).click();
   const frame = page.getByRole('region', { name: 'Frame', exact: true });
-  await expect(frame.getByLabel('Why this technique')).toContainText('Forward, single pass: hardly any lights');
+  await expect(frame.getByLabel('Why this technique')).toContainText('Forward, single pass: few lights');
   await expect(frame.getByRole('row', { name: /^opaque/ })).toBeVisible();
 
   // another technique, live

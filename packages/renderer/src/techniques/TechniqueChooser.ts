@@ -52,7 +52,7 @@ const FAR = 4;
 const choices: Record<ChosenTechnique, Choice> = {
   'forward-single-pass': {
     technique: 'forward-single-pass',
-    reason: 'hardly any lights: lists would cost more than they save',
+    reason: 'few lights: lists would cost more than they save',
   },
   'clustered-forward': {
     technique: 'clustered-forward',
