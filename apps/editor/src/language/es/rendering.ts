@@ -122,8 +122,7 @@ export const rendering: Texts = {
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
-  'few lights: lists would cost more than they save':
-    'casi ninguna luz: las listas costarían más de lo que ahorran',
+  'few lights: lists would cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
   'What the effects cost': 'Lo que cuestan los efectos',
   Effect: 'Efecto',
 };
