@@ -1,5 +1,5 @@
-// Mean of the samples of a texel, with the variance of the mean's luminance, or with the luminance of what lights have not
-// given; -1 where there is no light of its own
+// Mean of the samples of a texel, with the variance of the mean's luminance, or with the luminance of what lights have
+// not given; -1 where there is no light of its own
 // Welford 1962
 #include "sampleCount"
 uniform highp sampler2D farol_positions;

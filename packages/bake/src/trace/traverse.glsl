@@ -40,7 +40,8 @@ float farol_opacityAt(const in int triangle, const in int range, const in vec2 b
   return clamp(opacity, 0.0, 1.0);
 }
 
-// most: distance beyond which nothing counts; shadow: ends where nothing comes through; through: share that does, of light
+// most: distance beyond which nothing counts; shadow: ends where nothing comes through; through: share of light that
+// does
 FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in float most, const in bool shadow,
   out float through) {
   FarolHit hit = FarolHit(1e30, -1, -1, vec2(0.0), true);

@@ -11,8 +11,8 @@ import { FileError } from '../files/FileError';
 import { serialize } from '../files/serialize';
 import { unpack } from '../files/unpack';
 import { parsePly } from '../geometry/parsePly';
-import { CaseMeter, youngBytes } from './CaseMeter';
-import { collectGarbage } from './collectGarbage';
+import { CaseMeter, youngBytes } from './testCaseMeter';
+import { collectGarbage } from './testGarbage';
 import type { FuzzCase } from './generate';
 
 /** Seconds, and bytes of memory for those of the case, that one may take. */
