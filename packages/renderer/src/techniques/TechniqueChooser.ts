@@ -52,11 +52,11 @@ const FAR = 4;
 const choices: Record<ChosenTechnique, Choice> = {
   'forward-single-pass': {
     technique: 'forward-single-pass',
-    reason: 'few lights: lists would cost more than they save',
+    reason: 'few lights: lists cost more than they save',
   },
   'clustered-forward': {
     technique: 'clustered-forward',
-    reason: 'few lights over a pixel: a G-buffer would cost more than it saves',
+    reason: 'few lights over a pixel: a G-buffer costs more than it saves',
   },
   'clustered-deferred': {
     technique: 'clustered-deferred',
@@ -64,7 +64,7 @@ const choices: Record<ChosenTechnique, Choice> = {
   },
   'tiled-deferred': {
     technique: 'tiled-deferred',
-    reason: 'very many lights, many over a pixel: each surface is lit once, by the list of its tile, made on the GPU',
+    reason: 'very many lights over a pixel: each surface is lit once, by the list of its tile',
   },
 };
 

@@ -3,7 +3,7 @@ import type { Technique } from './Technique';
 /** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */
 export const auto: Technique = {
   label: 'Automatic',
-  help: 'Picks the technique that is fastest for what is in view; says which and why in the figures.',
+  help: 'Picks the fastest technique for what is in view, and says why.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
   passes() {

@@ -9,7 +9,7 @@ import type { Technique } from './Technique';
  */
 export const clusteredForward: Technique = {
   label: 'Clustered forward',
-  help: 'Light lists by tile and depth, walked by the materials themselves.',
+  help: 'Light lists by tile and depth, walked by the materials.',
   lightOrder: 'by-grid',
   needsFloatTargets: false,
   passes: () => [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'])],

@@ -10,7 +10,7 @@ import type { Technique } from './Technique';
  */
 export const deferred: Technique = {
   label: 'Deferred shading',
-  help: 'Surfaces into a G-buffer once, then each light over the pixels of its volume.',
+  help: 'Surfaces into a G-buffer, then each light over the pixels of its volume.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   fills: 'every-pixel',

@@ -7,7 +7,7 @@ import type { Technique } from './Technique';
  */
 export const forward: Technique = {
   label: 'Forward, multipass',
-  help: 'Ambient and emissive once, then one additive pass for each light over the objects it reaches.',
+  help: 'An additive pass for each light over the objects it reaches.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   fills: 'every-pixel',

@@ -10,7 +10,7 @@ import type { Technique } from './Technique';
  */
 export const forwardPlus: Technique = {
   label: 'Forward+',
-  help: 'Depth first, then light lists within the depths of each tile, walked by the materials.',
+  help: 'Depth, then a light list for each tile, within its depths, walked by the materials.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
   passes: () => [

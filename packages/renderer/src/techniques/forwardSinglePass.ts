@@ -7,7 +7,7 @@ import type { Technique } from './Technique';
  */
 export const forwardSinglePass: Technique = {
   label: 'Forward, single pass',
-  help: 'Each object once; its shader loops over all lights.',
+  help: 'Each object once, by a loop over all lights.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
   passes: () => forwardTail('lightLoopAll'),

@@ -18,7 +18,7 @@ import type { Technique } from './Technique';
  */
 export const inferred: Technique = {
   label: 'Inferred lighting',
-  help: 'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.',
+  help: 'Light pre-pass at half the resolution, joined by a filter that keeps edges.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   lazy: lightBufferCode,

@@ -9,7 +9,7 @@ import type { Technique } from './Technique';
  */
 export const lightPrepass: Technique = {
   label: 'Light pre-pass',
-  help: 'Normals first, then the lights into a buffer, then the materials once more, lit by that buffer.',
+  help: 'Normals, then the lights into a buffer, then the materials, lit by that buffer.',
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   lazy: lightBufferCode,

@@ -11,7 +11,7 @@ import type { Technique } from './Technique';
  */
 export const tiledDeferred: Technique = {
   label: 'Tiled deferred',
-  help: 'A light list for each tile, within the depths in it, over a G-buffer.',
+  help: 'A light list for each tile, within its depths, over a G-buffer.',
   lightOrder: 'by-depth',
   needsFloatTargets: true,
   fills: 'every-pixel',

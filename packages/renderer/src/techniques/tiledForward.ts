@@ -9,7 +9,7 @@ import type { Technique } from './Technique';
  */
 export const tiledForward: Technique = {
   label: 'Tiled forward',
-  help: 'A light list for each tile, walked by the materials themselves.',
+  help: 'A light list for each tile, walked by the materials.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
   passes: () => [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])],

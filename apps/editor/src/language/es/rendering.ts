@@ -76,35 +76,35 @@ export const rendering: Texts = {
   'Time of each pass of the last frame (ms)': 'Tiempo de cada pasada del último fotograma (ms)',
   'not told': 'sin datos',
   Geometries: 'Geometrías',
-  'Picks the technique that is fastest for what is in view; says which and why in the figures.':
+  'Picks the fastest technique for what is in view, and says why.':
     'Elige la técnica más rápida para lo que está a la vista; las cifras dicen cuál y por qué.',
   'Forward, multipass': 'Forward, varias pasadas',
-  'Ambient and emissive once, then one additive pass for each light over the objects it reaches.':
+  'An additive pass for each light over the objects it reaches.':
     'Luz ambiente y emisión una vez; después, una pasada aditiva por cada luz sobre los objetos que alcanza.',
   'Forward, single pass': 'Forward, una pasada',
-  'Each object once; its shader loops over all lights.': 'Cada objeto una vez; su shader recorre todas las luces.',
+  'Each object once, by a loop over all lights.': 'Cada objeto una vez; su shader recorre todas las luces.',
   'Deferred shading': 'Sombreado diferido',
-  'Surfaces into a G-buffer once, then each light over the pixels of its volume.':
+  'Surfaces into a G-buffer, then each light over the pixels of its volume.':
     'Las superficies a un G-buffer una vez; después, cada luz sobre los píxeles de su volumen.',
   'Light pre-pass': 'Light pre-pass',
-  'Normals first, then the lights into a buffer, then the materials once more, lit by that buffer.':
+  'Normals, then the lights into a buffer, then the materials, lit by that buffer.':
     'Primero las normales, después las luces a un búfer y al final los materiales, iluminados por ese búfer.',
   'Inferred lighting': 'Iluminación inferida',
-  'Light pre-pass with its buffers at half the resolution, joined by a filter that keeps to edges.':
+  'Light pre-pass at half the resolution, joined by a filter that keeps edges.':
     'Light pre-pass con los búferes a media resolución, unidos por un filtro que respeta los bordes.',
   'Tiled deferred': 'Diferido por tiles',
-  'A light list for each tile, within the depths in it, over a G-buffer.':
+  'A light list for each tile, within its depths, over a G-buffer.':
     'Una lista de luces por tile, entre sus profundidades, sobre un G-buffer.',
   'Tiled forward': 'Forward por tiles',
-  'A light list for each tile, walked by the materials themselves.':
+  'A light list for each tile, walked by the materials.':
     'Una lista de luces por tile, que recorren los propios materiales.',
   'Forward+': 'Forward+',
-  'Depth first, then light lists within the depths of each tile, walked by the materials.':
+  'Depth, then a light list for each tile, within its depths, walked by the materials.':
     'Primero la profundidad; después, listas de luces entre las profundidades de cada tile, que recorren los materiales.',
   'Clustered deferred': 'Diferido por clústeres',
   'Light lists by tile and depth, over a G-buffer.': 'Listas de luces por tile y profundidad, sobre un G-buffer.',
   'Clustered forward': 'Forward por clústeres',
-  'Light lists by tile and depth, walked by the materials themselves.':
+  'Light lists by tile and depth, walked by the materials.':
     'Listas de luces por tile y profundidad, que recorren los propios materiales.',
   Final: 'Final',
   Albedo: 'Albedo',
@@ -113,16 +113,16 @@ export const rendering: Texts = {
   Lighting: 'Iluminación',
   'Light count': 'Número de luces',
   Overdraw: 'Sobredibujado',
-  'few lights over a pixel: a G-buffer would cost more than it saves':
+  'few lights over a pixel: a G-buffer costs more than it saves':
     'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
   'many lights over a pixel: each surface is lit once, by the list of its cluster':
     'muchas luces por píxel: cada superficie se ilumina una vez, con la lista de su clúster',
-  'very many lights, many over a pixel: each surface is lit once, by the list of its tile, made on the GPU':
+  'very many lights over a pixel: each surface is lit once, by the list of its tile':
     'muchísimas luces, muchas por píxel: cada superficie se ilumina una vez, con la lista de su tile, hecha en la GPU',
   Vignette: 'Viñeta',
   'Tiled deferred shading that grows dark towards the edges: an example of a plugin.':
     'Diferido por tiles que se oscurece hacia los bordes: un ejemplo de complemento.',
-  'few lights: lists would cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
+  'few lights: lists cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
   'What the effects cost': 'Lo que cuestan los efectos',
   Effect: 'Efecto',
 };

@@ -68,9 +68,9 @@ export class LightTilesPass implements Pass {
   render(frame: Frame): void {
     frame.resources.put('light-lists', LISTS);
     if (frame.fields !== null) return frame.fields.makeTiles(frame, this.use);
-    const { lights } = frame;
-    const x = Math.ceil(frame.width / (1 << TILE_SHIFT));
-    const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
+    const { lights, width, height } = frame;
+    const x = Math.ceil(width / (1 << TILE_SHIFT));
+    const y = Math.ceil(height / (1 << TILE_SHIFT));
     const quads = Math.max(1, Math.ceil(lights.bounded / LIGHTS_PER_QUAD));
     const pages = Math.ceil(quads / 128);
     this.setUniforms(frame, x, y, quads);
@@ -79,7 +79,7 @@ export class LightTilesPass implements Pass {
     this.giveStorage(frame);
     if (lights.bounded === 0) return;
     if (this.use !== 'none') {
-      this.blocks.target.setSize(Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      this.blocks.target.setSize(Math.ceil(width / BLOCK), Math.ceil(height / BLOCK));
       draw(frame, this.blocks);
       this.depths.target.setSize(x, y);
       draw(frame, this.depths);

@@ -24,16 +24,16 @@ describe('grids of tiles in list textures', () => {
     expect(tiles).toEqual([0, 40, 45, 1]);
   });
 
-  it('give a texture whole grids, and limit drawing to those that there are', () => {
+  it('give a texture whole rows and a quarter more, and limit drawing to those that there are', () => {
     const target = new WebGLRenderTarget(1, 1);
     fitGrids(target, 80, 45, 3, 4);
-    expect([target.width, target.height]).toEqual([1280, 45]);
-    expect(target.viewport.toArray()).toEqual([0, 0, 240, 45]);
+    expect([target.width, target.height]).toEqual([1280, 56]);
+    expect(target.viewport.toArray()).toEqual([0, 0, 1280, 45]);
     fitGrids(target, 80, 45, 79, 4);
-    expect([target.width, target.height]).toEqual([1280, 270]);
+    expect([target.width, target.height]).toEqual([1280, 281]);
     expect(target.viewport.toArray()).toEqual([0, 0, 1280, 225]);
-    // a light more or less keeps the texture
-    fitGrids(target, 80, 45, 96, 4);
-    expect([target.width, target.height]).toEqual([1280, 270]);
+    // a light less keeps the texture
+    fitGrids(target, 80, 45, 16, 4);
+    expect([target.width, target.height]).toEqual([1280, 281]);
   });
 });

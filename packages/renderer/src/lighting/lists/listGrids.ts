@@ -20,12 +20,12 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
 }
 
 /**
- * Gives a list texture room for grids of x × y texels, some more when it grows, and limits drawing to so many.
+ * Gives a list texture room for rows of grids of x × y texels, some more when it grows, and limits drawing to so many.
  * @param shift grids in a row, as a power of two
  */
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
-  const rows = ((grids - 1) >> shift) + 1;
-  if (target.width !== x << shift || target.height < rows * y)
-    target.setSize(x << shift, Math.ceil(rows * 1.25 - 0.25) * y);
-  target.viewport.set(0, 0, Math.min(grids, 1 << shift) * x, rows * y);
+  const width = x << shift;
+  const height = (((grids - 1) >> shift) + 1) * y;
+  if (target.width !== width || target.height < height) target.setSize(width, height + (height >> 2));
+  target.viewport.set(0, 0, width, height);
 }
