@@ -266,7 +266,7 @@ export class LightmapTracer {
     const shines = !sky.isBlack || this.scene.shines;
     const reflectsHidden = !hidden.isBlack && bounces > 0;
     const hasSources = shines || reflectsHidden;
-    const count = shines || reflectsHidden ? bounces + 1 : bounces;
+    const count = hasSources ? bounces + 1 : bounces;
     return Array.from({ length: count }, (_, i): Gather => {
       const isLast = hasSources && i === bounces;
       const reflected = {
