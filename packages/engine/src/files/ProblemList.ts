@@ -2,6 +2,7 @@ import { shortText } from '@farol/renderer';
 import { describeValue } from '../fields/checkFieldValue';
 import { FileError, type FileProblem } from './FileError';
 import { fileLimits } from './fileLimits';
+import { FilePath, type PathLike } from './FilePath';
 
 export type JsonRecord = Record<string, unknown>;
 
@@ -19,9 +20,9 @@ export class ProblemList {
     return this.problems.length >= fileLimits.problems;
   }
 
-  add(path: string, problem: string): void {
+  add(path: PathLike, problem: string): void {
     this.count++;
-    if (!this.isFull) this.problems.push({ path, problem });
+    if (!this.isFull) this.problems.push({ path: String(path), problem });
   }
 
   /** @throws FileError when there is a problem */
@@ -30,28 +31,28 @@ export class ProblemList {
   }
 
   /** The value as a record; an empty one, and a problem, when it is none. */
-  record(value: unknown, path: string): JsonRecord {
+  record(value: unknown, path: PathLike): JsonRecord {
     if (isRecord(value)) return value;
     this.add(path, `must be an object, not ${describeValue(value)}.`);
     return {};
   }
 
   /** The value as an array; an empty one, and a problem, when it is none. */
-  array(value: unknown, path: string): unknown[] {
+  array(value: unknown, path: PathLike): unknown[] {
     if (Array.isArray(value)) return value;
     this.add(path, `must be a list, not ${describeValue(value)}.`);
     return [];
   }
 
   /** The value as text; '' and a problem when it is none, or when it is empty and must not be. */
-  text(value: unknown, path: string, mayBeEmpty = false): string {
+  text(value: unknown, path: PathLike, mayBeEmpty = false): string {
     if (typeof value === 'string' && (mayBeEmpty || value !== '')) return value;
     this.add(path, `must be ${mayBeEmpty ? '' : 'non-empty '}text, not ${describeValue(value)}.`);
     return '';
   }
 
   /** The value as true or false; `fallback` when it is absent. */
-  flag(value: unknown, path: string, fallback: boolean): boolean {
+  flag(value: unknown, path: PathLike, fallback: boolean): boolean {
     if (value === undefined) return fallback;
     if (typeof value === 'boolean') return value;
     this.add(path, `must be true or false, not ${describeValue(value)}.`);
@@ -59,7 +60,7 @@ export class ProblemList {
   }
 
   /** Names keys that do not belong. */
-  onlyKeys(record: JsonRecord, path: string, keys: readonly string[]): void {
+  onlyKeys(record: JsonRecord, path: PathLike, keys: readonly string[]): void {
     for (const key of Object.keys(record)) {
       if (!keys.includes(key)) this.add(join(path, key), `is unknown here; known are ${keys.join(', ')}. Remove it.`);
     }
@@ -67,11 +68,7 @@ export class ProblemList {
 }
 
 /** Path of a member. */
-export function join(path: string, key: string | number): string {
-  if (typeof key === 'number') return `${path}[${key}]`;
-  const name = shortText(key);
-  return path ? `${path}.${name}` : name;
-}
+export const join = (path: PathLike, key: string | number): FilePath => new FilePath(path, key);
 
 /** A few names of many, for messages. */
 export function sampleOf(names: Iterable<string>, most = 8): string {

@@ -11,6 +11,7 @@ import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from './checkDepth';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 import { FileError } from './FileError';
+import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, ProblemList } from './ProblemList';
 import { readValues } from './readComponent';
 import { readMicroShaders } from './readMicroShaders';
@@ -56,7 +57,7 @@ function checkHead(file: unknown): JsonRecord {
   return file;
 }
 
-function readAssets(value: unknown, path: string, problems: ProblemList): FileAsset[] {
+function readAssets(value: unknown, path: PathLike, problems: ProblemList): FileAsset[] {
   const names = new Set<string>();
   return problems.array(value, path).map((each, i) => {
     const at = join(path, i);

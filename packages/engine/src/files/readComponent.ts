@@ -4,13 +4,14 @@ import type { ComponentClass, ComponentRegistry } from '../core/SceneGraph';
 import { checkFieldValue, describeValue, isFieldValue } from '../fields/checkFieldValue';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import type { FileComponent } from './FarolFile';
+import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';
 
 /** Reads field values: those that a table declares, each of its kind and in its range. */
 export function readValues(
   value: unknown,
   fields: FieldTable,
-  path: string,
+  path: PathLike,
   problems: ProblemList,
 ): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
@@ -28,7 +29,7 @@ export function readValues(
 }
 
 /** Values written by an older version of the component, brought up to date; null, and a problem, when that fails. */
-function migrate(type: ComponentClass, record: JsonRecord, path: string, problems: ProblemList): unknown {
+function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, problems: ProblemList): unknown {
   const { values } = record;
   const at = join(path, 'version');
   const version = readVersion(record.version, at, problems);
@@ -57,7 +58,7 @@ function migrate(type: ComponentClass, record: JsonRecord, path: string, problem
 }
 
 /** Reads the values of a type that is not known: whatever a field may hold. */
-function readUnknownValues(value: unknown, path: string, problems: ProblemList): Record<string, FieldValue> {
+function readUnknownValues(value: unknown, path: PathLike, problems: ProblemList): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, each] of Object.entries(problems.record(value, path))) {
     if (name in Object.prototype) problems.add(join(path, name), 'is no name of a field. Remove it.');
@@ -75,7 +76,7 @@ function readUnknownValues(value: unknown, path: string, problems: ProblemList):
 function readFittingValues(
   value: unknown,
   fields: FieldTable,
-  path: string,
+  path: PathLike,
   problems: ProblemList,
 ): Record<string, FieldValue> {
   const fits = ([name, each]: [string, FieldValue]): boolean =>
@@ -84,7 +85,7 @@ function readFittingValues(
 }
 
 /** The version of a component's class that wrote its values; null, and a problem, when it is none. */
-function readVersion(version: unknown, path: string, problems: ProblemList): number | null {
+function readVersion(version: unknown, path: PathLike, problems: ProblemList): number | null {
   if (typeof version === 'number' && Number.isInteger(version) && version >= 1) return version;
   problems.add(path, `must be a whole number of at least 1, not ${describeValue(version)}.`);
   return null;
@@ -95,7 +96,7 @@ const componentKeys = ['type', 'version', 'id', 'enabled', 'values'];
 /** Reads a component; null, and the problems, when it cannot be read. */
 export function readComponent(
   value: unknown,
-  path: string,
+  path: PathLike,
   registry: ComponentRegistry,
   problems: ProblemList,
 ): FileComponent | null {

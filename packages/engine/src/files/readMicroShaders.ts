@@ -1,8 +1,9 @@
 import { parseMicroShader } from '@farol/renderer';
+import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 
 /** Reads the microshaders of a scene file: texts by name. Whether they compile only a renderer can tell. */
-export function readMicroShaders(value: unknown, path: string, problems: ProblemList): Record<string, string> {
+export function readMicroShaders(value: unknown, path: PathLike, problems: ProblemList): Record<string, string> {
   const texts: [string, string][] = [];
   for (const [name, given] of Object.entries(problems.record(value, path))) {
     const at = join(path, name);

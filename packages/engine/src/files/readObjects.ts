@@ -5,17 +5,18 @@ import { objectFields } from '../fields/objectFields';
 import type { FileComponent, FileObject } from './FarolFile';
 import { counted } from '../core/counted';
 import { fileLimits } from './fileLimits';
+import type { PathLike } from './FilePath';
 import { isRecord, join, type ProblemList, ringOf } from './ProblemList';
 import { readComponent } from './readComponent';
 import { readLink } from './readLink';
 
 interface ReadObject extends FileObject {
-  readonly path: string;
+  readonly path: PathLike;
 }
 
 function readComponents(
   value: unknown,
-  path: string,
+  path: PathLike,
   registry: ComponentRegistry,
   problems: ProblemList,
 ): FileComponent[] {
@@ -38,7 +39,7 @@ const objectKeys = ['id', 'name', 'parent', 'active', 'locked', 'static', 'tags'
 
 function readObject(
   value: unknown,
-  path: string,
+  path: PathLike,
   registry: ComponentRegistry,
   problems: ProblemList,
 ): ReadObject | null {
@@ -170,7 +171,7 @@ function withoutPath(object: ReadObject): FileObject {
 /** Reads the objects of a file, and checks ids, parents and references among them. */
 export function readObjects(
   value: unknown,
-  path: string,
+  path: PathLike,
   registry: ComponentRegistry,
   problems: ProblemList,
 ): FileObject[] {

@@ -5,13 +5,14 @@ import { PrefabSizes } from '../prefabs/PrefabSizes';
 import type { FileObject } from './FarolFile';
 import { counted } from '../core/counted';
 import { fileLimits } from './fileLimits';
+import type { PathLike } from './FilePath';
 import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';
 import { readObjects } from './readObjects';
 
 /** Names links to prefabs that are not among those known by their ids. A source that is not in its prefab any more is no problem: it was removed. */
 export function checkLinks(
   objects: readonly FileObject[],
-  path: string,
+  path: PathLike,
   known: ReadonlySet<string>,
   problems: ProblemList,
 ): void {
@@ -28,7 +29,7 @@ export function checkLinks(
 export function checkSizes(
   prefabs: readonly Prefab[],
   objects: readonly FileObject[],
-  path: string,
+  path: PathLike,
   problems: ProblemList,
 ): void {
   const sizes = new PrefabSizes(new Map(prefabs.map((prefab) => [prefab.id, prefab])));
@@ -51,7 +52,7 @@ export function checkSizes(
 /** Reads the prefabs of a file, and checks that each has one root of its own id and that none is within itself. */
 export function readPrefabs(
   value: unknown,
-  path: string,
+  path: PathLike,
   registry: ComponentRegistry,
   problems: ProblemList,
 ): Prefab[] {

@@ -1,12 +1,13 @@
 import { MOST_VIEWS, type SceneView, viewProblem } from '../core/SceneViews';
 import { describeValue } from '../fields/checkFieldValue';
 import type { FileView } from './FarolFile';
+import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 
 const members = ['name', 'position', 'target', 'fov', 'orthographic'] as const;
 
 /** Reads the views of a scene file, each in a place of its own. */
-export function readViews(value: unknown, path: string, problems: ProblemList): FileView[] {
+export function readViews(value: unknown, path: PathLike, problems: ProblemList): FileView[] {
   const taken = new Set<unknown>();
   return problems.array(value, path).flatMap((given, i) => {
     const at = join(path, i);

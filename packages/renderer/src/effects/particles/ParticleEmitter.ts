@@ -2,11 +2,11 @@ import {
   BufferGeometry,
   DataTexture,
   FloatType,
-  InstancedBufferGeometry,
   Mesh,
   RawShaderMaterial,
   Sphere,
   type Camera,
+  type InstancedBufferGeometry,
   type Material,
   type Object3D,
   type Scene,
@@ -15,6 +15,7 @@ import {
 import { LightField } from '../../light-field/LightField';
 import type { LightTextures } from '../../light-field/LightTextures';
 import { checkParticleSetting, settingNames } from './checkParticleSetting';
+import { instancesOf } from './instancesOf';
 import { particleDefaults } from './particleDefaults';
 import type { ParticleSettings } from './ParticleSettings';
 import { PendingSteps } from './PendingSteps';
@@ -229,15 +230,8 @@ export class ParticleEmitter extends MeshWithSettings {
   takeGeometry(): void {
     const { render, particleGeometry } = this.values;
     this.geometry.dispose();
-    if (render === 'mesh') {
-      const instanced = new InstancedBufferGeometry();
-      if (particleGeometry !== null) {
-        instanced.index = particleGeometry.index;
-        Object.assign(instanced.attributes, particleGeometry.attributes);
-      }
-      instanced.instanceCount = 0;
-      this.geometry = instanced;
-    } else {
+    if (render === 'mesh') this.geometry = instancesOf(particleGeometry);
+    else {
       this.geometry = new BufferGeometry();
       this.geometry.setDrawRange(0, 0);
     }

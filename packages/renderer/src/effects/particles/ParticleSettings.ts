@@ -132,7 +132,10 @@ export interface ParticleSettings {
    * the emitter's or points along the particle's velocity. Default 'random'.
    */
   orientation: 'random' | 'emitter' | 'velocity';
-  /** What is drawn by render 'mesh', 1 m for a diameter of 1 m; it stays the caller's. Default null: nothing is drawn. */
+  /**
+   * What is drawn by render 'mesh', 1 m for a diameter of 1 m. It is copied when it is set: it stays the caller's, and may be
+   * drawn by other meshes, changed or disposed of. Default null: nothing is drawn.
+   */
   particleGeometry: BufferGeometry | null;
   /**
    * 'blended': over one another, sorted back to front. 'additive': summed up, in any order. 'weighted': by WeightedBlendedOIT where

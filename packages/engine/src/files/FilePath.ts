@@ -1,0 +1,23 @@
+import { shortText } from '@farol/renderer';
+
+/** A path in a file, or its text. */
+export type PathLike = string | FilePath;
+
+/**
+ * A path in a file, such as `objects[3].components[1].values`. Its text is made when a message asks for it: large files have
+ * hundreds of thousands of paths, and few messages.
+ */
+export class FilePath {
+  constructor(
+    private readonly above: PathLike,
+    private readonly key: string | number,
+  ) {}
+
+  toString(): string {
+    const { key } = this;
+    const above = String(this.above);
+    if (typeof key === 'number') return `${above}[${key}]`;
+    const name = shortText(key);
+    return above ? `${above}.${name}` : name;
+  }
+}

@@ -1,0 +1,25 @@
+import { type BufferGeometry, InstancedBufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
+
+/**
+ * Instances of a copy of a geometry; none yet. Attributes are copied since three deletes the GPU buffers of a geometry's
+ * attributes when that geometry is disposed of: another one of the same attributes would draw from deleted buffers.
+ */
+export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeometry {
+  const instanced = new InstancedBufferGeometry();
+  instanced.instanceCount = 0;
+  if (geometry === null) return instanced;
+  const buffers = new Map<InterleavedBufferAttribute['data'], InterleavedBuffer>();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    if (!(attribute instanceof InterleavedBufferAttribute)) {
+      instanced.setAttribute(name, attribute.clone());
+      continue;
+    }
+    const { data, itemSize, offset, normalized } = attribute;
+    // attributes of one buffer stay in one
+    const buffer = buffers.get(data) ?? new InterleavedBuffer(data.array.slice(), data.stride);
+    buffers.set(data, buffer);
+    instanced.setAttribute(name, new InterleavedBufferAttribute(buffer, itemSize, offset, normalized));
+  }
+  if (geometry.index !== null) instanced.setIndex(geometry.index.clone());
+  return instanced;
+}
