@@ -79,6 +79,56 @@ const put = (holder: Holder, key: string, value: unknown): void => {
   Object.defineProperty(holder, key, { value, enumerable: true, configurable: true, writable: true });
 };
 
+/** JSON text of a value that is nested deeper than the stack is: JSON.stringify calls itself. */
+function deepText(value: unknown): string {
+  const parts: string[] = [];
+  /** What is still to be written, the next one last: text as it is, values in lists of one. */
+  const left: (string | readonly [unknown])[] = [[value]];
+  while (left.length > 0) {
+    const next = left.pop()!;
+    if (typeof next === 'string') {
+      parts.push(next);
+      continue;
+    }
+    const [each] = next;
+    if (typeof each !== 'object' || each === null) {
+      parts.push(JSON.stringify(each));
+      continue;
+    }
+    const isList = Array.isArray(each);
+    left.push(isList ? ']' : '}');
+    const entries = Object.entries(each);
+    for (let i = entries.length - 1; i >= 0; i--) {
+      const [key, member] = entries[i];
+      left.push([member], `${i > 0 ? ',' : ''}${isList ? '' : `${JSON.stringify(key)}:`}`);
+    }
+    left.push(isList ? '[' : '{');
+  }
+  return parts.join('');
+}
+
+/** What `run` gives; what `deep` gives where the stack ends, whose size is not the same in each thread. */
+function orDeep<T>(run: () => T, deep: () => T): T {
+  try {
+    return run();
+  } catch (error) {
+    if (error instanceof RangeError) return deep();
+    throw error;
+  }
+}
+
+const jsonOf = (value: unknown): string =>
+  orDeep(
+    () => JSON.stringify(value),
+    () => deepText(value),
+  );
+
+const copyOf = <T>(value: T): T =>
+  orDeep(
+    () => structuredClone(value),
+    () => JSON.parse(deepText(value)) as T,
+  );
+
 /** Changes a JSON value in a few places: entries replaced, taken out, doubled, put elsewhere, added. */
 export function mutate(value: unknown, random: FuzzRandom, changes = 1 + random.below(4)): void {
   for (let n = 0; n < changes; n++) {
@@ -89,15 +139,15 @@ export function mutate(value: unknown, random: FuzzRandom, changes = 1 + random.
     const kind = random.below(6);
     if (kind === 0 && Array.isArray(holder)) holder.splice(random.below(holder.length + 1), 1);
     else if (kind === 0) delete holder[key];
-    else if (kind === 1 && Array.isArray(holder)) holder.push(...structuredClone(holder).slice(0, 20));
-    else if (kind === 2) put(holder, key, structuredClone(random.of(holders)));
+    else if (kind === 1 && Array.isArray(holder)) holder.push(...copyOf(holder).slice(0, 20));
+    else if (kind === 2) put(holder, key, copyOf(random.of(holders)));
     else if (kind === 3 && !Array.isArray(holder)) put(holder, hostileKey(random), hostileValue(random));
     else put(holder, key, hostileValue(random));
   }
 }
 
 /** JSON text with numbers that are infinite. */
-export const textOf = (value: unknown): string => JSON.stringify(value).replaceAll(JSON.stringify(INFINITE), '1e999');
+export const textOf = (value: unknown): string => jsonOf(value).replaceAll(JSON.stringify(INFINITE), '1e999');
 
 /** Changes bytes: some replaced, taken out, doubled, or the end cut off. */
 export function mutateBytes(bytes: Uint8Array, random: FuzzRandom): Uint8Array<ArrayBuffer> {
