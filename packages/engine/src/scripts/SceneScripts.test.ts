@@ -144,3 +144,23 @@ test('fields need no help; what they cannot begin with is told by the name of th
   ]);
   expect(component.get('rate')).toBe(3);
 });
+
+test('a broken text runs the class that it had when it was typed, also where undo comes to it from another one', async () => {
+  const broken = 'export default class {';
+  const { scene, scripts } = await make({ Spin: plain, Late: broken });
+  const component = addSpin(scene);
+  const savedNow = (): string => JSON.stringify(serialize(scene).objects);
+  await edit(scene, scripts, 'Spin', broken);
+  const saved = savedNow();
+  await edit(scene, scripts, 'Spin', spin('rate: number(2, { help })', ''));
+  expect(component.get('rate')).toBe(2);
+  await edit(scene, scripts, 'Spin', broken);
+  expect(component.get('rate')).toBe(1);
+  expect(savedNow()).toBe(saved);
+  expect(problems(scripts)).toHaveLength(2);
+  // one that was broken from the first has no class, and again none
+  await edit(scene, scripts, 'Late', plain.replaceAll('Spin', 'Late'));
+  expect(scripts.classOf('Late')).not.toBeNull();
+  await edit(scene, scripts, 'Late', broken);
+  expect(scripts.classOf('Late')).toBeNull();
+});

@@ -25,8 +25,13 @@ const KEPT_TEXTS = 1000;
 
 /** One script asset, also after it was taken out of the library: undo brings the same one back. */
 class Entry {
-  /** What became of each text. */
+  /** What became of each text: its function, or what is wrong with it. */
   readonly results = new Map<string, ScriptFunction | ScriptError>();
+  /**
+   * For each text that could not be compiled the function that ran when it was typed; null for none. It runs for that text
+   * whenever it is there again: by undo it comes after another text, and all is to be as it was.
+   */
+  private readonly lastGood = new Map<string, ScriptFunction | null>();
   /** The text that is being compiled. */
   pending: string | null = null;
   /** The function that the running module is of, and the name that the module has. */
@@ -37,10 +42,12 @@ class Entry {
 
   constructor(readonly asset: ScriptAsset) {}
 
-  /** The function of the present text, else the last one that could be compiled. */
+  /** The function of the present text, else that of the last text that could be compiled before it. */
   get newest(): ScriptFunction | null {
-    const result = this.results.get(this.asset.source);
-    return typeof result === 'function' ? result : this.run;
+    const { source } = this.asset;
+    const result = this.results.get(source);
+    if (typeof result === 'function') return result;
+    return result === undefined ? this.run : this.lastGood.get(source)!;
   }
 
   /** What is wrong with the present text, as far as it does not run yet. */
@@ -55,7 +62,11 @@ class Entry {
 
   keep(source: string, result: ScriptFunction | ScriptError): void {
     this.results.set(source, result);
-    if (this.results.size > KEPT_TEXTS) this.results.delete(this.results.keys().next().value!);
+    if (typeof result !== 'function') this.lastGood.set(source, this.run);
+    if (this.results.size <= KEPT_TEXTS) return;
+    const [oldest] = this.results.keys();
+    this.results.delete(oldest);
+    this.lastGood.delete(oldest);
   }
 }
 
@@ -268,7 +279,12 @@ export class SceneScripts {
   private runOne(entry: Entry, before: ScriptModule | undefined): void {
     const { name, source } = entry.asset;
     const { newest } = entry;
-    if (!newest) return;
+    if (!newest) {
+      // broken from the first: another text may have run meanwhile
+      this.setClass(entry, null);
+      Object.assign(entry, { run: null, name: '' });
+      return;
+    }
     try {
       const module = this.modules.load(name);
       const type = scriptClass(module, source, entry.componentClass !== null);
