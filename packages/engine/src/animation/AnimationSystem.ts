@@ -16,6 +16,9 @@ export interface Animated extends Component {
   resetPlayers(): void;
 }
 
+/** Fields of components that have other fields with another value: uniforms of a surface, morph targets of a model. */
+const CHANGES_FIELDS: ReadonlySet<string> = new Set(['surface', 'model', 'parts']);
+
 /** Plays the animations of a scene: all are evaluated, then what they have in common is blended and shown, then events are called. */
 export class AnimationSystem implements SceneSystem {
   readonly order = 100;
@@ -171,8 +174,7 @@ export class AnimationSystem implements SceneSystem {
   }
 
   private sceneChanged(change: SceneChange): void {
-    // a component has other fields with another surface
-    if (change.kind === 'move' || (change.kind === 'field' && change.field === 'surface'))
+    if (change.kind === 'move' || (change.kind === 'field' && CHANGES_FIELDS.has(change.field)))
       return this.allTargetsChanged();
     const isName = change.kind === 'object' && change.property === 'name';
     if (!isName && change.kind !== 'add' && change.kind !== 'component-add') return;

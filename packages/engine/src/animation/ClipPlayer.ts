@@ -198,9 +198,10 @@ export class ClipPlayer {
     this.revision = this.system.clipsRevision;
     const { assets } = this.system.scene;
     if (!this.clip || !assets.isReady('clip', this.name) || assets.clip(this.name) !== this.clip) return true;
-    return 'isModelClip' in this.clip
-      ? false
-      : this.clip.get('data') !== this.text || this.clip.duration !== this.duration;
+    if ('isModelClip' in this.clip) return false;
+    // what was not there may have come with a model that is loaded now
+    if (this.bound.problems.length > 0) return true;
+    return this.clip.get('data') !== this.text || this.clip.duration !== this.duration;
   }
 
   private bind(): void {

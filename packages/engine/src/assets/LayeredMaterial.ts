@@ -4,7 +4,8 @@ import { derivedMaterial } from './derivedMaterial';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import type { SurfaceAsset } from './SurfaceAsset';
 import { surfaceCode } from './surfaceCode';
-import { readStored, storedValue, UNIFORM, uniformValues } from './uniformFields';
+import { entryOf, readStored, storedValue } from '../fields/storedValues';
+import { UNIFORM, uniformValues } from './uniformFields';
 import { type TextureHost, writeSurfaceMaps } from './writeSurfaceMaps';
 
 /** Values of a surface, as files hold them. */
@@ -74,9 +75,7 @@ export class LayeredMaterial {
     if (!code || !surface) return;
     const { text, maps } = this.values;
     const stored = readStored(text);
-    const given = uniformValues(surface.uniforms, (name) =>
-      storedValue(surfaceFields[name], stored[name.slice(UNIFORM.length)]),
-    );
+    const given = uniformValues(surface.uniforms, (name) => storedValue(surfaceFields[name], stored[entryOf(name)]));
     this.uniforms = code.layerSurface(this.material, this.source, surface, given);
     const worn = code.getSurfaces(this.material).map((each) => each.surface.name);
     // for what reads three's materials, such as an export

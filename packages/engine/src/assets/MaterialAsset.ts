@@ -11,6 +11,8 @@ import {
 } from 'three';
 import type { FieldValue, Vector3Tuple } from '../fields/Field';
 import type { AssetNames, FieldViews } from '../fields/FieldOwner';
+import { entryOf, readStored, storedValue } from '../fields/storedValues';
+import { StoredViews } from '../fields/StoredViews';
 import { FieldAsset, type FieldAssetHost } from './FieldAsset';
 import { makeMaterial, writeMaterialValues } from './makeMaterial';
 import { materialAssetFields } from './materialAssetFields';
@@ -19,8 +21,7 @@ import { type MaterialMap, type MaterialMapName, materialMapNames, materialMaps 
 import { MaterialTexture } from './MaterialTexture';
 import type { SurfaceAsset } from './SurfaceAsset';
 import { surfaceCode } from './surfaceCode';
-import { readStored, storedValue, surfaceMaps, UNIFORM, uniformValues } from './uniformFields';
-import { UniformViews } from './UniformViews';
+import { surfaceMaps, uniformValues } from './uniformFields';
 import { writeSurfaceMaps } from './writeSurfaceMaps';
 
 /** What a MaterialAsset needs of the library that it is in. */
@@ -75,7 +76,7 @@ export class MaterialAsset extends FieldAsset {
   private material: Material | null = null;
   private readonly textures = new Map<MaterialMapName, MaterialTexture>();
   private host: MaterialHost | null = null;
-  private readonly uniformViews = new UniformViews(this, materialAssetFields, () => this.worn);
+  private readonly uniformViews = new StoredViews(this, materialAssetFields, [() => this.worn?.uniformFields ?? null]);
 
   /**
    * @param values - in place of the defaults; whether their textures are there is not looked for
@@ -185,7 +186,7 @@ export class MaterialAsset extends FieldAsset {
     const values = code.setSurface(
       material,
       surface,
-      uniformValues(uniforms, (name) => storedValue(worn!.surfaceFields[name], stored[name.slice(UNIFORM.length)])),
+      uniformValues(uniforms, (name) => storedValue(worn!.surfaceFields[name], stored[entryOf(name)])),
     );
     writeSurfaceMaps(
       code,

@@ -1,7 +1,5 @@
 import type { SurfaceUniform, SurfaceValues } from '@farol/renderer/surfaces';
 import type { Field, FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
-import { sameValue } from '../fields/FieldOwner';
-import { checkFieldValue } from '../fields/checkFieldValue';
 import { asset, boolean, colour, number, string, vector3 } from '../fields/fields';
 
 /** Before the names of fields that are uniforms of a surface. */
@@ -65,48 +63,6 @@ const triple = (value: SurfaceUniform['default']): Vector3Tuple => {
   const [x, y, z] = value as readonly number[];
   return [x, y, z];
 };
-
-/** Values that were set, by name without `UNIFORM`. */
-export type StoredValues = Readonly<Record<string, FieldValue>>;
-
-/** The value of a uniform's field; its default where none is stored, or one that it does not allow. */
-export function storedValue(field: Field, stored: FieldValue | undefined): FieldValue {
-  return stored === undefined || checkFieldValue(field, stored) !== null ? field.default : stored;
-}
-
-/** The value of a uniform's field in values of a file. @param field - a view, see `Field.viewOf` */
-export function viewedValue(values: StoredValues, name: string, field: Field): FieldValue {
-  if (field.viewOf !== 'surfaceValues') return values[field.viewOf!] ?? field.default;
-  return storedValue(field, readStored(String(values.surfaceValues ?? ''))[name.slice(UNIFORM.length)]);
-}
-
-/** Values of a file with another value of a uniform's field. */
-export function withViewedValue(values: StoredValues, name: string, field: Field, value: FieldValue): StoredValues {
-  const isDefault = sameValue(value, field.default);
-  const place = field.viewOf!;
-  const { [place]: stored, ...others } = values;
-  if (place !== 'surfaceValues') return isDefault ? others : { ...others, [place]: value };
-  const { [name.slice(UNIFORM.length)]: _before, ...rest } = readStored(String(stored ?? ''));
-  const text = writeStored(isDefault ? rest : { ...rest, [name.slice(UNIFORM.length)]: value });
-  return text === '' ? others : { ...others, surfaceValues: text };
-}
-
-/** Reads `surfaceValues`; what is none gives no values. */
-export function readStored(text: string): StoredValues {
-  if (text === '') return {};
-  try {
-    const values = JSON.parse(text) as unknown;
-    return typeof values === 'object' && values !== null && !Array.isArray(values) ? (values as StoredValues) : {};
-  } catch {
-    return {};
-  }
-}
-
-/** The same values always give the same text; none give ''. */
-export function writeStored(values: StoredValues): string {
-  const names = Object.keys(values).toSorted();
-  return names.length === 0 ? '' : JSON.stringify(Object.fromEntries(names.map((name) => [name, values[name]])));
-}
 
 /** Values of a surface's uniforms, but for textures. @param get - reads a field by its name */
 export function uniformValues(uniforms: readonly SurfaceUniform[], get: (name: string) => FieldValue): SurfaceValues {

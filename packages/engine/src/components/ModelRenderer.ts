@@ -5,6 +5,7 @@ import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
 import { isOfSubtree, isWithin, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { Scene } from '../core/SceneGraph';
+import { MorphTargets, morphTargetFields } from './MorphTargets';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { component } from '../fields/component';
 import type { FieldViews } from '../fields/FieldOwner';
@@ -63,7 +64,7 @@ function prune(copies: ReadonlyMap<Object3D, Object3D>, subtree: ModelSubtree): 
 }
 
 /**
- * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips. Geometries, materials and textures are those of the asset, however often it is placed.
+ * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips. The weight of a morph target is a field, such as 'morph.Smile', which clips of one's own animate too. Geometries, materials and textures are those of the asset, however often it is placed.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
@@ -78,6 +79,7 @@ export class ModelRenderer extends component({
     help: 'The material of the model whose parts wear the surface; all of them when none is chosen.',
     label: 'On material',
   }),
+  ...morphTargetFields,
   animation: string('', {
     choices: 'animations',
     help: 'The clip that plays while the scene plays.',
@@ -100,7 +102,9 @@ export class ModelRenderer extends component({
     ModelRenderer.fields,
     () => this.applyFlags(),
     () => this.fitBounds(),
+    [() => this.morphs?.fields ?? null],
   );
+  private morphs: MorphTargets | null = null;
   private inUse: Model | null = null;
   private copies: ReadonlyMap<Object3D, Object3D> = new Map();
   private subtree: ModelSubtree | null = null;
@@ -155,7 +159,7 @@ export class ModelRenderer extends component({
   }
 
   override onFieldChanged(name: string): void {
-    if (!this.scene || this.worn.fieldChanged(name)) return;
+    if (!this.scene || this.worn.fieldChanged(name) || this.morphs?.fieldChanged(name)) return;
     if (name === 'model' || name === 'parts') this.refresh();
     else if (name === 'animation') this.startAnimation();
     else this.applyFlags();
@@ -193,6 +197,8 @@ export class ModelRenderer extends component({
     this.copies = this.subtree ? prune(copies, this.subtree) : copies;
     this.copy = this.copies.get(this.subtree?.root ?? source)!;
     this.gameObject.object3D.add(this.copy);
+    this.morphs = new MorphTargets(this, this.inUse, this.parts, this.copies);
+    this.morphs.show();
     this.applyFlags();
     this.startAnimation();
   }
@@ -239,6 +245,7 @@ export class ModelRenderer extends component({
 
   private clear(scene: Scene): void {
     this.looped = null;
+    this.morphs = null;
     this.worn.end(scene);
     if (this.copy) scene.baked.undress(this.copy);
     this.copy?.removeFromParent();

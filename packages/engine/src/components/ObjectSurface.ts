@@ -3,10 +3,10 @@ import type { LayeredMaterial } from '../assets/LayeredMaterial';
 import type { LayerUser } from '../assets/LayeredMaterials';
 import type { SurfaceAsset } from '../assets/SurfaceAsset';
 import { surfaceMaps, surfaceValueFields, UNIFORM } from '../assets/uniformFields';
-import { UniformViews } from '../assets/UniformViews';
 import type { Component, Scene } from '../core/SceneGraph';
 import type { FieldTable, FieldValue } from '../fields/Field';
 import { asset } from '../fields/fields';
+import { StoredViews, type ViewSource } from '../fields/StoredViews';
 import { type Material, type Mesh, Sphere } from 'three';
 
 /** Fields of a component whose object wears a surface by itself. */
@@ -25,7 +25,7 @@ type Bounded = Mesh & { boundingSphere?: Sphere | null };
  * material; while simulation changes a value, an object has one of its own, whose uniforms are written and nothing else.
  */
 export class ObjectSurface implements LayerUser {
-  readonly views: UniformViews;
+  readonly views: StoredViews;
   private worn: LayeredMaterial[] = [];
   /** Whether simulation has the values. */
   private isOwn = false;
@@ -35,14 +35,16 @@ export class ObjectSurface implements LayerUser {
    * @param declared - all of its fields
    * @param refresh - has it dress its meshes again
    * @param reachChanged - told when vertices may lie farther from their geometry, or less far
+   * @param views - finds fields that it has besides the uniforms
    */
   constructor(
     private readonly owner: Component,
     declared: FieldTable,
     private readonly refresh: () => void,
     private readonly reachChanged: () => void,
+    views: readonly ViewSource[] = [],
   ) {
-    this.views = new UniformViews(owner, declared, () => this.asset);
+    this.views = new StoredViews(owner, declared, [() => this.asset?.uniformFields ?? null, ...views]);
   }
 
   get surfaceName(): string | null {

@@ -1,4 +1,4 @@
-import { withViewedValue } from '../assets/uniformFields';
+import { withViewedValue } from '../fields/storedValues';
 import type { Component } from '../core/SceneGraph';
 import type { GameObject } from '../core/SceneGraph';
 import type { FileComponent, FileObject } from '../files/FarolFile';

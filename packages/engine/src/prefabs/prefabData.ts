@@ -1,7 +1,7 @@
 import { checkFieldValue } from '../fields/checkFieldValue';
 import type { Field, FieldValue } from '../fields/Field';
 import type { FileComponent, FileObject } from '../files/FarolFile';
-import { viewedValue } from '../assets/uniformFields';
+import { viewedValue } from '../fields/storedValues';
 import type { Component } from '../core/SceneGraph';
 import { componentKey } from './instances';
 import type { Prefab } from './Prefab';
@@ -41,16 +41,22 @@ export function valueIn(
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
 }
 
+/** What decides which views a component has, see `Field.viewOf`. */
+const sourcesOfViews = ['surface', 'model', 'parts'];
+
 /**
- * The fields by which a component is compared with data of it: uniforms of the surface one by one where all wear the same one,
- * else what holds them.
+ * The fields by which a component is compared with data of it: uniforms of the surface and weights of morph targets one by one
+ * where all have the same ones, else what holds them.
  */
 export function comparedFields(own: Component, ...others: readonly FileComponent[]): string[] {
   const { fields } = own;
   const names = Object.keys(fields);
   const viewed = new Set(names.flatMap((name) => fields[name].viewOf ?? []));
   if (viewed.size === 0) return names;
-  const surface = own.getAuthored('surface');
-  const isSame = others.every(({ values }) => (values.surface ?? null) === surface);
+  const isSame = sourcesOfViews.every((source) => {
+    if (!Object.hasOwn(fields, source)) return true;
+    const value = own.getAuthored(source);
+    return others.every(({ values }) => (values[source] ?? fields[source].default) === value);
+  });
   return names.filter((name) => (isSame ? !viewed.has(name) : fields[name].viewOf === undefined));
 }

@@ -1,0 +1,102 @@
+import { Mesh, type Object3D } from 'three';
+import type { Model } from '../assets/Model';
+import type { Field, FieldTable, FieldValue } from '../fields/Field';
+import { number, string } from '../fields/fields';
+
+/** Before the names of fields that are weights of morph targets, such as 'morph.Smile'. */
+const MORPH = 'morph.';
+
+/** Most morph targets of a model that have a field; models of faces have 50 to 80. */
+const MOST_FIELDS = 256;
+
+/** What holds the weights of the morph targets of a model, of an owner that has a field `model`. */
+export const morphTargetFields = {
+  /** JSON of the weights that are not as the model has them, by name of the morph target. */
+  morphWeights: string('', {
+    visibleWhen: { field: 'model', equals: [] },
+    help: 'Weights of the morph targets.',
+    readOnly: true,
+  }),
+};
+
+/** One mesh's own weight of a morph target. */
+interface Use {
+  readonly influences: number[];
+  readonly index: number;
+}
+
+/** Tables by what is drawn of a model, so that all of its copies share one. */
+const tables = new WeakMap<Model, Map<string, FieldTable | null>>();
+
+function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
+  if (defaults.size === 0) return null;
+  const fields: Record<string, Field> = {};
+  for (const [name, weight] of defaults) {
+    fields[MORPH + name] = number(weight, {
+      min: Math.min(0, weight),
+      max: Math.max(1, weight),
+      step: 0.01,
+      label: name,
+      group: 'Morph targets',
+      help: 'How much of the morph target is added.',
+      viewOf: 'morphWeights',
+    });
+  }
+  return fields;
+}
+
+/** The morph targets of what is drawn of a model. Meshes that have one of the same name, as face and teeth do, have one weight. */
+export class MorphTargets {
+  /** A field for each, see `Field.viewOf`; null where there are none. */
+  readonly fields: FieldTable | null;
+  private readonly uses = new Map<string, Use[]>();
+
+  /**
+   * @param copies - of the model's nodes, those that are drawn
+   * @param parts - what is drawn of the model
+   */
+  constructor(
+    private readonly owner: { get(name: string): FieldValue },
+    model: Model,
+    parts: string,
+    copies: ReadonlyMap<Object3D, Object3D>,
+  ) {
+    /** As the model has them. */
+    const defaults = new Map<string, number>();
+    for (const [from, to] of copies) {
+      if (!(from instanceof Mesh && to instanceof Mesh)) continue;
+      for (const [name, index] of Object.entries(from.morphTargetDictionary ?? {})) {
+        if (defaults.size === MOST_FIELDS && !defaults.has(name)) continue;
+        const weight = from.morphTargetInfluences![index];
+        if (!defaults.has(name)) defaults.set(name, Number.isFinite(weight) ? weight : 0);
+        const uses = this.uses.get(MORPH + name) ?? [];
+        uses.push({ influences: to.morphTargetInfluences!, index });
+        this.uses.set(MORPH + name, uses);
+      }
+    }
+    const known = tables.get(model) ?? new Map<string, FieldTable | null>();
+    tables.set(model, known);
+    if (!known.has(parts)) known.set(parts, fieldsOf(defaults));
+    this.fields = known.get(parts)!;
+  }
+
+  /** Gives the meshes all weights. */
+  show(): void {
+    for (const name of this.uses.keys()) this.showOne(name);
+  }
+
+  /** A field of the owner shows another value. @returns whether it is of morph targets, and dealt with */
+  fieldChanged(name: string): boolean {
+    if (name === 'morphWeights') this.show();
+    else if (name.startsWith(MORPH)) this.showOne(name);
+    else return false;
+    return true;
+  }
+
+  private showOne(name: string): void {
+    const uses = this.uses.get(name);
+    if (uses === undefined) return;
+    const weight = this.owner.get(name) as number;
+    for (let i = 0; i < uses.length; i++) uses[i].influences[uses[i].index] = weight;
+  }
+}

@@ -1,0 +1,70 @@
+import type { FieldTable, FieldValue } from './Field';
+import type { FieldOwner, FieldViews } from './FieldOwner';
+import { entryOf, readStored, type StoredValues, withEntry, storedValue } from './storedValues';
+
+/** Finds fields that an owner has at the moment; the same table while they are the same, null for none. */
+export type ViewSource = () => FieldTable | null;
+
+interface Held {
+  readonly text: string;
+  readonly values: StoredValues;
+}
+
+/** Fields of an owner whose values lie in declared ones, such as the uniforms of the surface that it wears: see `storedValues`. */
+export class StoredViews implements FieldViews {
+  private table: FieldTable;
+  private readonly found: (FieldTable | null)[];
+  /** What was read last, by the field that holds it. */
+  private readonly held = new Map<string, Held>();
+
+  /** @param declared - all that the owner declares */
+  constructor(
+    private readonly owner: FieldOwner,
+    private readonly declared: FieldTable,
+    private readonly sources: readonly ViewSource[],
+  ) {
+    this.table = declared;
+    this.found = sources.map(() => null);
+  }
+
+  get fields(): FieldTable {
+    const { sources, found } = this;
+    let isSame = true;
+    for (let i = 0; i < sources.length; i++) {
+      const views = sources[i]();
+      if (views === found[i]) continue;
+      found[i] = views;
+      isSame = false;
+    }
+    if (!isSame) this.table = found.some(Boolean) ? Object.assign({ ...this.declared }, ...found) : this.declared;
+    return this.table;
+  }
+
+  has(name: string): boolean {
+    const { fields } = this;
+    return Object.hasOwn(fields, name) && fields[name].viewOf !== undefined;
+  }
+
+  get(name: string): FieldValue {
+    const field = this.fields[name];
+    const place = field.viewOf!;
+    return field.kind === 'asset'
+      ? this.owner.getAuthored(place)
+      : storedValue(field, this.values(place)[entryOf(name)]);
+  }
+
+  set(name: string, value: FieldValue): void {
+    const field = this.fields[name];
+    const place = field.viewOf!;
+    this.owner.set(place, field.kind === 'asset' ? value : withEntry(this.values(place), name, field, value));
+  }
+
+  private values(place: string): StoredValues {
+    const text = this.owner.getAuthored(place) as string;
+    const known = this.held.get(place);
+    if (known?.text === text) return known.values;
+    const values = readStored(text);
+    this.held.set(place, { text, values });
+    return values;
+  }
+}

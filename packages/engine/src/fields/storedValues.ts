@@ -1,0 +1,57 @@
+import { checkFieldValue } from './checkFieldValue';
+import type { Field, FieldValue } from './Field';
+import { sameValue } from './FieldOwner';
+
+/**
+ * Values of views, see `Field.viewOf`, in the field that holds them: a string field holds those of its views that are not the
+ * default, as JSON by entry; an asset field is what its view shows.
+ */
+export type StoredValues = Readonly<Record<string, FieldValue>>;
+
+/** The entry of a view in what holds it: 'height' of 'surface.height'. */
+export const entryOf = (name: string): string => name.slice(name.indexOf('.') + 1);
+
+const isEntry = (field: Field): boolean => field.kind !== 'asset';
+
+/** The value of a view; its default where none is stored, or one that it does not allow. */
+export function storedValue(field: Field, stored: FieldValue | undefined): FieldValue {
+  return stored === undefined || checkFieldValue(field, stored) !== null ? field.default : stored;
+}
+
+/** The value of a view in values of a file. */
+export function viewedValue(values: StoredValues, name: string, field: Field): FieldValue {
+  const held = values[field.viewOf!];
+  return isEntry(field) ? storedValue(field, readStored(String(held ?? ''))[entryOf(name)]) : (held ?? field.default);
+}
+
+/** Values of a file with another value of a view. */
+export function withViewedValue(values: StoredValues, name: string, field: Field, value: FieldValue): StoredValues {
+  const place = field.viewOf!;
+  const { [place]: held, ...others } = values;
+  if (!isEntry(field)) return sameValue(value, field.default) ? others : { ...others, [place]: value };
+  const text = withEntry(readStored(String(held ?? '')), name, field, value);
+  return text === '' ? others : { ...others, [place]: text };
+}
+
+/** What holds stored values, with another value of a view. */
+export function withEntry(stored: StoredValues, name: string, field: Field, value: FieldValue): string {
+  const { [entryOf(name)]: _before, ...others } = stored;
+  return writeStored(sameValue(value, field.default) ? others : { ...others, [entryOf(name)]: value });
+}
+
+/** Reads what a string field holds; what is none gives no values. */
+export function readStored(text: string): StoredValues {
+  if (text === '') return {};
+  try {
+    const values = JSON.parse(text) as unknown;
+    return typeof values === 'object' && values !== null && !Array.isArray(values) ? (values as StoredValues) : {};
+  } catch {
+    return {};
+  }
+}
+
+/** The same values always give the same text; none give ''. */
+export function writeStored(values: StoredValues): string {
+  const names = Object.keys(values).toSorted();
+  return names.length === 0 ? '' : JSON.stringify(Object.fromEntries(names.map((name) => [name, values[name]])));
+}
