@@ -59,6 +59,7 @@ export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
 export { lightShadows, meshShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
+export { morphField } from './components/MorphTargets';
 export { MouseController } from './components/MouseController';
 export { ObjectRenderer } from './components/ObjectRenderer';
 export { ParticleEmitter } from './components/ParticleEmitter';

@@ -6,6 +6,9 @@ import { number, string } from '../fields/fields';
 /** Before the names of fields that are weights of morph targets, such as 'morph.Smile'. */
 const MORPH = 'morph.';
 
+/** The field that is the weight of a morph target. */
+export const morphField = (name: string): string => MORPH + name;
+
 /** Most morph targets of a model that have a field; models of faces have 50 to 80. */
 const MOST_FIELDS = 256;
 
@@ -32,7 +35,7 @@ function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
   if (defaults.size === 0) return null;
   const fields: Record<string, Field> = {};
   for (const [name, weight] of defaults) {
-    fields[MORPH + name] = number(weight, {
+    fields[morphField(name)] = number(weight, {
       min: Math.min(0, weight),
       max: Math.max(1, weight),
       step: 0.01,
@@ -69,9 +72,9 @@ export class MorphTargets {
         if (defaults.size === MOST_FIELDS && !defaults.has(name)) continue;
         const weight = from.morphTargetInfluences![index];
         if (!defaults.has(name)) defaults.set(name, Number.isFinite(weight) ? weight : 0);
-        const uses = this.uses.get(MORPH + name) ?? [];
+        const uses = this.uses.get(morphField(name)) ?? [];
         uses.push({ influences: to.morphTargetInfluences!, index });
-        this.uses.set(MORPH + name, uses);
+        this.uses.set(morphField(name), uses);
       }
     }
     const known = tables.get(model) ?? new Map<string, FieldTable | null>();

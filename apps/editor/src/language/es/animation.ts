@@ -20,6 +20,9 @@ export const animation: Texts = {
   'How long it takes to go over from one clip to another.': 'Cuánto tarda en pasar de un clip a otro.',
   'A whole model, such as a glTF; an Animation plays its clips.':
     'Un modelo entero, como un glTF; una Animación reproduce sus clips.',
+  'Morph targets': 'Destinos de deformación',
+  'How much of the morph target is added.': 'Cuánto se añade del destino de deformación.',
+  'Weights of the morph targets.': 'Los pesos de los destinos de deformación.',
   'Make editable copy': 'Hacer copia editable',
   'Makes a clip of your own of the clip of the model, for the objects that it is unpacked into':
     'Hace un clip propio a partir del clip del modelo, para los objetos en que se desempaqueta',

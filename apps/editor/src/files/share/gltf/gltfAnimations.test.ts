@@ -276,4 +276,45 @@ describe("clips of one's own", () => {
       'Clips that no Animation plays are left out (1)',
     ]);
   });
+
+  test('of morph targets are the weights of each mesh, and come in and go out again bit-equal', async () => {
+    const scene = new Scene();
+    scene.assets.register('robot', skinnedModel());
+    const object = new GameObject('Robot');
+    object.addComponent(ModelRenderer, { model: 'robot' });
+    scene.add(object);
+    const [renderer] = scene.componentsOf(ModelRenderer);
+    renderer.set('morph.1', 0.25);
+    const clip = (...tracks: ClipTrack[]): void => {
+      const text = clipText({ tracks, events: [] });
+      if (scene.assets.has('Grin')) scene.assets.fieldAsset('Grin')!.set('data', text);
+      else scene.assets.addFieldAsset('clip', 'Grin', { data: text, duration: 2 });
+    };
+    const morph = (index: number, list: ClipKey[]): ClipTrack => track(`morph.${index}`, list, '', 'ModelRenderer');
+    clip(morph(0, keys([0, 0], [1, 1])));
+    object.addComponent(Animation, { clip: 'Grin' });
+    const first = await export_(scene);
+    const { json } = await partsOfGlb<any>(first.blob);
+    expect(json.meshes.find(({ weights }: any) => weights)).toMatchObject({ weights: [0, 0.25] });
+    const out = await animationsOf(first.blob);
+    const [weights] = out.Grin;
+    expect([weights.node, weights.path, weights.interpolation]).toEqual(['Face', 'weights', 'LINEAR']);
+    // held to the clip's end, and the other weight as it is
+    expect(floats(weights.times)).toEqual(Float32Array.of(0, 1, 2));
+    expect(floats(weights.values)).toEqual(Float32Array.of(0, 0.25, 1, 0.25, 1, 0.25));
+    expect(await animationsOf((await export_(await sceneOf(first.blob))).blob)).toEqual(out);
+
+    // steps and lines of two targets; curves are sampled, which is told
+    clip(morph(0, keys([0, 0], [2, 1])), morph(1, keys([0, 0, { easing: 'step' }], [1, 1], [2, 1])));
+    const steps = await export_(scene);
+    const [both] = (await animationsOf(steps.blob)).Grin;
+    const before = 1 - 2 ** -24;
+    expect(floats(both.times)).toEqual(Float32Array.of(0, before, 1, 2));
+    expect(floats(both.values)).toEqual(Float32Array.of(0, 0, before / 2, 0, 0.5, 1, 1, 1));
+    expect(steps.leftOut).toEqual([]);
+    clip(morph(0, keys([0, 0, { easing: 'bezier', control: [0.42, 0, 0.58, 1] }], [2, 1])));
+    expect((await export_(scene)).leftOut).toEqual([
+      'Curves and turns that glTF does not have are sampled at the frame rate (1)',
+    ]);
+  });
 });

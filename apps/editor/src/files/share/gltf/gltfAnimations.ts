@@ -18,6 +18,7 @@ import {
 import type { EulerField, Vector3Field } from '@farol/engine/fields';
 import { AnimationClip, type KeyframeTrack, type Object3D } from 'three';
 import { splitName } from '../../../model/assetNames';
+import { gltfMorphTracks } from './gltfMorphTracks';
 import { gltfTrack } from './gltfTrack';
 import type { LeftOut } from './LeftOut';
 
@@ -112,12 +113,18 @@ function ownTracks(clip: ClipAsset, root: GameObject, nodes: ExportedNodes, left
   // glTF knows no length but that of the longest track
   let isShort = tracks.every(({ keys }) => keys.every(({ time }) => time < clip.duration));
   if (events.length > 0) leftOut.add(t('Events of clips are left out'), clip);
-  return tracks.flatMap((track): KeyframeTrack[] => {
+  const morphs = new Map<ModelRenderer, ClipTrack[]>();
+  const made = tracks.flatMap((track): KeyframeTrack[] => {
     if (track.keys.length === 0) return [];
     const { component } = trackTarget(root, track);
     const node = component && nodes.get(component.gameObject);
     if (!node) {
       leftOut.add(t('Tracks of clips without a target are left out'), track);
+      return [];
+    }
+    if (component instanceof ModelRenderer && component.fields[track.field].viewOf === 'morphWeights') {
+      morphs.set(component, [...(morphs.get(component) ?? []), isShort ? longer(track, clip.duration) : track]);
+      isShort = false;
       return [];
     }
     const property = component instanceof Transform && properties[track.field];
@@ -134,8 +141,14 @@ function ownTracks(clip: ClipAsset, root: GameObject, nodes: ExportedNodes, left
     const field = component.fields[track.field] as EulerField | Vector3Field;
     const whole = isShort ? longer(track, clip.duration) : track;
     isShort = false;
-    const made = gltfTrack(`${node.uuid}.${property}`, whole, field, clip.frameRate);
-    if (made.isBaked) leftOut.add(t('Curves and turns that glTF does not have are sampled at the frame rate'), track);
-    return [made.track];
+    const own = gltfTrack(`${node.uuid}.${property}`, whole, field, clip.frameRate);
+    if (own.isBaked) leftOut.add(t('Curves and turns that glTF does not have are sampled at the frame rate'), track);
+    return [own.track];
   });
+  for (const [renderer, list] of morphs) {
+    const own = gltfMorphTracks(renderer, list, nodes, clip.frameRate);
+    if (own.isBaked) leftOut.add(t('Curves and turns that glTF does not have are sampled at the frame rate'), list);
+    made.push(...own.tracks);
+  }
+  return made;
 }

@@ -9,6 +9,7 @@ import {
   QuaternionKeyframeTrack,
   VectorKeyframeTrack,
 } from 'three';
+import { beforeTime } from './beforeTime';
 
 /** A track as glTF has it. */
 export interface GltfTrack {
@@ -28,15 +29,6 @@ interface Sample {
 
 const euler = new Euler();
 const quaternion = new Quaternion();
-const bits = new DataView(new ArrayBuffer(4));
-
-/** The number of single precision before a positive one. */
-function before(time: number): number {
-  bits.setFloat32(0, time);
-  bits.setUint32(0, bits.getUint32(0) - 1);
-  return bits.getFloat32(0);
-}
-
 const minus = (a: Vector3Tuple, b: Vector3Tuple): Vector3Tuple => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const times = (a: Vector3Tuple, factor: number): Vector3Tuple => [a[0] * factor, a[1] * factor, a[2] * factor];
 const valueOf = ({ value }: ClipKey): Vector3Tuple => value as Vector3Tuple;
@@ -93,7 +85,7 @@ export function gltfTrack(
     const change = minus(valueOf(next), value);
     if (key.easing === 'step') {
       samples.push({ time: key.time, value, in: reached });
-      samples.push({ time: before(Math.fround(next.time)), value });
+      samples.push({ time: beforeTime(next.time), value });
     } else if (isCubic) {
       samples.push({ time: key.time, value, in: reached, out: times(change, (3 * cubicOf(key)![0]) / seconds) });
     } else if (key.easing !== 'bezier' && (!isRotation || turnsAboutOneAxis(value, valueOf(next)))) {

@@ -1,0 +1,57 @@
+import { type ClipTrack, type ModelRenderer, morphField, valueAt } from '@farol/engine';
+import { type KeyframeTrack, Mesh, NumberKeyframeTrack, type Object3D } from 'three';
+import { beforeTime } from './beforeTime';
+
+/** The times (s) that straight lines between need to follow tracks, and whether a curve is sampled for that. */
+function timesOf(tracks: readonly ClipTrack[], frameRate: number): { times: number[]; isBaked: boolean } {
+  const times = new Set<number>();
+  let isBaked = false;
+  for (const { keys } of tracks) {
+    keys.forEach(({ time, easing }, i) => {
+      times.add(Math.fround(time));
+      const next = keys[i + 1]?.time;
+      if (next === undefined) return;
+      if (easing === 'step') times.add(beforeTime(next));
+      else if (easing === 'bezier') {
+        isBaked = true;
+        for (let frame = Math.floor(time * frameRate) + 1; frame / frameRate < next; frame++)
+          times.add(Math.fround(frame / frameRate));
+      }
+    });
+  }
+  return { times: [...times].toSorted((a, b) => a - b), isBaked };
+}
+
+/**
+ * Tracks of weights of morph targets as glTF has them: one for each mesh, with the weights of all of its targets, in straight
+ * lines. A weight without a track stays as it is.
+ *
+ * @param tracks - those of one ModelRenderer's morph targets, with keys
+ * @param nodes - what stands for the meshes that it draws in what is exported
+ * @param frameRate - of curves, which are sampled (Hz)
+ */
+export function gltfMorphTracks(
+  renderer: ModelRenderer,
+  tracks: readonly ClipTrack[],
+  nodes: ReadonlyMap<unknown, Object3D>,
+  frameRate: number,
+): { readonly tracks: KeyframeTrack[]; readonly isBaked: boolean } {
+  const { times, isBaked } = timesOf(tracks, frameRate);
+  const made: KeyframeTrack[] = [];
+  renderer.three?.traverse((mesh) => {
+    const node = nodes.get(mesh);
+    if (!(mesh instanceof Mesh && mesh.morphTargetDictionary && node)) return;
+    const own = Object.entries(mesh.morphTargetDictionary).flatMap(([name, index]) => {
+      const track = tracks.find(({ field }) => field === morphField(name));
+      return track ? [{ track, index, field: renderer.fields[track.field] }] : [];
+    });
+    if (own.length === 0) return;
+    const values = times.flatMap((time) => {
+      const weights = [...mesh.morphTargetInfluences!];
+      for (const { track, index, field } of own) weights[index] = valueAt(track, field, time) as number;
+      return weights;
+    });
+    made.push(new NumberKeyframeTrack(`${node.uuid}.morphTargetInfluences`, times, values));
+  });
+  return { tracks: made, isBaked };
+}
