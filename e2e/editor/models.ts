@@ -63,6 +63,22 @@ export function redBox(name = 'box.gltf'): TestFile {
   return { name, bytes: Buffer.from(JSON.stringify(gltf)) };
 }
 
+/** The red box with a morph target `Tall`, which puts its upper corners 1 m higher. */
+export function growingBox(name = 'growing.gltf'): TestFile {
+  const gltf = JSON.parse(redBox().bytes.toString()) as ReturnType<typeof JSON.parse>;
+  const { positions } = box();
+  const grown = Buffer.from(
+    new Float32Array(positions.map((_, i) => (i % 3 === 1 && positions[i] > 0 ? 1 : 0))).buffer,
+  );
+  const [mesh] = gltf.meshes;
+  mesh.primitives[0].targets = [{ POSITION: 3 }];
+  mesh.extras = { targetNames: ['Tall'] };
+  gltf.accessors.push({ bufferView: 3, componentType: 5126, count: 24, type: 'VEC3', min: [0, 0, 0], max: [0, 1, 0] });
+  gltf.bufferViews.push({ buffer: 1, byteLength: 288 });
+  gltf.buffers.push({ byteLength: 288, uri: `data:application/octet-stream;base64,${grown.toString('base64')}` });
+  return { name, bytes: Buffer.from(JSON.stringify(gltf)) };
+}
+
 /** A sky of one colour as Radiance HDR, 4 by 2 pixels. @param light - of each channel */
 export function plainSky(light: number, name = 'sky.hdr'): TestFile {
   const exponent = Math.ceil(Math.log2(light)) + 1;

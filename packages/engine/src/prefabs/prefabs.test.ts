@@ -1,6 +1,9 @@
+import { BoxGeometry, Mesh } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
+import { Model } from '../assets/Model';
 import { loadSurfaceCode } from '../assets/surfaceCode';
 import { Light } from '../components/Light';
+import { ModelRenderer } from '../components/ModelRenderer';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
 import { GameObject } from '../core/GameObject';
@@ -410,4 +413,37 @@ describe('components of scripts, whose fields have changed since the prefab was 
     expect(unknown.authoredValues()).toEqual({ rate: 3, more: 1 });
     expect(prefab.objects).toHaveLength(1);
   });
+});
+
+test('weights of morph targets are overridden one by one, and go with another model', () => {
+  const face = (): Model => {
+    const mesh = new Mesh(new BoxGeometry());
+    mesh.morphTargetDictionary = { Smile: 0, Blink: 1 };
+    mesh.morphTargetInfluences = [0, 0];
+    return new Model(mesh);
+  };
+  scene.assets.register('face.glb', face());
+  scene.assets.register('other.glb', face());
+  const first = new GameObject('Head');
+  scene.add(first);
+  const renderer = first.addComponent(ModelRenderer, { model: 'face.glb' });
+  renderer.set('morph.Smile', 0.5);
+  const other = place(take(first));
+  const own = other.getComponent(ModelRenderer)!;
+  const weights = (): unknown[] => [own.get('morph.Smile'), own.get('morph.Blink')];
+  expect(weights()).toEqual([0.5, 0]);
+  own.set('morph.Blink', 1);
+  expect(overridesOf(other).fields.map(({ path, base }) => [path, base])).toEqual([
+    ['Head/ModelRenderer.morph.Blink', 0],
+  ]);
+  renderer.set('morph.Smile', 0.75);
+  run(planApplyField(renderer, 'morph.Smile'));
+  expect(weights()).toEqual([0.75, 1]);
+  own.model = 'other.glb';
+  expect(overridesOf(other).fields.map(({ path }) => path)).toEqual([
+    'Head/ModelRenderer.model',
+    'Head/ModelRenderer.morphWeights',
+  ]);
+  run(planRevertAll(other));
+  expect(weights()).toEqual([0.75, 0]);
 });
