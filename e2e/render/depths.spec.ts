@@ -121,3 +121,55 @@ test('cameras that see very near and very far, or through an oblique plane', asy
     checkAgreement(technique, difference, name, buffers ? { psnr: 55, share: 0.001 } : {});
   }
 });
+
+/** As composers' own buffers, and canvases made with `depth: false`: the background lies behind, though no depth says so. */
+test('targets and canvases without a depth buffer', async ({ page, pagesURL }) => {
+  await page.goto(pagesURL);
+  await page.waitForFunction(() => 'testPage' in window);
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, farol, isFlat, three } = window.testPage;
+    const [width, height] = [96, 64];
+    const scene = new three.Scene();
+    scene.background = new three.Color(0x334455);
+    const lamp = new three.PointLight(0xffffff, 12, 6);
+    lamp.position.set(1, 1.5, 2.5);
+    scene.add(lamp, new three.AmbientLight(0xffffff, 0.3));
+    // side by side: no picture depends on the order
+    for (const x of [-1.4, 0, 1.4]) {
+      const ball = new three.Mesh(new three.SphereGeometry(0.6, 24, 16), new three.MeshStandardMaterial());
+      ball.position.x = x;
+      scene.add(ball);
+    }
+    const camera = new three.PerspectiveCamera(50, width / height, 0.1, 20);
+    camera.position.z = 5;
+    const found: (Difference & { name: string; technique: TechniqueName; flat: boolean })[] = [];
+    const names = Object.keys(farol.techniques) as TechniqueName[];
+    const target = new Bench(width, height, { target: { depthBuffer: false } });
+    target.farol.inferredScale = 1;
+    const inTarget = target.stock(scene, camera);
+    for (const technique of names) {
+      const difference = compareImages(inTarget, target.byTechnique(technique, scene, camera));
+      found.push({ name: 'target', technique, flat: isFlat(inTarget), ...difference });
+    }
+    const { webgl, farol: onCanvas } = new Bench(width, height, { renderer: { depth: false } });
+    onCanvas.inferredScale = 1;
+    const read = (draw: () => void) => {
+      draw();
+      const bytes = new Uint8Array(width * height * 4);
+      webgl.getContext().readPixels(0, 0, width, height, 6408, 5121, bytes);
+      return { width, height, data: Float32Array.from(bytes, (byte) => (byte / 255) ** 2.2) };
+    };
+    const stock = read(() => webgl.render(scene, camera));
+    for (const technique of names) {
+      onCanvas.technique = technique;
+      const picture = read(() => onCanvas.render(scene, camera));
+      found.push({ name: 'canvas', technique, flat: isFlat(stock), ...compareImages(stock, picture) });
+    }
+    return found;
+  });
+  for (const { name, technique, flat, ...difference } of results) {
+    expect.soft(flat, `${name}: shows something`).toBe(false);
+    // a byte of the canvas is a step of up to 0.01 in linear light
+    checkAgreement(technique, difference, name, { psnr: 40, ...(name === 'canvas' && { largest: 0.01 }) });
+  }
+});

@@ -103,7 +103,8 @@ export class Frame {
   inferredScale = 0.5;
   /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
   storesDistance = false;
-  private readonly canvasStencil: boolean;
+  /** Whether the canvas has depth, and no stencil. */
+  private readonly canvasDepthOnly: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
@@ -122,7 +123,7 @@ export class Frame {
   ) {
     this.gl = webgl.getContext() as WebGL2RenderingContext;
     const attributes = this.gl.getContextAttributes();
-    this.canvasStencil = attributes?.stencil !== false;
+    this.canvasDepthOnly = attributes?.stencil === false && attributes.depth !== false;
     this.premultiplied = attributes?.premultipliedAlpha !== false;
     this.draw = directDraw(webgl);
     this.canvasSamples = attributes?.antialias ? 4 : 0;
@@ -184,16 +185,16 @@ export class Frame {
     this.height = Math.max(1, Math.round(viewport.w));
   }
 
-  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out. */
+  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */
   ownsTarget(): boolean {
     const { webgl, target, viewport, view } = this;
     if (view !== 'final' || this.level !== 0 || this.samples > 0 || isDepthReversed(webgl)) return false;
     if (target === null) {
       webgl.getDrawingBufferSize(size);
-      if (this.canvasStencil || webgl.getScissorTest()) return false;
+      if (!this.canvasDepthOnly || webgl.getScissorTest()) return false;
     } else {
       size.set(target.width, target.height);
-      if (target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
+      if (!target.depthBuffer || target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
     }
     return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
   }
