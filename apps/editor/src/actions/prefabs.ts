@@ -1,6 +1,5 @@
 import { t } from '@farol/editing';
 import { instanceRootOf } from '@farol/engine/prefabs';
-import { createPrefab, unpackInstance } from '../model/prefabEdits';
 import type { Action } from '../api/Action';
 
 /** Makes a prefab of the selected object. */
@@ -9,8 +8,10 @@ export const makePrefab: Action = {
   label: 'Make prefab',
   icon: 'prefab',
   menu: { menu: 'object', group: 'prefab' },
-  run({ document, commands, notices }) {
+  async run({ document, commands, notices }) {
     const [object] = document.selectedObjects;
+    const { createPrefab } = await import('../model/prefabEdits');
+    if (object.scene !== document.scene) return;
     commands.run(createPrefab(document.scene, object, document.selection.ids));
     notices.show('info', t('{name} is a prefab: place it from Assets', { name: object.name }));
   },
@@ -28,9 +29,11 @@ export const unpackPrefab: Action = {
   label: 'Unpack prefab',
   icon: 'object',
   menu: { menu: 'object', group: 'prefab' },
-  run({ document, commands }) {
+  async run({ document, commands }) {
     const root = instanceRootOf(document.selectedObjects[0]);
-    if (root) commands.run(unpackInstance(document.scene, root, document.selection.ids));
+    const { unpackInstance } = await import('../model/prefabEdits');
+    if (root && root.scene === document.scene)
+      commands.run(unpackInstance(document.scene, root, document.selection.ids));
   },
   enabled: ({ document }) =>
     document.selectedObjects.length === 1 && instanceRootOf(document.selectedObjects[0]) !== null,
