@@ -58,9 +58,7 @@ test.describe.configure({ timeout: 480_000 });
 const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
 
 // one page: what its scenes have in common is compiled once
-test('all lit materials and meshes, as in stock three', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('all lit materials and meshes, as in stock three', async ({ benchPage: page }) => {
   await test.step('under 24 lights of mixed kinds, with an environment', async () => {
     for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
     for (const pair of await drawAll(page, { onlyDeferred: true }, true, 0)) check(pair, 'only what a G-buffer holds');

@@ -4,13 +4,8 @@ const TECHNIQUES = ['deferred', 'tiled-deferred', 'clustered-deferred', 'light-p
 const WIDTH = 160;
 const HEIGHT = 120;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('two walls at a right angle close half of the sky where they meet, by every technique that knows depth', async ({
-  page,
+  benchPage: page,
 }) => {
   const { rows, agreement, flat, half } = await page.evaluate(
     ([width, height, techniques]) => {
@@ -73,7 +68,7 @@ test('two walls at a right angle close half of the sky where they meet, by every
 });
 
 test('direct and emissive light stay as they are; materials under indirect light are all taken down', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(
     ([width, height, techniques]) => {
@@ -110,7 +105,7 @@ test('direct and emissive light stay as they are; materials under indirect light
   }
 });
 
-test('a technique that knows no depth says so once, and draws as without', async ({ page, watch }) => {
+test('a technique that knows no depth says so once, and draws as without', async ({ benchPage: page, watch }) => {
   const same = await page.evaluate(() => {
     const { Bench, compareImages, edgeScene, effects } = window.testPage;
     const bench = new Bench(64, 48);

@@ -5,11 +5,8 @@ import { expect, test } from '../support/test';
  * derivatives as stock three, at every anisotropy.
  */
 test('a chess-board is as clean at the horizon as stock three draws it, by every technique, at every anisotropy', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const results = await page.evaluate(
     ([width, height]) => {
       const { Bench, compareImages, farol, three } = window.testPage;

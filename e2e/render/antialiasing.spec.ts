@@ -7,18 +7,13 @@ const WIDTH = 240;
 const HEIGHT = 160;
 const FORWARD = ['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward'] as const;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 function note(figures: Figures): void {
   const text = Object.entries(figures).map(([name, psnr]) => `${name} ${psnr.toFixed(1)} dB`);
   test.info().annotations.push({ type: 'anti-aliasing', description: text.join(', ') });
 }
 
 test('as stock three with 4 samples are the forward techniques in a multisampled target, and deferred shading by MultisampledEdges', async ({
-  page,
+  benchPage: page,
 }) => {
   const { figures, apart, stays, green } = await page.evaluate(
     ([width, height, techniques]) => {
@@ -90,7 +85,9 @@ test('as stock three with 4 samples are the forward techniques in a multisampled
   }
 });
 
-test('where a target is multisampled too, forward-plus shades nothing of what is hidden', async ({ page }) => {
+test('where a target is multisampled too, forward-plus shades nothing of what is hidden', async ({
+  benchPage: page,
+}) => {
   const shaded = await page.evaluate(async () => {
     const { Bench, three } = window.testPage;
     const bench = new Bench(64, 64, { samples: 4 });
@@ -130,7 +127,7 @@ test('where a target is multisampled too, forward-plus shades nothing of what is
 });
 
 test('on a canvas with antialias, forward techniques are as stock three there, and deferred shading by MultisampledEdges', async ({
-  page,
+  benchPage: page,
 }) => {
   const worst = await page.evaluate(
     ([width, height, techniques]) => {
@@ -166,7 +163,7 @@ test('on a canvas with antialias, forward techniques are as stock three there, a
 });
 
 test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is nearer than 4 samples, and nothing of the past stays', async ({
-  page,
+  benchPage: page,
 }) => {
   const figures = await page.evaluate(
     ([width, height]) => {
@@ -238,7 +235,7 @@ test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is ne
 });
 
 test('TAA knows the motion of objects, skins, morphs, instances and batches: alone in view, each stays where it is drawn', async ({
-  page,
+  benchPage: page,
 }) => {
   const figures = await page.evaluate(
     ([width, height]) => {
@@ -277,7 +274,7 @@ test('TAA knows the motion of objects, skins, morphs, instances and batches: alo
 });
 
 test('TAA knows the motion of what components Animation move: an object, a part of a model, a skin by its bone', async ({
-  page,
+  benchPage: page,
 }) => {
   const figures = await page.evaluate(
     async ([width, height]) => {
@@ -313,7 +310,7 @@ test('TAA knows the motion of what components Animation move: an object, a part 
 });
 
 test('TAA forgets the past when the size changes and when the camera cuts, and leaves the host as it was', async ({
-  page,
+  benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
     const { Bench, compareImages, edgeScene, effects } = window.testPage;
@@ -350,7 +347,7 @@ test('TAA forgets the past when the size changes and when the camera cuts, and l
 });
 
 for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
-  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces`, async ({ page }) => {
+  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces`, async ({ benchPage: page }) => {
     const { taa, edges, without, has } = await page.evaluate(
       ([width, height, kind]) => {
         const { compareImages, edgeScene, effects, farol, supersampled, three } = window.testPage;

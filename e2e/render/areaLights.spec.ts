@@ -16,11 +16,8 @@ interface Result {
 
 // what is compared is a rectangle's approximate horizon with many small ones: the terminator differs
 test('discs and tubes are what many rectangles are, shadows are soft, more lights make no program', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const result = await page.evaluate((): Result => {
     const { three: THREE, Bench, compareImages, farol } = window.testPage;
     const bench = new Bench(96, 72);

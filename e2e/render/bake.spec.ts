@@ -1,16 +1,11 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 /**
  * Bakes are compared with what is known: three's own direct light, a closed room that shines (a white furnace), light that
  * a second plane reflects, integrated in numbers.
  */
 test('baked light is the light of known scenes, by every technique, and leaves the scene as it was', async ({
-  page,
+  benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {
     const { Bench, farol, three, compareImages, bake } = window.testPage;
@@ -171,7 +166,7 @@ test('baked light is the light of known scenes, by every technique, and leaves t
  * give the light that it gives; a floor under a sky receives pi times its radiance.
  */
 test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light', async ({
-  page,
+  benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {
     const { Bench, three, bake } = window.testPage;
@@ -293,7 +288,7 @@ test('instances and bones throw shadows and reflect as meshes do; sky, soft suns
  * (d + pi e) (1 + a + … + a^n), d the direct light, e the radiance, a the albedo.
  */
 test('lights and what shines are reflected as often as asked, on grids of all scales; unlit and transparent meshes throw shadows', async ({
-  page,
+  benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {
     const { Bench, three, bake } = window.testPage;

@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('after any number of frames that a host’s code has broken, each technique draws as before, and the host is as it was', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, breakFrames, brokenScene, compareImages, farol, faultsOf, hostSnapshot } = window.testPage;
@@ -61,7 +56,7 @@ test('after any number of frames that a host’s code has broken, each technique
 });
 
 test('broken frames leave effects, the canvas with an output buffer, arrays of cameras and GPU times as they were', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(async () => {
     const { Bench, breakFrames, brokenScene, compareImages, effects, faultsOf, three } = window.testPage;

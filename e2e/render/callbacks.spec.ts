@@ -1,13 +1,8 @@
 import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('what callbacks of the host change while a frame is drawn counts for the frame as in stock three', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, brokenScene, compareImages, three } = window.testPage;
@@ -103,7 +98,7 @@ test('what callbacks of the host change while a frame is drawn counts for the fr
 });
 
 test('the callbacks of a scene are called once a frame, as by stock three, and may end the renderer', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, brokenScene, three } = window.testPage;
@@ -162,7 +157,9 @@ test('the callbacks of a scene are called once a frame, as by stock three, and m
   }
 });
 
-test('a lit ShaderMaterial of cloned light uniforms is drawn by stock three and by Farol in turn', async ({ page }) => {
+test('a lit ShaderMaterial of cloned light uniforms is drawn by stock three and by Farol in turn', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const bench = new Bench(48, 36);

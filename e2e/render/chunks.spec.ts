@@ -2,11 +2,6 @@ import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 import type { Difference } from '../support/images';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 interface Result extends Difference {
   readonly name: string;
   readonly technique: string;
@@ -32,7 +27,7 @@ const BY_THREE = /^(soft shadows|first of vertices|projection of vertices|light 
 const SHADOWS = { largest: Infinity, psnr: 45 };
 
 test('what a page changes in ShaderChunk is in the picture of every technique, and gone when it is undone', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(
     (texts): Result[] => {
@@ -82,7 +77,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
 });
 
 test("three's cascaded shadow maps come out as by stock three, in every technique, with fading edges too", async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate((): Result[] => {
     const { Bench, addons, chunkScene, compareImages, farol, three: THREE } = window.testPage;

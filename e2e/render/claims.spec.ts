@@ -56,18 +56,14 @@ void main() {
   return results;
 }
 
-test('every claim of the built-in microshaders holds', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('every claim of the built-in microshaders holds', async ({ benchPage: page }) => {
   const results: { claim: string; holds: boolean }[] = [];
   for (const text of texts) results.push(...(await page.evaluate(evaluateClaims, text)));
   expect(results.length, 'claims found').toBeGreaterThan(10);
   expect(results.filter(({ holds }) => !holds).map(({ claim }) => claim)).toEqual([]);
 });
 
-test('a claim that is wrong is seen to be', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('a claim that is wrong is seen to be', async ({ benchPage: page }) => {
   const results = await page.evaluate(evaluateClaims, [
     'trial',
     `//? twice(2.0) == 4.0

@@ -2,13 +2,8 @@ import { expect, test } from '../support/test';
 
 const TECHNIQUES = ['deferred', 'tiled-deferred', 'clustered-deferred'] as const;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('a decal on a plane is as a mesh of the same material laid on it, under all lights and ambient occlusion or none', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(
     ([width, height, techniques]) => {
@@ -126,7 +121,10 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
   expect(results.above).toBeLessThan(1e-2);
 });
 
-test('techniques without a G-buffer say so once, and toMesh gives what they can draw', async ({ page, watch }) => {
+test('techniques without a G-buffer say so once, and toMesh gives what they can draw', async ({
+  benchPage: page,
+  watch,
+}) => {
   const { without, same, mesh } = await page.evaluate(() => {
     const { Bench, compareImages, effects, three } = window.testPage;
     const bench = new Bench(96, 64);
@@ -160,7 +158,7 @@ test('techniques without a G-buffer say so once, and toMesh gives what they can 
 });
 
 test('the G-buffer and the light of it hold what three’s blending makes of colours, also of decals over decals', async ({
-  page,
+  benchPage: page,
 }) => {
   const cells = await page.evaluate(() => {
     const { Bench, effects, three } = window.testPage;

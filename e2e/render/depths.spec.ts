@@ -5,9 +5,7 @@ import type { Difference } from '../support/images';
 import { expect, test } from '../support/test';
 
 /** What depth cannot hold: positions are then not rebuilt from it, and what is far off is not taken for nothing. */
-test('cameras that see very near and very far, or through an oblique plane', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('cameras that see very near and very far, or through an oblique plane', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, isFlat, three } = window.testPage;
     const width = 128;
@@ -123,9 +121,7 @@ test('cameras that see very near and very far, or through an oblique plane', asy
 });
 
 /** As composers' own buffers, and canvases made with `depth: false`: the background lies behind, though no depth says so. */
-test('targets and canvases without a depth buffer', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('targets and canvases without a depth buffer', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, isFlat, three } = window.testPage;
     const [width, height] = [96, 64];

@@ -48,10 +48,8 @@ const SCENE = { psnr: 60, share: 0.001 };
 
 for (const name of Object.keys(LACKS) as DeviceName[]) {
   if (LACKS[name] === null && !WHOLE) continue;
-  test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ page, pagesURL, watch }) => {
+  test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ benchPage: page, watch }) => {
     test.setTimeout(WHOLE ? 600_000 : 120_000);
-    await page.goto(pagesURL);
-    await page.waitForFunction(() => 'testPage' in window);
     const run = {
       names: WHOLE ? [...FEW, ...OTHERS] : FEW,
       effectNames: WHOLE ? EFFECTS : LACKS[name]!,

@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('an effect that takes the picture over gives it back as it would have been: tone mapping, fog, viewport, pixel ratio, clearing', async ({
-  page,
+  benchPage: page,
 }) => {
   const cases = await page.evaluate(() => {
     const { edgeScene, effects, farol, three } = window.testPage;
@@ -83,7 +78,7 @@ test('an effect that takes the picture over gives it back as it would have been:
 });
 
 test('effects compile nothing once they have run, whatever is switched on and off, and free what they hold', async ({
-  page,
+  benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
     const { Bench, edgeScene, effects } = window.testPage;
@@ -127,7 +122,7 @@ test('effects compile nothing once they have run, whatever is switched on and of
   expect(result.left, 'textures that are left').toBe(0);
 });
 
-test('every effect draws again after a lost context, as before it', async ({ page, watch }) => {
+test('every effect draws again after a lost context, as before it', async ({ benchPage: page, watch }) => {
   const apart = await page.evaluate(async () => {
     const { Bench, compareImages, edgeScene, effects, three } = window.testPage;
     const bench = new Bench(96, 64);
@@ -161,7 +156,7 @@ test('every effect draws again after a lost context, as before it', async ({ pag
 });
 
 test('a technique from outside with a G-buffer pass of its own has ambient occlusion, decals and views; so has an effect depth', async ({
-  page,
+  benchPage: page,
 }) => {
   const { largest, effects, faded } = await page.evaluate(() => {
     const { Bench, compareImages, edgeScene, effects, outside, three } = window.testPage;

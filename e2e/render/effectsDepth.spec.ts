@@ -4,11 +4,8 @@ const TECHNIQUES = ['deferred', 'light-prepass', 'forward-plus'] as const;
 
 /** The corner of a floor and a wall, with a decal on the floor. */
 test('ambient occlusion and decals are the same by logarithmic and reversed depth, and right by an orthographic camera', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const { apart, corner, laid, seen } = await page.evaluate(
     ([width, height, techniques]) => {
       const { Bench, compareImages, effects, three } = window.testPage;

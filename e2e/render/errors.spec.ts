@@ -1,11 +1,6 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('what the device or the caller lacks is named with the mend', async ({ page }) => {
+test('what the device or the caller lacks is named with the mend', async ({ benchPage: page }) => {
   const messages = await page.evaluate(() => {
     const { farol, three } = window.testPage;
     const message = (action: () => unknown) => {
@@ -68,7 +63,10 @@ test('what the device or the caller lacks is named with the mend', async ({ page
   expect(messages.disposed).toMatch(/after dispose\(\); make a new/);
 });
 
-test('a light that is not a number is named once, left out, and the picture stays', async ({ page, watch }) => {
+test('a light that is not a number is named once, left out, and the picture stays', async ({
+  benchPage: page,
+  watch,
+}) => {
   const { largest, visible } = await page.evaluate(() => {
     const { Bench, compareImages, materialScene, three } = window.testPage;
     const bench = new Bench(64, 48);
@@ -94,7 +92,7 @@ test('a light that is not a number is named once, left out, and the picture stay
 });
 
 test('what has no finite place, or a shader that does not compile, is named; the rest is drawn as by stock three', async ({
-  page,
+  benchPage: page,
   watch,
 }) => {
   const results = await page.evaluate(() => {
@@ -136,7 +134,7 @@ test('what has no finite place, or a shader that does not compile, is named; the
 });
 
 test('a geometry with normals of zero length, and light beyond half floats, are drawn as by stock three', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { effects, farol, three } = window.testPage;

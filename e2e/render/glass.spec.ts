@@ -4,9 +4,7 @@ import { checkAgreement } from '../support/agreement';
 import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 
-test('double-sided glass is seen through its own back faces, as in stock three', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('double-sided glass is seen through its own back faces, as in stock three', async ({ benchPage: page }) => {
   const known = (await page.evaluate(() => Object.keys(window.testPage.farol.techniques))) as TechniqueName[];
   const results = await page.evaluate(
     (turns) => {

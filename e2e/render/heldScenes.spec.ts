@@ -1,11 +1,8 @@
 import { expect, test } from '../support/test';
 
 test('scenes that were opened and closed leave nothing, also where few frames are drawn', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   await page.evaluate(() => {
     const { Bench, countGpuObjects, effects, three } = window.testPage;
     const count = countGpuObjects();

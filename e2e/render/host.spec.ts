@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('the host finds its scene, renderer, device and three as they were, and stock three draws the same after Farol', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, hostSnapshot, materialScene, three } = window.testPage;
@@ -45,7 +40,7 @@ test('the host finds its scene, renderer, device and three as they were, and sto
 });
 
 test('what a callback of the host draws inside a frame, by Farol or by stock three, is as in stock three', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;

@@ -1,10 +1,5 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 /** Off by more than this of 255 after sRGB encoding, a pixel is seen to be wrong. */
 const STEPS = 8;
 /** How far from a silhouette a pixel may be wrong. */
@@ -78,7 +73,9 @@ const sizes = [
   [161, 119],
 ] as const;
 
-test('no halo wider than two pixels at the silhouette of a bright box before a dark wall', async ({ page }) => {
+test('no halo wider than two pixels at the silhouette of a bright box before a dark wall', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(haloOf, [sizes, STEPS, PIXELS, true] as const);
   results.forEach(({ wrong, nearSilhouette }, i) => {
     const name = sizes[i].join(' × ');
@@ -88,12 +85,12 @@ test('no halo wider than two pixels at the silhouette of a bright box before a d
   });
 });
 
-test('a filter that does not keep to edges is seen to leak', async ({ page }) => {
+test('a filter that does not keep to edges is seen to leak', async ({ benchPage: page }) => {
   const results = await page.evaluate(haloOf, [sizes, STEPS, 0, false] as const);
   for (const { wrong } of results) expect(wrong).toBeGreaterThan(50);
 });
 
-test('three transparent layers over one another are lit as stock three lights them', async ({ page }) => {
+test('three transparent layers over one another are lit as stock three lights them', async ({ benchPage: page }) => {
   const differences = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;
     const bench = new Bench(160, 120);

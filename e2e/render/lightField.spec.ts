@@ -3,12 +3,7 @@ import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('lights of fields look as the same lights one by one, by every technique', async ({ page }) => {
+test('lights of fields look as the same lights one by one, by every technique', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, lightFields, three } = window.testPage;
     const width = 64;
@@ -149,7 +144,7 @@ test('lights of fields look as the same lights one by one, by every technique', 
 });
 
 test('a field by textures, in several renderers and by several cameras at once, after a lost context', async ({
-  page,
+  benchPage: page,
   watch,
 }) => {
   const results = await page.evaluate(async () => {
@@ -303,7 +298,7 @@ test('a picture without a field, and its programs, are the same before and after
 });
 
 test('a field lights what the camera sees if it shares a layer with the camera, as lights do in three', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, effects, lightFields, three } = window.testPage;

@@ -1,11 +1,8 @@
 import { expect, test } from '../support/test';
 
 test('with lightLayers a light reaches only what shares a layer with it, by every technique; else all, as in three', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, farol, three } = window.testPage;
     const [width, height] = [96, 32];

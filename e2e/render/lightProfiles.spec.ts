@@ -9,11 +9,8 @@ const LARGEST_INFERRED = 0.08;
 const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
 
 test('lights with photometric profiles light a floor by every technique as the file says, worked out pixel by pixel', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, farol, lightProfiles, three } = window.testPage;
     const { IESLoader } = lightProfiles;

@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('a microshader replaced while the scene runs changes the picture of every technique; a broken edit changes nothing', async ({
-  page,
+  benchPage: page,
 }) => {
   const { results, both } = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;

@@ -30,13 +30,10 @@ const OTHERS: typeof CASES = [
 
 for (const [technique, effects] of WHOLE ? [...CASES, ...OTHERS] : CASES) {
   test(`${technique}, ${effects.join(', ')}: as before after each loss of the context`, async ({
-    page,
-    pagesURL,
+    benchPage: page,
     watch,
   }) => {
     test.setTimeout(60_000 + 30_000 * LOSSES);
-    await page.goto(pagesURL);
-    await page.waitForFunction(() => 'testPage' in window);
     const { changed, before, after, memory } = await page.evaluate(
       ([technique, losses, effects]) => window.testPage.loseContexts(technique, losses, effects),
       [technique, LOSSES, effects] as const,
@@ -49,12 +46,9 @@ for (const [technique, effects] of WHOLE ? [...CASES, ...OTHERS] : CASES) {
 }
 
 test('after a loss a scene without shadows is drawn right by shaders that knew some, and holds nothing of the maps that were lost', async ({
-  page,
-  pagesURL,
+  benchPage: page,
   watch,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const { pictures, kept, lost } = await page.evaluate(async () => {
     const { Bench, compareImages, countGpuObjects, edgeScene, shadowScene, three } = window.testPage;
     const count = countGpuObjects();

@@ -35,16 +35,11 @@ function failure({ sheet, case: name, technique, largest, psnr, share }: CaseRes
 // a hundred and sixty cases by ten techniques, on a software rasteriser that other tests share
 test.describe.configure({ timeout: 480_000 });
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'shaders of lights'] as const;
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {
-  test(`each case of each sheet, by techniques in turn, part ${part + 1}`, async ({ page }) => {
+  test(`each case of each sheet, by techniques in turn, part ${part + 1}`, async ({ benchPage: page }) => {
     for (const sheet of listed) {
       const techniques = await page.evaluate(() => [...window.testPage.drawn]);
       const { results, unseen } = await page.evaluate(([name, names]) => window.testPage.runSheet(name, names), [
@@ -65,7 +60,9 @@ for (const [part, listed] of parts(sheets, 1).entries()) {
 /** Of the settings: each is drawn by two techniques in turn, by all of them where many browsers share the work. */
 const EIGHTHS = [0, 1, 2, 3, 4, 5, 6, 7];
 for (const [part, shares] of parts(EIGHTHS, 1).entries()) {
-  test(`each setting of renderer, scene and camera, by techniques in turn, part ${part + 1}`, async ({ page }) => {
+  test(`each setting of renderer, scene and camera, by techniques in turn, part ${part + 1}`, async ({
+    benchPage: page,
+  }) => {
     const results = await page.evaluate(
       ([shares, eighths]) => {
         const { drawn, runSettings, settingNames } = window.testPage;

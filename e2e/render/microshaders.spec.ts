@@ -3,12 +3,7 @@ import { expect, test } from '../support/test';
 
 const thesis = readFileSync(new URL('../../public/microshaders/thesis.xml', import.meta.url), 'utf8');
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test("the thesis's file makes a shader for each kind of light", async ({ page }) => {
+test("the thesis's file makes a shader for each kind of light", async ({ benchPage: page }) => {
   const programs = await page.evaluate(async () => {
     const { farol } = window.testPage;
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
@@ -28,7 +23,9 @@ test("the thesis's file makes a shader for each kind of light", async ({ page })
   ]);
 });
 
-test('a broken live edit is refused with chunk and line, and the last good program stays', async ({ page }) => {
+test('a broken live edit is refused with chunk and line, and the last good program stays', async ({
+  benchPage: page,
+}) => {
   const result = await page.evaluate(() => {
     const { farol } = window.testPage;
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
@@ -75,7 +72,9 @@ test('a broken live edit is refused with chunk and line, and the last good progr
   expect((result.refused as object[])[0]).toMatchObject({ chunk: 'colour', line: 5, text: 'return vec3(green, 0.0);' });
 });
 
-test("the XML reader agrees with the browser's own, in what it reads and in what it refuses", async ({ page }) => {
+test("the XML reader agrees with the browser's own, in what it reads and in what it refuses", async ({
+  benchPage: page,
+}) => {
   const disagreements = await page.evaluate((file) => {
     const { authoring } = window.testPage;
     const mine = (text: string) => {

@@ -6,11 +6,8 @@ import { expect, test } from '../support/test';
  * the surfaces here leave outside of the picture.
  */
 test('lines, wireframes, points, sprites and glass on lit surfaces in multisampled pictures: as in stock three', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const [width, height] = [96, 64];

@@ -2,11 +2,8 @@ import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
 test('node materials (TSL) are drawn as stock three draws them, by each technique, in depth among the rest', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const results = await page.evaluate(async () => {
     const { Bench, compareImages, effects, farol, nodeScene } = window.testPage;
     const bench = new Bench(96, 64);

@@ -1,11 +1,8 @@
 import { expect, test } from '../support/test';
 
 test("the geometry of mesh particles stays the host's: drawn by a mesh, disposed of, each without the other", async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const pictures = await page.evaluate(() => {
     const { Bench, effects, three } = window.testPage;
     const bench = new Bench(48, 32);

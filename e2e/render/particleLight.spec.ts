@@ -2,11 +2,8 @@ import { expect, test } from '../support/test';
 
 /** A lit particle and, in its place, a white rectangle that faces the camera as its middle does: linear colours. */
 test('lit particles: environment, probes, ambient, hemisphere and area lights as a surface of three has them', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, effects, farol, three } = window.testPage;
     const [width, height] = [32, 32];

@@ -5,11 +5,8 @@ import { expect, test } from '../support/test';
 const EDGES = 0.005;
 
 test('meshes of particles stand as the emitter, along their way, or as the world until they are turned, as meshes of three do', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, effects, isFlat, readTexels, three } = window.testPage;
     type Settings = Partial<InstanceType<typeof effects.ParticleEmitter>>;

@@ -1,13 +1,9 @@
 import { expect, test } from '../support/test';
 
 test('particles: the same twice, where the formula says, summed up, soft, lit, and lights as PointLights are', async ({
-  page,
-  pagesURL,
+  benchPage: page,
   watch,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-
   // where they are, whatever the frames
   const motion = await page.evaluate(async () => {
     const { Bench, effects, three, readTexels } = window.testPage;

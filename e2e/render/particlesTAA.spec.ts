@@ -1,8 +1,6 @@
 import { expect, test } from '../support/test';
 
-test('under TAA particles leave no trail', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('under TAA particles leave no trail', async ({ benchPage: page }) => {
   const seen = await page.evaluate(() => {
     const { Bench, edgeScene, effects, three } = window.testPage;
     const [width, height] = [96, 64];

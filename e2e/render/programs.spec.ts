@@ -1,11 +1,8 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('500 lights added one by one, toggled and removed compile nothing, and none is dropped', async ({ page }) => {
+test('500 lights added one by one, toggled and removed compile nothing, and none is dropped', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(() => {
     const { Bench, farol, materialScene, three } = window.testPage;
     const bench = new Bench(32, 24);
@@ -59,7 +56,7 @@ test('500 lights added one by one, toggled and removed compile nothing, and none
   }
 });
 
-test('4,096 lights on a floor: nothing is dropped, every technique draws all of them', async ({ page }) => {
+test('4,096 lights on a floor: nothing is dropped, every technique draws all of them', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, farol, three } = window.testPage;
     const bench = new Bench(128, 128);
@@ -89,7 +86,7 @@ test('4,096 lights on a floor: nothing is dropped, every technique draws all of 
 });
 
 test('two FarolRenderers on one WebGLRenderer, whose shaders know other kinds of shadows, share no program of other text', async ({
-  page,
+  benchPage: page,
 }) => {
   const apart = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;

@@ -3,12 +3,9 @@ import type { Difference } from '../support/images';
 import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('lights of ranges, places and strengths at the ends of numbers look as in stock three', async ({ page }) => {
+test('lights of ranges, places and strengths at the ends of numbers look as in stock three', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const width = 64;
@@ -73,7 +70,7 @@ test('lights of ranges, places and strengths at the ends of numbers look as in s
   }
 });
 
-test('a range that is no limit is none for shadows either', async ({ page }) => {
+test('a range that is no limit is none for shadows either', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, shadowScene } = window.testPage;
     const bench = new Bench(64, 48);
@@ -100,7 +97,7 @@ test('a range that is no limit is none for shadows either', async ({ page }) => 
 });
 
 /** A white Lambert floor faces a light 2 m above it: radiance right below is attenuation / π. */
-test('attenuations of the thesis at the ends of their numbers', async ({ page }) => {
+test('attenuations of the thesis at the ends of their numbers', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, farol, three } = window.testPage;
     const bench = new Bench(9, 9);

@@ -9,12 +9,7 @@ import { expect, test } from '../support/test';
  */
 const POSES = process.env.FAROL_GPU ? 200 : 3;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('passes that draw one surface share its vertex shader, to the letter', async ({ page }) => {
+test('passes that draw one surface share its vertex shader, to the letter', async ({ benchPage: page }) => {
   const pairs = await page.evaluate(() => {
     const { Bench, materialScene } = window.testPage;
     const bench = new Bench(64, 48);
@@ -43,7 +38,7 @@ test('passes that draw one surface share its vertex shader, to the letter', asyn
   }
 });
 
-test('a depth pre-pass leaves no holes, in any pose, seen by several cameras', async ({ page }) => {
+test('a depth pre-pass leaves no holes, in any pose, seen by several cameras', async ({ benchPage: page }) => {
   const holes = await page.evaluate((poses) => {
     const { Bench, three } = window.testPage;
     const width = 320;

@@ -1,13 +1,8 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 for (const samples of [0, 4]) {
   test(`a target with several textures, ${samples} samples: each as by stock three, without an error`, async ({
-    page,
+    benchPage: page,
   }) => {
     const results = await page.evaluate((samples) => {
       const { Bench, compareImages, farol, three } = window.testPage;
@@ -87,7 +82,7 @@ for (const samples of [0, 4]) {
 }
 
 test('effects in a target with several textures: those that take the picture over are left out, with one warning each', async ({
-  page,
+  benchPage: page,
   watch,
 }) => {
   const { error, same } = await page.evaluate(() => {

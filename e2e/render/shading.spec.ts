@@ -4,11 +4,8 @@ import { expect, test } from '../support/test';
 const LARGEST = 1e-3;
 
 test('flat and Gouraud shading by every technique: as three has flatShading, and as lights at the vertices give it', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const { setShading } = farol;
@@ -156,11 +153,8 @@ test('flat and Gouraud shading by every technique: as three has flatShading, and
 });
 
 test('lights of a LightField light what is Gouraud-shaded as single lights do, by every technique', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, farol, lightFields, three } = window.testPage;
     const { setShading } = farol;
@@ -227,11 +221,8 @@ test('lights of a LightField light what is Gouraud-shaded as single lights do, b
 });
 
 test('area lights light what is flat as faces of their own, and what is Gouraud-shaded at its vertices', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, farol, three } = window.testPage;
     const { setShading } = farol;

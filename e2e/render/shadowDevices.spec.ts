@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('maps of a device without multiple draws in a call, and after a lost context: the same', async ({
-  page,
+  benchPage: page,
   watch,
 }) => {
   const results = await page.evaluate(async () => {

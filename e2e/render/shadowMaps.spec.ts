@@ -1,12 +1,7 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('maps are kept until something that casts shadows changes in their reach, and the picture is never an old one', async ({
-  page,
+  benchPage: page,
 }) => {
   const steps = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;
@@ -110,7 +105,7 @@ test('maps are kept until something that casts shadows changes in their reach, a
 });
 
 test('while all moves, maps are drawn where they can be seen alone: as in stock three, also when the camera turns or all rests', async ({
-  page,
+  benchPage: page,
 }) => {
   const frames = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;
@@ -197,7 +192,7 @@ test('while all moves, maps are drawn where they can be seen alone: as in stock 
 });
 
 test('64 shadowed point and spot lights at once, also in an atlas too small for them; adding and removing compiles nothing', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
     const { Bench, farol, three } = window.testPage;
@@ -275,7 +270,7 @@ test('64 shadowed point and spot lights at once, also in an atlas too small for 
 });
 
 test('casters, lights and techniques that change back and forth compile nothing after the first time', async ({
-  page,
+  benchPage: page,
 }) => {
   const compiled = await page.evaluate(() => {
     const { Bench, shadowScene, three } = window.testPage;
@@ -308,7 +303,9 @@ test('casters, lights and techniques that change back and forth compile nothing 
   expect(compiled).toBe(0);
 });
 
-test("the host's lights, materials and renderer are as they were after shadows are drawn", async ({ page }) => {
+test("the host's lights, materials and renderer are as they were after shadows are drawn", async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, shadowScene, three } = window.testPage;
     const bench = new Bench(64, 48);

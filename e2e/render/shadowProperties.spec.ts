@@ -4,11 +4,8 @@ import { expect, test } from '../support/test';
 type Caster = DirectionalLight | PointLight | SpotLight;
 
 test("shadow cameras and matrices are what stock three leaves, and three's helpers and viewers show them", async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, shadowScene, three: THREE } = window.testPage;
     const bench = new Bench(96, 72);
@@ -68,11 +65,8 @@ test("shadow cameras and matrices are what stock three leaves, and three's helpe
 });
 
 test("three's ShadowMapViewer shows the maps, and stock three keeps them where the page draws them no more", async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const seen = await page.evaluate(() => {
     const { Bench, addons, compareImages, isFlat, shadowScene, three: THREE } = window.testPage;
     const results: { name: string; flat: boolean; psnr: number; moved: number; kept: number }[] = [];

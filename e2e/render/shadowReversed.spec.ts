@@ -1,8 +1,6 @@
 import { expect, test } from '../support/test';
 
-test('a spot light throws its map where depth is reversed, as in stock three', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('a spot light throws its map where depth is reversed, as in stock three', async ({ benchPage: page }) => {
   const { reversed, psnr, matters } = await page.evaluate(() => {
     const { Bench, compareImages, shadowScene, three } = window.testPage;
     const bench = new Bench(64, 48, { renderer: { reversedDepthBuffer: true } });

@@ -4,12 +4,7 @@ import { expect, test } from '../support/test';
 const WIDTH = 480;
 const HEIGHT = 720;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
-test('lights at 5, 15, 30 and 60 m: fewer texels, and the picture of stock three', async ({ page }) => {
+test('lights at 5, 15, 30 and 60 m: fewer texels, and the picture of stock three', async ({ benchPage: page }) => {
   const seen = await page.evaluate(
     ([width, height]) => {
       const { Bench, compareImages, three } = window.testPage;
@@ -79,7 +74,7 @@ test('lights at 5, 15, 30 and 60 m: fewer texels, and the picture of stock three
 });
 
 test('sides that are seen cast no shadows on themselves, at grazing light, with a bias that is just enough for the size asked for', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(
     ([width, height]) => {
@@ -145,7 +140,7 @@ test('sides that are seen cast no shadows on themselves, at grazing light, with 
 });
 
 test('maps stay as they are while cameras take turns, and a camera that comes near has a map drawn anew, once', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(
     ([width, height]) => {

@@ -3,11 +3,6 @@ import { expect, test } from '../support/test';
 
 // Maps at rest have bounds, by which tiles of the picture go without look-ups: the picture must not show it.
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 interface Way {
   readonly renderer?: { readonly reversedDepthBuffer?: boolean; readonly logarithmicDepthBuffer?: boolean };
   /** An orthographic camera, which draws to a part of the target. */
@@ -22,7 +17,7 @@ const ways: Record<string, Way> = {
 };
 
 for (const [name, way] of Object.entries(ways)) {
-  test(`a hall of shadows ${name}: as while it was new, and as stock three`, async ({ page }) => {
+  test(`a hall of shadows ${name}: as while it was new, and as stock three`, async ({ benchPage: page }) => {
     const result = await page.evaluate(({ renderer, isPart }) => {
       const { Bench, compareImages, three } = window.testPage;
       const bench = new Bench(192, 128, { renderer });

@@ -10,16 +10,11 @@ import { expect, test } from '../support/test';
 const WIDTH = 128;
 const HEIGHT = 96;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 // three has no variance shadow maps of point lights, and warns of it
 const types = { basic: 0, pcf: 1, vsm: 3 } as const;
 
 for (const type of Object.keys(types) as (keyof typeof types)[]) {
-  test(`${type} shadows of each kind of light: as in stock three`, async ({ page }) => {
+  test(`${type} shadows of each kind of light: as in stock three`, async ({ benchPage: page }) => {
     const seen = await page.evaluate(
       ([width, height, type]) => {
         const { Bench, compareImages, shadowScene } = window.testPage;
@@ -65,7 +60,7 @@ for (const type of Object.keys(types) as (keyof typeof types)[]) {
   });
 }
 
-test('shadows of all kinds of light at once, by every technique', async ({ page }) => {
+test('shadows of all kinds of light at once, by every technique', async ({ benchPage: page }) => {
   test.setTimeout(180_000);
   const pairs = await page.evaluate(
     ([width, height]) => {
@@ -89,7 +84,7 @@ test('shadows of all kinds of light at once, by every technique', async ({ page 
 });
 
 test('cookies: a spot light throws its map as in stock three, with and without shadows, and a point light its cube', async ({
-  page,
+  benchPage: page,
 }) => {
   const { pairs, cube } = await page.evaluate(
     ([width, height]) => {
@@ -147,7 +142,7 @@ test('cookies: a spot light throws its map as in stock three, with and without s
 });
 
 test('cascades: near shadows as sharp as those of a map sixteen times as wide, the far ones as in the one map', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;
@@ -204,7 +199,7 @@ test('cascades: near shadows as sharp as those of a map sixteen times as wide, t
 });
 
 test('kept maps are drawn anew for what changes without a new version of anything; one that may not be stays where it was', async ({
-  page,
+  benchPage: page,
 }) => {
   const seen = await page.evaluate(
     ([width, height]) => {
@@ -311,7 +306,7 @@ test('kept maps are drawn anew for what changes without a new version of anythin
   }
 });
 
-test('a mirror that stock three draws inside the frame shows the shadows of the frame', async ({ page }) => {
+test('a mirror that stock three draws inside the frame shows the shadows of the frame', async ({ benchPage: page }) => {
   const seen = await page.evaluate(
     ([width, height]) => {
       const { Bench, compareImages, shadowScene, three } = window.testPage;
@@ -362,7 +357,9 @@ test('a mirror that stock three draws inside the frame shows the shadows of the 
   for (const { psnr } of seen.pairs) expect.soft(psnr).toBeGreaterThanOrEqual(45);
 });
 
-test('where point lights alone cast shadows, one that leaves its map is drawn as in stock three', async ({ page }) => {
+test('where point lights alone cast shadows, one that leaves its map is drawn as in stock three', async ({
+  benchPage: page,
+}) => {
   const seen = await page.evaluate(
     ([width, height]) => {
       const { Bench, compareImages, three } = window.testPage;

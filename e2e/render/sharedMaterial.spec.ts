@@ -1,11 +1,8 @@
 import { expect, test } from '../support/test';
 
 test('forward: an object that comes to others of one material is right in its first frame', async ({
-  page,
-  pagesURL,
+  benchPage: page,
 }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
   const largest = await page.evaluate(() => {
     const { Bench, compareImages, three: THREE } = window.testPage;
     const bench = new Bench(64, 48);

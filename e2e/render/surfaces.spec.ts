@@ -7,15 +7,10 @@ import { expect, test } from '../support/test';
 const WIDTH = 128;
 const HEIGHT = 96;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test.describe.configure({ timeout: 240_000 });
 
 test('a surface that displaces and paints is what stock three draws of displaced geometries by the same formula; one that does nothing changes no bit', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(
     ([width, height]) => {
@@ -62,7 +57,7 @@ test('a surface that displaces and paints is what stock three draws of displaced
 });
 
 test('an edit that does not compile is refused with its line and leaves the picture; uniforms are each material’s own; programs are shared', async ({
-  page,
+  benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
     const { Bench, compareImages, farol, surfaces, three } = window.testPage;
@@ -125,7 +120,7 @@ test('an edit that does not compile is refused with its line and leaves the pict
   expect(result.messages[1]).toContain('Material "own" cannot wear a surface');
 });
 
-test('what a surface moves by its time has motion and shadow as if the object moved', async ({ page }) => {
+test('what a surface moves by its time has motion and shadow as if the object moved', async ({ benchPage: page }) => {
   const result = await page.evaluate(() => {
     const { Bench, compareImages, effects, surfaces, three } = window.testPage;
     const pictures = [true, false].map((byTime) => {
@@ -169,7 +164,7 @@ test('what a surface moves by its time has motion and shadow as if the object mo
 const thesis = readFileSync(new URL('../../public/microshaders/thesis.xml', import.meta.url), 'utf8');
 
 test("the thesis's chunks on an object draw its formula: ambient, diffuse and specular of a directional, point and spot light", async ({
-  page,
+  benchPage: page,
 }) => {
   const worst = await page.evaluate((xml) => {
     const { authoring, Bench, surfaces, three } = window.testPage;
@@ -259,7 +254,7 @@ const builtinText = (name: string): string =>
   readFileSync(new URL(`../../apps/editor/src/model/surfaces/${name}.surface`, import.meta.url), 'utf8');
 
 test('the surfaces that the editor begins with are drawn alike by every technique, in the bounds that they declare', async ({
-  page,
+  benchPage: page,
 }) => {
   const texts = Object.fromEntries(builtins.map((name) => [name, builtinText(name)]));
   const known = await page.evaluate(() => Object.keys(window.testPage.farol.techniques));
@@ -338,7 +333,7 @@ test('the surfaces that the editor begins with are drawn alike by every techniqu
 });
 
 test('what a surface moves throws the shadow of where it is, by every kind of light and of shadow map, and is culled by its declared reach', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, surfaces, three } = window.testPage;
@@ -405,7 +400,7 @@ test('what a surface moves throws the shadow of where it is, by every kind of li
 });
 
 test('after a lost context all is drawn again as before it; one surface that does not compile leaves the others as they are', async ({
-  page,
+  benchPage: page,
   watch,
 }) => {
   const result = await page.evaluate(async () => {
@@ -455,7 +450,7 @@ test('after a lost context all is drawn again as before it; one surface that doe
 });
 
 test('a text that moves vertices is edited while it is drawn; what does not compile leaves the picture', async ({
-  page,
+  benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
     const { Bench, compareImages, farol, surfaces, three } = window.testPage;

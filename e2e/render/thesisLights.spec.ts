@@ -1,15 +1,12 @@
 import { expect, test } from '../support/test';
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 /**
  * The light of thesis 3.2.5.3 by every technique: a white Lambert floor faces a light 2 m above it, seen from above, so that
  * radiance right below is colour × attenuation / π (and ambient adds without N·L).
  */
-test('attenuations, cutoff exponent and separate colours of the thesis, by every technique', async ({ page }) => {
+test('attenuations, cutoff exponent and separate colours of the thesis, by every technique', async ({
+  benchPage: page,
+}) => {
   const results = await page.evaluate(() => {
     const { Bench, farol, three } = window.testPage;
     const bench = new Bench(33, 33);

@@ -1,9 +1,7 @@
 import { expect, test } from '../support/test';
 
 /** What packages/renderer/src/three relies on, of the three that is installed: an upgrade that takes one away is named here. */
-test('three has what Farol uses of its private parts', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('three has what Farol uses of its private parts', async ({ benchPage: page }) => {
   const found = await page.evaluate(() => {
     const { three: THREE } = window.testPage;
     // as three's code has them, untyped

@@ -1,9 +1,9 @@
 import { expect, test } from '../support/test';
 
 /** Toon shading takes derivatives of each light, which a loop that differs from pixel to pixel does not have. */
-test('toon materials walk the lists of lights as others do, and look as in stock three', async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
+test('toon materials walk the lists of lights as others do, and look as in stock three', async ({
+  benchPage: page,
+}) => {
   const figures = await page.evaluate(() => {
     const { Bench, compareImages, three } = window.testPage;
     const bench = new Bench(160, 120);

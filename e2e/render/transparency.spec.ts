@@ -9,13 +9,8 @@ const TECHNIQUES = [
   'light-prepass',
 ] as const;
 
-test.beforeEach(async ({ page, pagesURL }) => {
-  await page.goto(pagesURL);
-  await page.waitForFunction(() => 'testPage' in window);
-});
-
 test('weighted blending: one layer is as sorted, several are the same in any order, other blending stays', async ({
-  page,
+  benchPage: page,
 }) => {
   const results = await page.evaluate(
     ([width, height, techniques]) => {

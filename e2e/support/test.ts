@@ -1,4 +1,4 @@
-import { test as base } from '@playwright/test';
+import { type Page, test as base } from '@playwright/test';
 
 export { expect } from '@playwright/test';
 
@@ -23,8 +23,9 @@ export interface Watch {
  *
  * - `watch`: the problems seen; a test that provokes one calls `watch.forgive(/…/)`.
  * - `pagesURL`: where the tests' own pages (e2e/pages) are served, with a slash at its end.
+ * - `benchPage`: the first of them, open, with what it offers as `window.testPage`.
  */
-export const test = base.extend<{ watch: Watch; pagesURL: string }>({
+export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Page }>({
   // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
   pagesURL: async ({}, use) => use(process.env.FAROL_PAGES_URL ?? ''),
 
@@ -61,4 +62,10 @@ export const test = base.extend<{ watch: Watch; pagesURL: string }>({
     },
     { auto: true },
   ],
+
+  benchPage: async ({ page, pagesURL }, use) => {
+    await page.goto(pagesURL);
+    await page.waitForFunction(() => 'testPage' in window);
+    await use(page);
+  },
 });
