@@ -3,9 +3,8 @@ import { expect, it } from 'vitest';
 import { checkDevice } from './checkDevice';
 
 it.each([
-  ['a WebGPURenderer', { isWebGPURenderer: true, getContext: () => null }],
-  ['one that is not initialised', { getContext: () => (null as unknown as { canvas: string }).canvas }],
-  ['a canvas', { getContext: () => ({}) }],
+  ['a WebGPURenderer', { isWebGPURenderer: true, getContext: (): unknown => null }],
+  ['a canvas', { getContext: (): unknown => ({}) }],
   ['nothing', undefined],
 ])('refuses %s in one sentence', (_, given) => {
   expect(() => checkDevice(given as unknown as WebGLRenderer, false)).toThrow(

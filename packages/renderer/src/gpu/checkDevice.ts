@@ -7,7 +7,7 @@ import type { WebGLRenderer } from 'three';
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
   // called by JavaScript too
-  const given = webgl as Partial<WebGLRenderer> | undefined;
+  const given = webgl as { isWebGLRenderer?: boolean } | undefined;
   if (!given?.isWebGLRenderer || !(webgl.getContext() instanceof WebGL2RenderingContext))
     throw new Error('Farol: needs a WebGLRenderer with WebGL 2, not a WebGPURenderer.');
   const lacks = floatTargets ? lacksFloatTargets(webgl) : null;
