@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
 import { expect, test } from '@playwright/test';
@@ -44,13 +44,45 @@ function examples(language: string): string[] {
   );
 }
 
-/** What `tsc` says of sources in a folder, with every declaration file checked. */
-function compile(folder: string, sources: readonly string[], { resolution, module }: (typeof modes)[number]): string {
-  const to = join(folder, `types-${resolution}`);
+/** What the blocks of the docs, which are parts of a page, take for given, by name. */
+const given: Record<string, string> = {
+  scene: "import('three').Scene",
+  camera: "import('three').Camera",
+  webgl: "import('three').WebGLRenderer",
+  farol: "import('@farol/renderer').FarolRenderer",
+  mesh: "import('three').Mesh<import('three').BufferGeometry, import('three').MeshStandardMaterial>",
+  seconds: 'number',
+  positionsAndRanges: 'Float32Array',
+};
+
+/** Blocks of code of the packages' docs, as modules; those of authoring.md have a test of their own. @param language `ts` or `tsx` */
+function docsExamples(language: string): string[] {
+  const folders = publishedPackages().map(({ path }) => join(path, 'docs'));
+  const pages = folders
+    .filter((folder) => existsSync(folder))
+    .flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
+    .filter((path) => path.endsWith('.md') && !path.endsWith('authoring.md'));
+  const blocks = new RegExp('```' + language + '\\n(.*?)```', 'gs');
+  return pages.flatMap((path) =>
+    [...readFileSync(path, 'utf8').matchAll(blocks)].map(([, code]) => {
+      const missing = Object.keys(given).filter((name) => !new RegExp(`\\b(const|let) ${name}\\b`).test(code));
+      return `${missing.map((name) => `declare const ${name}: ${given[name]};`).join('\n')}\n${code}\nexport {};\n`;
+    }),
+  );
+}
+
+/** What `tsc` says of sources in a folder, with every declaration file checked, or those of sources alone. */
+function compile(
+  folder: string,
+  sources: readonly string[],
+  { resolution, module }: (typeof modes)[number],
+  skipLibCheck = false,
+): string {
+  const to = join(folder, `types-${resolution}${skipLibCheck ? '-sources' : ''}`);
   mkdirSync(to, { recursive: true });
   sources.forEach((source, i) => writeFileSync(join(to, `${i}.tsx`), source));
   const compilerOptions = {
-    ...{ strict: true, noEmit: true, skipLibCheck: false, preserveSymlinks: true, jsx: 'react-jsx', types: [] },
+    ...{ strict: true, noEmit: true, skipLibCheck, preserveSymlinks: true, jsx: 'react-jsx', types: [] },
     ...{ target: 'es2023', lib: ['es2023', 'dom', 'dom.iterable'], module, moduleResolution: resolution },
   };
   writeFileSync(join(to, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.tsx'] }));
@@ -73,21 +105,36 @@ function link(names: readonly string[], to: string): void {
   }
 }
 
+/** Links the packages and all their peers beside each other. */
+function linkPeers(): void {
+  const own = publishedPackages().map(({ manifest }) => manifest);
+  const libraries = own.flatMap(({ name, peerDependencies }) => [name, ...Object.keys(peerDependencies ?? {})]);
+  link([...libraries, '@types/react'], peers);
+}
+
+test('docs for React compile beside its libraries', () => {
+  linkPeers();
+  const docs = docsExamples('tsx');
+  expect(docs.length).toBeGreaterThan(0);
+  // @react-three/postprocessing has declarations that do not compile by themselves
+  expect(compile(peers, docs, modes[0], true)).toBe('');
+});
+
 for (const mode of modes) {
-  test(`entries and READMEs compile beside three alone, moduleResolution ${mode.resolution}`, () => {
+  test(`entries, READMEs and docs compile beside three alone, moduleResolution ${mode.resolution}`, () => {
     const { alone } = specifiers();
     expect(alone).toContain('@farol/renderer');
     const code = examples('ts');
     expect(code.length).toBeGreaterThanOrEqual(publishedPackages().length);
-    expect(compile(host, [...alone.map(noneIsAny), ...code], mode)).toBe('');
+    const docs = docsExamples('ts');
+    expect(docs.length).toBeGreaterThan(0);
+    expect(compile(host, [...alone.map(noneIsAny), ...code, ...docs], mode)).toBe('');
   });
 
   test(`entries for other libraries compile beside them, moduleResolution ${mode.resolution}`, () => {
     const { withPeers } = specifiers();
     expect(withPeers).toContain('@farol/renderer/r3f');
-    const own = publishedPackages().map(({ manifest }) => manifest);
-    const libraries = own.flatMap(({ name, peerDependencies }) => [name, ...Object.keys(peerDependencies ?? {})]);
-    link([...libraries, '@types/react'], peers);
+    linkPeers();
     const code = examples('tsx');
     expect(code.length).toBeGreaterThan(0);
     expect(compile(peers, [...withPeers.map(noneIsAny), ...code], mode)).toBe('');

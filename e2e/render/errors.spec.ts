@@ -54,7 +54,7 @@ test('what the device or the caller lacks is named with the mend', async ({ benc
   expect(messages.technique).toMatch(/unknown technique "raytraced"; use one of: .*forward.*deferred/);
   expect(messages.view).toMatch(/unknown view "smell"; use one of: final, albedo/);
   expect(messages.option).toContain('unknown technique "x"');
-  expect(messages.webgl2).toMatch(/needs WebGL 2; make the WebGLRenderer/);
+  expect(messages.webgl2).toMatch(/needs a WebGLRenderer with WebGL 2, not a WebGPURenderer/);
   expect(messages.floats).toMatch(/no float colour buffers .*forward-single-pass/);
   expect(messages.floatsNotNeeded).toBe('no error');
   expect(messages.attachments).toMatch(/4 attachments and this device draws to 2 at once; use a technique without/);

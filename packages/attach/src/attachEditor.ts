@@ -1,6 +1,7 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { AttachedEditor } from './AttachedEditor';
 import type { AttachOptions } from './AttachOptions';
+import { languages } from './language/languages';
 
 /**
  * Opens an editor over a running three.js page: the tree of its objects, an inspector of transform, flags, light, camera
@@ -12,7 +13,7 @@ import type { AttachOptions } from './AttachOptions';
  * @example
  * const editor = attachEditor(scene, camera, renderer);
  * editor.dispose();
- * @throws Error when an editor is attached to this renderer already, or it is no WebGLRenderer
+ * @throws Error when an editor is attached to this renderer already, it is no WebGLRenderer, or the language is unknown
  */
 export function attachEditor(
   scene: Object3D,
@@ -20,5 +21,10 @@ export function attachEditor(
   renderer: WebGLRenderer,
   options: AttachOptions = {},
 ): AttachedEditor {
+  const { language } = options;
+  if (language !== undefined && !Object.hasOwn(languages, language)) {
+    const known = Object.keys(languages).join(', ');
+    throw new Error(`attachEditor: unknown language "${String(language)}"; use one of: ${known}.`);
+  }
   return new AttachedEditor(scene, camera, renderer, options);
 }

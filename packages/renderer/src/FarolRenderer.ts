@@ -101,7 +101,8 @@ export class FarolRenderer {
 
   /**
    * @param webgl the host's renderer; it stays the host's, and other code may draw with it
-   * @throws Error when the device has no WebGL 2 or lacks what the technique needs, or an option is unknown
+   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option has a value
+   *   that it cannot have; names of options are not looked at
    */
   constructor(
     readonly webgl: WebGLRenderer,
@@ -179,7 +180,7 @@ export class FarolRenderer {
    * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
    * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
    * dispose, those in the list are disposed with this renderer. Default none.
-   * @throws Error when two of them conflict, such as two that move the camera
+   * @throws Error when it is no list of effects, or two of them conflict, such as two that move the camera
    */
   get effects(): readonly FarolEffect[] {
     return this.effectList.asked;

@@ -24,6 +24,23 @@ it.each([
   expect(() => refuseConflicts([first, effect('other')])).not.toThrow();
 });
 
+class Fade {
+  readonly name = 'fade';
+  dispose() {}
+}
+
+it.each([
+  ['an effect without a list', new Fade()],
+  ['a class', [Fade]],
+  ['a name', ['fade']],
+  ['null', null],
+  ['a list of null', [null]],
+])('refuses %s in one sentence', (_, given) => {
+  expect(() => refuseConflicts(given as unknown as FarolEffect[])).toThrow(
+    'Farol: effects is a list of objects, such as [new TAA()].',
+  );
+});
+
 it('gathers what all effects ask for, in their order, as far as the device has room', () => {
   const adapt = (kind: never) => kind;
   const list = [

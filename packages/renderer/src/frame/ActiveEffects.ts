@@ -41,8 +41,11 @@ function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffe
   ];
 }
 
-/** @throws Error that names two effects that cannot draw one frame together */
+/** @throws Error that names two effects that cannot draw one frame together, or says what a list of effects is */
 export function refuseConflicts(effects: readonly FarolEffect[]): void {
+  // from JavaScript: an effect by itself, a class, a name
+  if (!Array.isArray(effects) || !effects.every((effect: Partial<FarolEffect> | null) => effect?.dispose))
+    throw new Error('Farol: effects is a list of objects, such as [new TAA()].');
   const owners = new Map<string, FarolEffect>();
   for (const effect of effects) {
     for (const claim of claimsOf(effect)) {

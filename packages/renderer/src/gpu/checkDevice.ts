@@ -6,10 +6,10 @@ import type { WebGLRenderer } from 'three';
  * @throws Error that names what is missing and the mend
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
-  const gl = webgl.getContext();
-  if (typeof WebGL2RenderingContext === 'undefined' || !(gl instanceof WebGL2RenderingContext)) {
-    throw new Error('Farol: needs WebGL 2; make the WebGLRenderer with a WebGL 2 context, in a browser that has it.');
-  }
+  // called by JavaScript too
+  const given = webgl as { isWebGLRenderer?: boolean } | undefined;
+  if (!given?.isWebGLRenderer || !(webgl.getContext() instanceof WebGL2RenderingContext))
+    throw new Error('Farol: needs a WebGLRenderer with WebGL 2, not a WebGPURenderer.');
   const lacks = floatTargets ? lacksFloatTargets(webgl) : null;
   if (lacks !== null)
     throw new Error(`Farol: this device ${lacks}; use the technique 'forward-single-pass', which needs none.`);
