@@ -99,7 +99,12 @@ function link(names: readonly string[], to: string): void {
     const from = existsSync(ofHost) ? ofHost : join(repositoryModules, name);
     const at = join(to, 'node_modules', name);
     mkdirSync(dirname(at), { recursive: true });
-    if (!existsSync(at)) symlinkSync(from, at, 'junction');
+    try {
+      symlinkSync(from, at, 'junction');
+    } catch (error) {
+      // linked before, or by a test beside this one
+      if (!existsSync(at)) throw error;
+    }
     const { dependencies } = JSON.parse(readFileSync(join(from, 'package.json'), 'utf8')) as Manifest;
     for (const dependency of Object.keys(dependencies ?? {})) all.add(dependency);
   }
