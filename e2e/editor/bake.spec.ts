@@ -85,7 +85,7 @@ test('light is baked: it stays when the light is gone, is one step, is saved, an
   await page.getByRole('menuitem', { name: 'Bake light…' }).click();
   const panel = page.getByRole('region', { name: 'Baked light' });
   await panel.getByRole('button', { name: 'Make 2 objects static' }).click();
-  await panel.getByRole('button', { name: 'Bake 1 light' }).click();
+  await panel.getByRole('button', { name: 'Set 1 light to Baked' }).click();
   await expect(panel.getByText('2 static objects, 1 baked light')).toBeVisible();
   const before = await pictureOf(page);
   expect(before.lights).toBe(1);

@@ -57,3 +57,51 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
   await other.keyboard.press('Control+v');
   await expect(other.getByRole('treeitem', { name: 'Cone' })).toHaveCount(1);
 });
+
+test('selects with the keyboard from the row that was chosen to another, however fast the keys come', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  for (const mesh of ['Box', 'Cone', 'Torus', 'Sphere', 'Cylinder']) await addObject(page, 'Mesh', mesh);
+  const selected = page.getByRole('treeitem', { selected: true });
+  await page.getByRole('treeitem', { name: 'Torus' }).click();
+
+  await page.keyboard.press('Home');
+  await expect(selected).toHaveText(['Camera']);
+  // keys that come within one frame, as of a key that is held
+  await page.getByRole('treeitem', { name: 'Camera' }).evaluate((row) => {
+    for (let i = 0; i < 5; i++) {
+      const key = { key: 'ArrowDown', code: 'ArrowDown', shiftKey: true, bubbles: true };
+      row.dispatchEvent(new KeyboardEvent('keydown', { key: 'Shift', code: 'ShiftLeft', bubbles: true }));
+      row.dispatchEvent(new KeyboardEvent('keydown', key));
+      row.dispatchEvent(new KeyboardEvent('keyup', key));
+    }
+  });
+  await expect(selected).toHaveText(['Camera', 'Sun', 'Sky', 'Box', 'Cone', 'Torus']);
+  await page.keyboard.press('Shift+ArrowUp');
+  await expect(selected).toHaveText(['Camera', 'Sun', 'Sky', 'Box', 'Cone']);
+  await page.keyboard.press('Shift+End');
+  await expect(selected).toHaveCount(8);
+  await page.keyboard.press('End');
+  await expect(selected).toHaveText(['Cylinder']);
+  await page.keyboard.press('Shift+Home');
+  await expect(selected).toHaveCount(8);
+
+  // a click with Shift goes on from where the keys began
+  await page.keyboard.press('ArrowDown');
+  await page.getByRole('treeitem', { name: 'Box' }).click({ modifiers: ['Shift'] });
+  await expect(selected).toHaveText(['Sun', 'Sky', 'Box']);
+});
+
+test('what is added below many rows comes into sight', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Light', 'Point light');
+  await page.keyboard.press('Shift+d');
+  await page.getByRole('textbox', { name: 'Count' }).fill('40');
+  await page.getByRole('button', { name: 'Duplicate', exact: true }).last().click();
+  await page.getByRole('treeitem', { name: 'Copies of Point light' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('treeitem', { name: 'Point light 2', exact: true })).toBeVisible();
+  await addObject(page, 'Mesh', 'Cone');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toBeInViewport({ ratio: 0.9 });
+});

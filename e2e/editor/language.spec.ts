@@ -51,3 +51,49 @@ test('in a Spanish browser the editor speaks Spanish; in English the scene and t
   await expect(page.locator('html')).toHaveAttribute('lang', 'en');
   await expect(page.getByRole('tab', { name: 'Hierarchy' })).toBeVisible();
 });
+
+test('why a technique was chosen is told in Spanish', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await page.getByRole('tab', { name: 'Fotograma' }).click();
+  const frame = page.getByRole('region', { name: 'Fotograma' });
+  await expect(frame.getByLabel('Por qué esta técnica')).toHaveText(
+    'Forward, una pasada: casi ninguna luz: las listas costarían más de lo que ahorran.',
+  );
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('menus fit the window, and the handles of what is selected too', async ({ page }) => {
+    await openEditor(page, 'empty');
+    await page.getByRole('button', { name: 'Menús' }).tap();
+    await page.getByRole('menuitem', { name: 'Vista', exact: true }).tap();
+    await expect(page.getByRole('menuitem', { name: 'Mirar desde' })).toBeVisible();
+    for (const menu of await page.getByRole('menu').all()) {
+      const { x, width } = (await menu.boundingBox())!;
+      expect(x).toBeGreaterThanOrEqual(0);
+      expect(x + width).toBeLessThanOrEqual(390);
+    }
+    // nothing made the page wider
+    expect(await page.evaluate(() => window.innerWidth)).toBe(390);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape');
+
+    await page.getByRole('button', { name: 'Añadir', exact: true }).tap();
+    await page.getByRole('menuitem', { name: 'Malla', exact: true }).tap();
+    await page.getByRole('menuitem', { name: 'Esfera', exact: true }).tap();
+    /** How long the arrow that goes up is, in shares of the width of the picture. */
+    const arrow = (): Promise<number> =>
+      page.evaluate(() => {
+        const { gizmo, editorCamera, canvas } = window.editor.viewport;
+        const { camera } = editorCamera;
+        const handle = gizmo.three.getObjectByName('Y');
+        if (!handle) return 0;
+        const tip = handle.position.clone().setY(handle.position.y + handle.scale.y / 2);
+        const length = tip.project(camera).y - handle.position.clone().project(camera).y;
+        return (length / 2) * (canvas.clientHeight / canvas.clientWidth);
+      });
+    await expect.poll(arrow).toBeGreaterThan(0.1);
+    expect(await arrow()).toBeLessThan(0.3);
+  });
+});

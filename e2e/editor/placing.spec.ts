@@ -94,7 +94,7 @@ test('a ring of coloured lights over a floor; a box is moved by a typed number, 
     });
   expect((await lights()).length).toBe(30);
   expect(new Set(await lights()).size).toBe(30);
-  expect(await history(page)).toEqual([...steps, 'Duplicate Point light 29 times']);
+  expect(await history(page)).toEqual([...steps, 'Duplicated Point light 29 times']);
   await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);
 

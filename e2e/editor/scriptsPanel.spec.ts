@@ -66,3 +66,17 @@ test('a script is made from the inspector, typed with completion, its error told
   await expect(panel(page).getByRole('option')).toHaveCount(0);
   await expect(speed).toHaveCount(0);
 });
+
+test('a new script of the menu is of the selected objects, and what is typed next goes into it', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Box');
+  const before = await history(page);
+  await page.getByRole('menuitem', { name: 'Object', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New script' }).click();
+  await expect(panel(page).getByRole('textbox', { name: 'Text of the script' })).toBeFocused();
+  // W, E and R would change the handles, Space would maximise the viewport
+  await page.keyboard.type('// wheel rim\n');
+  await expect(panel(page).locator('.cm-line').first()).toHaveText('// wheel rim');
+  await expect(inspector(page).getByRole('textbox', { name: 'Speed' })).toBeVisible();
+  expect((await history(page))[before.length]).toBe('Made script Script for Box');
+});

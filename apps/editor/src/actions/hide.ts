@@ -5,7 +5,8 @@ import { hasSelection } from './hasSelection';
 
 export const hide: Action = {
   id: 'edit.hide',
-  label: ({ document }) => (document.selectedObjects.some(({ active }) => active) ? t('Hide') : t('Show')),
+  label: ({ document: { selectedObjects } }) =>
+    selectedObjects.length > 0 && selectedObjects.every(({ active }) => !active) ? t('Show') : t('Hide'),
   keys: ['H'],
   icon: 'eye',
   menu: { menu: 'object', group: 'state' },

@@ -5,7 +5,8 @@ import { hasSelection } from './hasSelection';
 
 export const lock: Action = {
   id: 'edit.lock',
-  label: ({ document }) => (document.selectedObjects.some(({ locked }) => !locked) ? t('Lock') : t('Unlock')),
+  label: ({ document: { selectedObjects } }) =>
+    selectedObjects.length > 0 && selectedObjects.every(({ locked }) => locked) ? t('Unlock') : t('Lock'),
   keys: ['L'],
   icon: 'lock',
   menu: { menu: 'object', group: 'state' },

@@ -1,16 +1,14 @@
 import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
-/** Adds a script to the library, and shows it. */
+/** Adds a script to the library, and its component to the selected objects, and shows it. */
 export const newScript: Action = {
   id: 'script.new',
   label: 'New script',
   icon: 'code',
   menu: { menu: 'object', group: 'material' },
   async run(editor) {
-    const { addScript } = await import('../model/scriptEdits');
-    const { command, name } = addScript(editor.document.scene, t('Script'));
-    editor.commands.run(command);
-    editor.openScript(name);
+    const { newScript: make } = await import('../panels/scripts/scriptActions');
+    make(editor, t('Script'), editor.document.selectedObjects);
   },
 };

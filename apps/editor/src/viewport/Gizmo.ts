@@ -38,6 +38,9 @@ export interface SnapSteps {
 const euler = new Euler();
 const middle = new Vector3();
 
+/** As three's `TransformControls` has it: a finger is wider than a pointer. */
+const sizeOfHandles = (): number => (matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85);
+
 /** Where an edit of an object begins: by what was authored, whatever simulation has done to it since, unless it is recorded. */
 function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
@@ -177,7 +180,12 @@ export class Gizmo {
   /** Called before each picture: follows the selection. */
   update(camera: Camera): void {
     const { controls } = this;
-    if (controls) controls.camera = camera;
+    if (controls) {
+      controls.camera = camera;
+      // three measures by the height: in a picture higher than wide, of a phone, the width bounds it
+      const [x, , , , , y] = camera.projectionMatrix.elements;
+      controls.size = sizeOfHandles() * Math.min(1, y / x);
+    }
     if (controls?.dragging || this.letGo()) return;
     this.placeProxy(this.targets());
     if (!controls) this.loading ??= this.load();
@@ -230,8 +238,6 @@ export class Gizmo {
       (axis) => this.changeAxis(axis),
     );
     const controls = new TransformControls(new PerspectiveCamera(), this.canvas);
-    // a finger is wider than a pointer
-    controls.size = matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85;
     controls.setColors('#f0525c', '#5fb83e', '#3f86f2', '#ffc857');
     controls.space = this.ownSpace;
     if (this.currentMode !== 'select') controls.mode = this.currentMode;

@@ -40,8 +40,8 @@ export const bake: Texts = {
   '{count} baked lights': '{count} luces precalculadas',
   'Make {count} object static': 'Hacer estático {count} objeto',
   'Make {count} objects static': 'Hacer estáticos {count} objetos',
-  'Bake {count} light': 'Precalcular {count} luz',
-  'Bake {count} lights': 'Precalcular {count} luces',
+  'Set {count} light to Baked': 'Poner {count} luz en Precalculada',
+  'Set {count} lights to Baked': 'Poner {count} luces en Precalculada',
   'Instanced objects have no lightmap: probes light them. They are {count}.':
     'Los objetos instanciados no tienen mapa de luz: los iluminan las sondas. Son {count}.',
   Bake: 'Precalcular',

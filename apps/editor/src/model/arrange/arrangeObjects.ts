@@ -134,7 +134,9 @@ export function arrangeObjects(
       return own.map(({ object, number }) => ({ object, parent, index: index + shift + number }));
     });
   };
-  const label = tCount(made.length, 'Duplicate {name} once', 'Duplicate {name} {count} times', { name: nameOf(tops) });
+  const label = tCount(made.length, 'Duplicated {name} once', 'Duplicated {name} {count} times', {
+    name: nameOf(tops),
+  });
   return new Sequence(
     label,
     [

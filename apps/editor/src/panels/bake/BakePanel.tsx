@@ -92,7 +92,11 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
       {!isRunning && lights === 0 && (
         <Mend
           text={t('No light is baked: set the mode of lights to Baked.')}
-          action={canBeBaked.length > 0 ? tCount(canBeBaked.length, 'Bake {count} light', 'Bake {count} lights') : null}
+          action={
+            canBeBaked.length > 0
+              ? tCount(canBeBaked.length, 'Set {count} light to Baked', 'Set {count} lights to Baked')
+              : null
+          }
           onMend={() => commands.run(bakeLights(canBeBaked))}
         />
       )}

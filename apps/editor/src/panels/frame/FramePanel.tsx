@@ -68,7 +68,7 @@ function Figures(): ReactNode {
       if (info.technique === '') return '';
       const { label } = viewport.farol.techniques[info.technique];
       return [
-        viewport.technique === 'auto' ? `${t(label)}: ${info.reason}.` : '',
+        viewport.technique === 'auto' ? `${t(label)}: ${t(info.reason)}.` : '',
         `${t('Lights')}\t${t('{visible} of {total} in view', { visible: info.lights.visible, total: info.lights.total })}`,
         `${t('Draws')}\t${whole.format(info.drawCalls)}`,
         `${t('Triangles')}\t${whole.format(info.triangles)}`,

@@ -3,7 +3,15 @@ import { ContextMenu } from '@base-ui/react/context-menu';
 import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
 import { useVirtualizer } from '@tanstack/react-virtual';
-import { type KeyboardEvent, type MouseEvent, type ReactNode, useCallback, useRef, useState } from 'react';
+import {
+  type KeyboardEvent,
+  type MouseEvent,
+  type ReactNode,
+  useCallback,
+  useLayoutEffect,
+  useRef,
+  useState,
+} from 'react';
 import { addEntries } from '../../actions/addEntries';
 import { paste } from '../../actions/clipboard';
 import { objectEntries } from '../../actions/objectEntries';
@@ -22,11 +30,9 @@ export function HierarchyPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
   const scroller = useRef<HTMLDivElement>(null);
-  const anchor = useRef<string | null>(null);
   const pressed = useRef<string | undefined>(undefined);
   const [query, setQuery] = useState('');
-  const tree = useObjectTree((index) => virtualizer.scrollToIndex(index), query);
-  const rows = tree.getItems();
+  const { tree, rows, ...selection } = useObjectTree((index) => virtualizer.scrollToIndex(index), query);
   // oxlint-disable-next-line react/incompatible-library -- nothing here is memoised by hand
   const virtualizer = useVirtualizer({
     count: rows.length,
@@ -35,25 +41,19 @@ export function HierarchyPanel(): ReactNode {
     overscan: 8,
   });
 
-  const select = useCallback(
+  const selecting = useRef(selection);
+  useLayoutEffect(() => {
+    selecting.current = selection;
+  });
+  const choose = useCallback(
     (item: ItemInstance<string>, event: MouseEvent): void => {
-      const id = item.getId();
       item.setFocused();
       tree.updateDomFocus();
-      const items = tree.getItems();
-      const from = items.findIndex((each) => each.getId() === anchor.current);
-      if (event.shiftKey && from >= 0) {
-        const to = item.getItemMeta().index;
-        const range = items.slice(Math.min(from, to), Math.max(from, to) + 1).map((each) => each.getId());
-        // the one clicked is the one chosen last
-        document.selection.set([...range.filter((each) => each !== id), id]);
-        return;
-      }
-      anchor.current = id;
-      if (event.ctrlKey || event.metaKey) document.selection.toggle(id);
-      else document.selection.set([id]);
+      if (event.shiftKey) selecting.current.selectTo(item);
+      else if (event.ctrlKey || event.metaKey) selecting.current.toggle(item);
+      else selecting.current.select(item);
     },
-    [document, tree],
+    [tree],
   );
 
   /** Notes the row that a menu would be of: a long press of a finger opens one without telling where. */
@@ -129,7 +129,7 @@ export function HierarchyPanel(): ReactNode {
                   top={start}
                   height={ROW_HEIGHT}
                   state={rowState(tree, item, object)}
-                  onSelect={select}
+                  onSelect={choose}
                 />
               );
             })}

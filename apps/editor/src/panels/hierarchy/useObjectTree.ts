@@ -27,28 +27,54 @@ export const INDENT = 14;
 
 type Item = ItemInstance<string>;
 type Enabled = (tree: TreeInstance<string>) => boolean;
+type Handler = (event: KeyboardEvent, tree: TreeInstance<string>) => void;
 
-/** After an arrow key the focused item is the selected one, as in other editors. */
-function selectFocused(tree: TreeInstance<string>): void {
-  tree.updateDomFocus();
-  tree.setSelectedItems([tree.getFocusedItem().getId()]);
+/** The tree of the document's GameObjects. */
+export interface ObjectTree {
+  readonly tree: TreeInstance<string>;
+  /** The rows as they are rendered. */
+  readonly rows: readonly Item[];
+  /** Selects one row; ranges begin there. */
+  select(item: Item): void;
+  /** Selects from the row that ranges begin at to another, which is then the one chosen last. */
+  selectTo(item: Item): void;
+  /** Selects one row more, or one less; ranges begin there. */
+  toggle(item: Item): void;
 }
 
-/** The settings that headless-tree has for the arrow keys. */
-const arrow = (
+/** A key that moves the focus by rows. @param to - the row that it goes to, of all rows and of the one with the focus */
+const rowKey = (
   hotkey: string,
-): { hotkey: string; canRepeat: boolean; preventDefault: boolean; isEnabled: Enabled } => ({
+  to: (rows: readonly Item[], focused: number) => Item | undefined,
+  select: (item: Item) => void,
+): { hotkey: string; canRepeat: boolean; preventDefault: boolean; isEnabled: Enabled; handler: Handler } => ({
   hotkey,
   canRepeat: true,
   preventDefault: true,
   isEnabled: (tree) => !tree.getState().dnd,
+  handler: (_, tree) => {
+    const rows = tree.getItems();
+    const item = to(
+      rows,
+      rows.findIndex((each) => each.isFocused()),
+    );
+    if (!item) return;
+    item.setFocused();
+    tree.updateDomFocus();
+    select(item);
+  },
 });
+
+const first = (rows: readonly Item[]): Item | undefined => rows.at(0);
+const last = (rows: readonly Item[]): Item | undefined => rows.at(-1);
+const below = (rows: readonly Item[], focused: number): Item | undefined => rows[focused + 1];
+const above = (rows: readonly Item[], focused: number): Item | undefined => rows[focused - 1];
 
 /**
  * The tree of the document's GameObjects, with selection, renaming, and re-parenting by drag and by keyboard.
  * @param query - when there is one, what matches it, side by side; see `matchesQuery`
  */
-export function useObjectTree(scrollTo: (index: number) => void, query: string): TreeInstance<string> {
+export function useObjectTree(scrollTo: (index: number) => void, query: string): ObjectTree {
   const editor = useEditor();
   const { document } = editor;
   const structure = useSignal(document.structure);
@@ -65,6 +91,28 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   };
   const objectsOf = (items: readonly Item[]): NonNullable<ReturnType<typeof document.scene.findById>>[] =>
     items.flatMap((item) => document.scene.findById(item.getId()) ?? []);
+
+  const anchor = useRef<string | null>(null);
+  const select = (item: Item): void => {
+    anchor.current = item.getId();
+    document.selection.set([item.getId()]);
+  };
+  const selectTo = (item: Item): void => {
+    const { selection } = document;
+    // what was selected elsewhere begins a range too
+    const begin = anchor.current !== null && selection.has(anchor.current) ? anchor.current : selection.primary;
+    const items = tree.getItems();
+    const from = items.findIndex((each) => each.getId() === begin);
+    if (from < 0) return select(item);
+    anchor.current = begin;
+    const to = item.getItemMeta().index;
+    const range = items.slice(Math.min(from, to), Math.max(from, to) + 1).map((each) => each.getId());
+    selection.set([...range.filter((id) => id !== item.getId()), item.getId()]);
+  };
+  const toggle = (item: Item): void => {
+    anchor.current = item.getId();
+    document.selection.toggle(item.getId());
+  };
 
   const tree = useTree<string>({
     instanceBuilder: buildProxiedInstance,
@@ -97,20 +145,14 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
       // Ctrl+A is one too: everything, folded or not
       selectAll: { hotkey: 'Control+KeyA', isEnabled: () => false, handler: () => {} },
-      focusNextItem: {
-        ...arrow('ArrowDown'),
-        handler: (_, self) => {
-          self.focusNextItem();
-          selectFocused(self);
-        },
-      },
-      focusPreviousItem: {
-        ...arrow('ArrowUp'),
-        handler: (_, self) => {
-          self.focusPreviousItem();
-          selectFocused(self);
-        },
-      },
+      focusNextItem: rowKey('ArrowDown', below, select),
+      focusPreviousItem: rowKey('ArrowUp', above, select),
+      focusFirstItem: rowKey('Home', first, select),
+      focusLastItem: rowKey('End', last, select),
+      selectDownwards: rowKey('Shift+ArrowDown', below, selectTo),
+      selectUpwards: rowKey('Shift+ArrowUp', above, selectTo),
+      customSelectToFirst: rowKey('Shift+Home', first, selectTo),
+      customSelectToLast: rowKey('Shift+End', last, selectTo),
     },
     features: [
       syncDataLoaderFeature,
@@ -135,9 +177,10 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   }, [document, primary]);
   /** What is yet to be shown: its row may come with a later rendering than the selection. */
   const toShow = useRef<string | null>(null);
+  const rows = tree.getItems();
   const show = (): void => {
     if (toShow.current === null) return;
-    const item = tree.getItems().find((each) => each.getId() === toShow.current);
+    const item = rows.find((each) => each.getId() === toShow.current);
     if (!item) return;
     toShow.current = null;
     item.setFocused();
@@ -149,7 +192,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     // oxlint-disable-next-line react-hooks/exhaustive-deps -- once for each selection, after its parents were unfolded
   }, [tree, primary, expandedItems]);
   // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- rows may have come
-  useEffect(show, [tree, structure]);
+  useEffect(show, [rows]);
 
   useKeptFocus(tree);
 
@@ -161,5 +204,5 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       }),
     [editor, document, tree],
   );
-  return tree;
+  return { tree, rows, select, selectTo, toggle };
 }

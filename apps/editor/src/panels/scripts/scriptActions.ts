@@ -16,7 +16,8 @@ import { removeEntries } from '../assets/assetDialogs';
 export function newScript(editor: EditorApi, wanted = t('Script'), users: readonly GameObject[] = []): string {
   const { command, name } = addScript(editor.document.scene, wanted, users);
   editor.commands.run(command);
-  editor.openScript(name, users.length > 0 ? 1 : 0);
+  // its first line has the focus: what is typed next is of it
+  editor.openScript(name, 1);
   return name;
 }
 
