@@ -38,9 +38,6 @@ export interface SnapSteps {
 const euler = new Euler();
 const middle = new Vector3();
 
-/** As three's `TransformControls` has it: a finger is wider than a pointer. */
-const sizeOfHandles = (): number => (matchMedia('(pointer: coarse)').matches ? 1.3 : 0.85);
-
 /** Where an edit of an object begins: by what was authored, whatever simulation has done to it since, unless it is recorded. */
 function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
@@ -64,6 +61,7 @@ export class Gizmo {
 
   /** Null until something is first selected: they are fetched then. */
   private controls: TransformControls | null = null;
+  private coarsePointer: MediaQueryList | null = null;
   private assist: DragAssist | null = null;
   private isSuspended = false;
   private loading: Promise<void> | null = null;
@@ -184,7 +182,8 @@ export class Gizmo {
       controls.camera = camera;
       // three measures by the height: in a picture higher than wide, of a phone, the width bounds it
       const [x, , , , , y] = camera.projectionMatrix.elements;
-      controls.size = sizeOfHandles() * Math.min(1, y / x);
+      // a finger is wider than a pointer
+      controls.size = (this.coarsePointer?.matches ? 1.3 : 0.85) * Math.min(1, y / x);
     }
     if (controls?.dragging || this.letGo()) return;
     this.placeProxy(this.targets());
@@ -247,6 +246,7 @@ export class Gizmo {
     controls.addEventListener('mouseUp', () => this.end());
     controls.addEventListener('dragging-changed', ({ value }) => this.isRegrabbing || this.onDrag(value as boolean));
     controls.addEventListener('change', this.onChange);
+    this.coarsePointer = matchMedia('(pointer: coarse)');
     this.controls = controls;
     this.applySnapping();
     this.onLoad();
