@@ -78,6 +78,7 @@ const names = {
     'isUnpackable',
     'keptTogether',
     'modelsBelow',
+    'morphField',
     'objectOfPart',
     'objectsOfModel',
     'partsText',

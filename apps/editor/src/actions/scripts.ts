@@ -8,7 +8,7 @@ export const newScript: Action = {
   icon: 'code',
   menu: { menu: 'object', group: 'material' },
   async run(editor) {
-    const { newScript: make } = await import('../panels/scripts/scriptActions');
+    const { newScript: make } = await import('../files/newScript');
     make(editor, t('Script'), editor.document.selectedObjects);
   },
 };

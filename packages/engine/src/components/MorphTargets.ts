@@ -6,6 +6,9 @@ import { number, string } from '../fields/fields';
 /** Before the names of fields that are weights of morph targets, such as 'morph.Smile'. */
 const MORPH = 'morph.';
 
+/** Title of the group of these fields. */
+const GROUP = 'Morph targets';
+
 /** The field that is the weight of a morph target. */
 export const morphField = (name: string): string => MORPH + name;
 
@@ -18,6 +21,7 @@ export const morphTargetFields = {
   morphWeights: string('', {
     visibleWhen: { field: 'model', equals: [] },
     help: 'Weights of the morph targets.',
+    label: GROUP,
     readOnly: true,
   }),
 };
@@ -40,7 +44,7 @@ function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
       max: Math.max(1, weight),
       step: 0.01,
       label: name,
-      group: 'Morph targets',
+      group: GROUP,
       help: 'How much of the morph target is added.',
       viewOf: 'morphWeights',
     });

@@ -3,7 +3,7 @@ import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { addFolder, addMaterial, removeFolder, renameFolder } from '../../model/assetEdits';
 import { joinName, splitName } from '../../model/assetNames';
-import { newScript } from '../scripts/scriptActions';
+import { newScript } from '../../files/newScript';
 import { chooseFiles } from './chooseFiles';
 
 /** Adds a material to a folder, and shows its fields. */

@@ -73,7 +73,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
   const add = (name: string): void =>
     editor.attempt(async () => {
       if (name !== NEW_SCRIPT) return commands.run(addComponent(document.scene, objects, types.get(name)!));
-      const { newScript } = await import('../scripts/scriptActions');
+      const { newScript } = await import('../../files/newScript');
       newScript(editor, t('Script'), objects);
     });
 

@@ -5,7 +5,8 @@ import { renameScript } from '../../model/scriptEdits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
-import { newScript, removeScript, scriptMenu } from './scriptActions';
+import { newScript } from '../../files/newScript';
+import { removeScript, scriptMenu } from './scriptActions';
 
 interface ScriptListProps {
   readonly names: readonly string[];

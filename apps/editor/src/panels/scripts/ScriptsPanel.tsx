@@ -6,7 +6,7 @@ import { CodeEditor } from '../../ui/code/CodeEditor';
 import '../../ui/code/code.css';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { newScript } from './scriptActions';
+import { newScript } from '../../files/newScript';
 import { ScriptBar } from './ScriptBar';
 import { ScriptList } from './ScriptList';
 import { ProblemList } from './ProblemList';
