@@ -203,3 +203,15 @@ test('a lost graphics device is told of, and the picture comes back by every tec
     expect(watch.forgive(/a WebGL context was lost|THREE.WebGLRenderer: Context Lost/)).toBeGreaterThan(0);
   }
 });
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
+    await openViewer(page, withMenu);
+    const technique = page.getByLabel('Render Type');
+    await expect(technique).toBeHidden();
+    await page.getByRole('button', { name: 'Farol: ' }).tap();
+    await expect(technique).toBeVisible();
+  });
+});

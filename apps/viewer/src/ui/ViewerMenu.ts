@@ -97,6 +97,8 @@ export class ViewerMenu {
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
 
+    // it would cover most of a phone's picture
+    if (innerWidth < 600) gui.close();
     viewer.onChange(() => this.refresh());
     this.refresh();
   }
