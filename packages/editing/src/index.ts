@@ -57,5 +57,6 @@ export {
   TransformDrag,
   type TransformMode,
 } from './gizmo/TransformDrag';
+export { formatCount } from './language/formatCount';
 export { formatTime } from './language/formatTime';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

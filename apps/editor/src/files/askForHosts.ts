@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatCount, t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 
@@ -10,8 +10,7 @@ function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
   return [...new Set(addresses.map(({ origin }) => origin))].map((path) => {
     const list = addresses.filter(({ origin }) => origin === path);
     const names = list.slice(0, LISTED).map(({ asset }) => asset);
-    const more =
-      list.length > LISTED ? t(' and {count} more', { count: (list.length - LISTED).toLocaleString('en') }) : '';
+    const more = list.length > LISTED ? t(' and {count} more', { count: formatCount(list.length - LISTED) }) : '';
     return { path, problem: `${names.join(', ')}${more}` };
   });
 }

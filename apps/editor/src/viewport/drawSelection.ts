@@ -152,12 +152,25 @@ export function drawRanges(lines: LineSet, scene: Scene): void {
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
-/** Adds the lines that show what is selected besides its outline: ranges of lights and sounds, views of cameras, boxes of decals. */
+/** Most selected lights whose ranges are all drawn: those of more would hide the picture. */
+const MOST_RANGES = 8;
+
+/**
+ * Adds the lines that show what is selected besides its outline: ranges of lights and sounds, views of cameras, boxes of decals.
+ * Of more lights than `MOST_RANGES` the range of the one chosen last alone.
+ */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
+  let lights = 0;
+  let last: GameObject | null = null;
+  for (const object of objects) {
+    if (!object.getComponent(Light)) continue;
+    lights++;
+    last = object;
+  }
   for (const object of objects) {
     const light = object.getComponent(Light);
     const camera = object.getComponent(Camera);
-    if (light) drawLight(lines, light);
+    if (light && (lights <= MOST_RANGES || object === last)) drawLight(lines, light);
     const decal = object.getComponent(Decal);
     if (camera && camera !== lookThrough) drawCamera(lines, camera);
     if (decal) drawDecal(lines, decal);

@@ -1,4 +1,5 @@
 import { afterEach, expect, test } from 'vitest';
+import { formatCount } from './formatCount';
 import { formatTime } from './formatTime';
 import { setTexts, t, tCount } from './translate';
 
@@ -25,4 +26,10 @@ test('times are of the language that is shown', () => {
   expect(formatTime(noon, true)).toMatch(/^31 ene 2026/);
   setTexts({});
   expect(formatTime(noon, true)).toMatch(/^Jan 31, 2026/);
+});
+
+test('thousands are apart by what is no decimal point in the language that is shown', () => {
+  expect([formatCount(2208.4), formatCount(151_700, true), formatCount(12)]).toEqual(['2,208', '151.7K', '12']);
+  setTexts({}, 'es');
+  expect([formatCount(1_002_208), formatCount(151_700, true)]).toEqual(['1\u202f002\u202f208', '151.7K']);
 });

@@ -17,6 +17,9 @@ export function setTexts(wanted: Texts, name = 'en'): void {
   language = name;
 }
 
+/** The name of the language that is shown, such as 'es'. */
+export const textLanguage = (): string => language;
+
 /**
  * The language that is shown, as dates and lists need it: as the browser has it, with its country, else by itself.
  * @returns a tag of BCP 47, such as 'es-MX'

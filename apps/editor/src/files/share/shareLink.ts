@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatCount, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { containerContent, inlineAssets } from '@farol/engine/files';
 import { encodeLink } from './linkText';
@@ -6,7 +6,7 @@ import { encodeLink } from './linkText';
 /** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */
 export const LINK_LIMIT = 64_000;
 
-const kilobytes = (count: number): string => `${Math.ceil(count / 1000).toLocaleString('en')} kB`;
+const kilobytes = (count: number): string => `${formatCount(Math.ceil(count / 1000))} kB`;
 
 /**
  * The scene as the part of an address after '#'.

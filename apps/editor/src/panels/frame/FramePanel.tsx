@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatCount, t } from '@farol/editing';
 import { type ReactNode, useCallback } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { SelectBox } from '../../ui/SelectBox';
@@ -13,7 +13,6 @@ import './frame.css';
 import { PassesSection } from './PassesSection';
 import { ViewsSection } from './ViewsSection';
 
-const whole = new Intl.NumberFormat('en');
 const megabytes = (bytes: number): string => `${(bytes / 2 ** 20).toFixed(1)} MB`;
 
 /** How the picture is made: technique and view, times of the passes, all views at once, two techniques beside each other. */
@@ -70,8 +69,8 @@ function Figures(): ReactNode {
       return [
         viewport.technique === 'auto' ? `${t(label)}: ${t(info.reason)}.` : '',
         `${t('Lights')}\t${t('{visible} of {total} in view', { visible: info.lights.visible, total: info.lights.total })}`,
-        `${t('Draws')}\t${whole.format(info.drawCalls)}`,
-        `${t('Triangles')}\t${whole.format(info.triangles)}`,
+        `${t('Draws')}\t${formatCount(info.drawCalls)}`,
+        `${t('Triangles')}\t${formatCount(info.triangles)}`,
         `${t('Programs')}\t${info.programs}`,
         `${t('Targets')}\t${megabytes(info.targetBytes)}`,
         `${t('Sent')}\t${t('{kilobytes} kB a frame', { kilobytes: (info.uploadBytes / 1024).toFixed(1) })}`,

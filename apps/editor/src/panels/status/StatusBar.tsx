@@ -1,4 +1,4 @@
-import { formatTime, t, tCount } from '@farol/editing';
+import { formatCount, formatTime, t, tCount } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -7,9 +7,6 @@ import './status.css';
 
 /** How often the figures are read, a second. */
 const RATE = 4;
-
-const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
-const short = new Intl.NumberFormat('en', { notation: 'compact', maximumFractionDigits: 1 });
 
 /** What is edited, and the figures of the last frame. */
 export function StatusBar(): ReactNode {
@@ -28,7 +25,7 @@ export function StatusBar(): ReactNode {
   const rate = usePoll(
     useCallback(() => {
       const frames = viewport.statistics.rate(performance.now());
-      return frames === null ? t('at rest') : `${integer.format(frames)} FPS`;
+      return frames === null ? t('at rest') : `${formatCount(frames)} FPS`;
     }, [viewport]),
     RATE,
   );
@@ -41,8 +38,8 @@ export function StatusBar(): ReactNode {
           : t('{visible} of {total}', { visible: lights.visible, total: lights.total });
       return [
         tCount(lights.total, '{shown} light', '{shown} lights', { shown }),
-        tCount(drawCalls, '{shown} draw', '{shown} draws', { shown: integer.format(drawCalls) }),
-        tCount(triangles, '{shown} triangle', '{shown} triangles', { shown: short.format(triangles) }),
+        tCount(drawCalls, '{shown} draw', '{shown} draws', { shown: formatCount(drawCalls) }),
+        tCount(triangles, '{shown} triangle', '{shown} triangles', { shown: formatCount(triangles, true) }),
       ].join('\n');
     }, [viewport]),
     RATE,

@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatCount, t } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect, useRef } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
@@ -6,8 +6,6 @@ import { usePoll } from '../../ui/usePoll';
 /** Frames that the curve shows, and the time at its top (ms). */
 const FRAMES = 120;
 const TOP = 33.3;
-
-const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 
 /** Figures of the last frames over the picture: read four times a second, the curve drawn with each frame. */
 export function StatisticsOverlay(): ReactNode {
@@ -38,11 +36,11 @@ export function StatisticsOverlay(): ReactNode {
       const { memory } = viewport.webgl.info;
       const rate = viewport.statistics.rate(performance.now());
       return [
-        `${t('Frame')}\t${rate === null ? t('at rest') : `${whole.format(rate)} FPS, ${(1000 / rate).toFixed(1)} ms`}`,
+        `${t('Frame')}\t${rate === null ? t('at rest') : `${formatCount(rate)} FPS, ${(1000 / rate).toFixed(1)} ms`}`,
         `CPU\t${info.cpuMs.toFixed(2)} ms`,
         `GPU\t${info.gpuMs === null ? t('not told') : `${info.gpuMs.toFixed(2)} ms`}`,
-        `${t('Draws')}\t${whole.format(info.drawCalls)}`,
-        `${t('Triangles')}\t${whole.format(info.triangles)}`,
+        `${t('Draws')}\t${formatCount(info.drawCalls)}`,
+        `${t('Triangles')}\t${formatCount(info.triangles)}`,
         `${t('Lights')}\t${t('{visible} of {total}', { visible: info.lights.visible, total: info.lights.total })}`,
         `${t('Geometries')}\t${memory.geometries}`,
         `${t('Textures')}\t${memory.textures}`,

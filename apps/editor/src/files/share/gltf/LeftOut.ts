@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { formatCount, t } from '@farol/editing';
 
 /** How many names of objects a line has. */
 const MOST_NAMES = 3;
@@ -29,7 +29,7 @@ export class LeftOut {
     return [...this.kinds].map(([kind, { size }]) => {
       const names = [...(this.names.get(kind) ?? [])];
       const told = names.slice(0, MOST_NAMES).join(', ') + (names.length > MOST_NAMES ? ', …' : '');
-      return `${kind}${told && `: ${told}`}${size > 0 ? ` (${size.toLocaleString('en')})` : ''}`;
+      return `${kind}${told && `: ${told}`}${size > 0 ? ` (${formatCount(size)})` : ''}`;
     });
   }
 }
