@@ -1,12 +1,18 @@
 import { AssetError } from '@farol/engine';
 import { sourceFiles } from '@farol/tools/sourceFiles';
-import { afterEach, expect, test } from 'vitest';
+import { afterEach, expect, test, vi } from 'vitest';
 import { ConsoleLog } from './model/ConsoleLog';
 import { Notices } from './model/Notices';
 import { ofEngine } from './language/es';
 import { engine } from './language/es/engine';
 import { messageTranslator } from './language/messageTable';
 import { showLanguage } from './language/shownLanguage';
+
+// other tests run in the same thread
+afterEach(async () => {
+  await showLanguage('en');
+  vi.unstubAllGlobals();
+});
 
 afterEach(() => showLanguage('en'));
 
@@ -60,7 +66,7 @@ test('the console and the notices speak the language that is shown', async () =>
   const message = "The asset 'a.png' is unknown: it is gone already.";
   notices.show('error', message);
   expect(log.entries[0].text).toBe(message);
-  globalThis.document ??= { documentElement: {} } as Document;
+  vi.stubGlobal('document', { documentElement: {} });
   await showLanguage('es');
   notices.show('error', message);
   expect(notices.current.at(-1)!.text).toBe("El recurso 'a.png' ya no existe.");

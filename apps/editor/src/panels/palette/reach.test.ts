@@ -1,5 +1,5 @@
 import { builtinComponents, Camera, ComponentRegistry, GameObject, Scene } from '@farol/engine';
-import { beforeEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { actions } from '../../actions';
 import { allActions } from '../../actions/allActions';
 import { menuEntries, menuNames } from '../../actions/menuEntries';
@@ -24,6 +24,7 @@ beforeEach(() => {
   vi.stubGlobal('innerWidth', 1440);
   vi.stubGlobal('innerHeight', 900);
 });
+afterEach(() => void vi.unstubAllGlobals());
 
 /** Gives itself for whatever is asked of it: a part of the editor whose state no label needs. */
 const anything: object = new Proxy(() => anything, {
