@@ -126,7 +126,12 @@ export class TAA implements FarolEffect {
   private open = false;
   private contextLists: unknown = null;
 
-  constructor(private readonly options: TAAOptions = {}) {}
+  /** @throws RangeError for other `cells` than 1 and 2 */
+  constructor(private readonly options: TAAOptions = {}) {
+    const { cells } = options;
+    if (cells !== undefined && cells !== 1 && cells !== 2)
+      throw new RangeError(`TAA: cells is ${String(cells)}; give 1 or 2.`);
+  }
 
   get bytes(): number {
     let bytes = this.motion.bytes + (this.shared?.bytes ?? 0);

@@ -2,6 +2,7 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { halton } from './halton';
 import { jitterProjection } from './jitterProjection';
+import { TAA } from './TAA';
 
 describe('halton', () => {
   it('is the radical inverse', () => {
@@ -29,5 +30,12 @@ describe('jitterProjection', () => {
       expect(after.y - before.y).toBeCloseTo(-0.125, 10);
       expect(after.z).toBeCloseTo(before.z, 10);
     }
+  });
+});
+
+describe('TAA', () => {
+  it('refuses a number of cells that it cannot have', () => {
+    expect(() => new TAA({ cells: 3 as 2 })).toThrow('TAA: cells is 3; give 1 or 2.');
+    expect(() => new TAA({ cells: 1 })).not.toThrow();
   });
 });

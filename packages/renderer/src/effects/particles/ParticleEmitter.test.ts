@@ -73,6 +73,15 @@ test.each(wrong)('%s of %j is refused where it is set, and the value before it s
   expect(emitter[name]).toBe(before);
 });
 
+test('a name that no setting has is refused, and nothing is set', () => {
+  const emitter = new ParticleEmitter({ rate: 7 });
+  expect(() => emitter.set({ rate: 9, rat: 3 } as object)).toThrow(
+    /^ParticleEmitter: "rat" is no setting; the settings are .*\brate\b/,
+  );
+  expect(emitter.rate).toBe(7);
+  expect(() => new ParticleEmitter({ toString: 1 } as object)).toThrow('"toString" is no setting');
+});
+
 test('a step must be a finite number of seconds', () => {
   const emitter = new ParticleEmitter();
   expect(() => emitter.step(Number.NaN)).toThrow('step(NaN); give a finite number of seconds of at least 0.');

@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { LightField } from '../../light-field/LightField';
 import type { LightTextures } from '../../light-field/LightTextures';
-import { checkParticleSetting, settingNames } from './checkParticleSetting';
+import { checkParticleName, checkParticleSetting, settingNames } from './checkParticleSetting';
 import { instancesOf } from './instancesOf';
 import { particleDefaults } from './particleDefaults';
 import type { ParticleSettings } from './ParticleSettings';
@@ -130,9 +130,10 @@ export class ParticleEmitter extends MeshWithSettings {
 
   /**
    * Gives several settings other values.
-   * @throws RangeError that names the first which cannot be; those before it have theirs
+   * @throws RangeError that names the first which cannot be; those before it have theirs. None has where a name is unknown
    */
   set(settings: Partial<ParticleSettings>): this {
+    for (const name of Object.keys(settings)) checkParticleName(this.owner, name);
     for (const name of settingNames)
       if (settings[name] !== undefined) (this as Record<string, unknown>)[name] = settings[name];
     return this;

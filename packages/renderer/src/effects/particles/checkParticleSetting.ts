@@ -174,6 +174,12 @@ const checks: { readonly [Name in keyof ParticleSettings]: Check } = {
 
 export const settingNames = Object.keys(checks) as readonly (keyof ParticleSettings)[];
 
+/** @throws RangeError for a name that no setting has */
+export function checkParticleName(owner: string, name: string): void {
+  if (Object.hasOwn(checks, name)) return;
+  throw new RangeError(`${owner}: ${shortText(name)} is no setting; the settings are ${settingNames.join(', ')}.`);
+}
+
 /**
  * @param owner names the emitter
  * @throws RangeError that names the setting and what to give, when the value cannot be
