@@ -91,7 +91,7 @@ export class LightFinder {
     if (!this.warned) {
       this.warned = true;
       console.warn(
-        `Farol: ShaderChunk's lights chunks were changed, or an onBeforeCompile leaves no #include <lights_fragment_begin>, so that three would have to draw all ${this.found.left} lights. It can draw ${most}: these materials are drawn without lights.`,
+        `Farol: a changed lights chunk, or an onBeforeCompile without #include <lights_fragment_begin>, leaves three to draw ${this.found.left} lights; it can draw ${most}. These materials are drawn without lights.`,
       );
     }
     return true;

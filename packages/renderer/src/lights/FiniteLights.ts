@@ -18,8 +18,7 @@ export class FiniteLights {
     if (!this.warned.has(light)) {
       this.warned.add(light);
       console.warn(
-        `Farol: ${light.type} "${light.name || light.uuid}" is left out: its position, target, colour, intensity, ` +
-          `decay, angle or size is not a finite number; set one.`,
+        `Farol: ${light.type} "${light.name || light.uuid}" is left out: its place, colour or another value is not a finite number; set one.`,
       );
     }
     return false;

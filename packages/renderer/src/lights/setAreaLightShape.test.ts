@@ -8,7 +8,7 @@ it('makes an area light another shape, and refuses one that there is not', () =>
   setAreaLightShape(light, 'disc');
   expect(light.userData.farol).toEqual({ range: 3, shape: 'disc' });
   expect(() => setAreaLightShape(light, 'disk' as 'disc')).toThrow(
-    'setAreaLightShape: the shape is "disk"; give rectangle, disc, tube.',
+    'Farol: "disk" is no shape; give rectangle, disc, tube.',
   );
   expect(light.userData.farol.shape).toBe('disc');
 });

@@ -1,7 +1,7 @@
 import type { RectAreaLight } from 'three';
 import type { AreaLightShape } from './FarolLightData';
 
-const shapes: readonly AreaLightShape[] = ['rectangle', 'disc', 'tube'];
+const SHAPES = 'rectangle, disc, tube';
 
 /**
  * Makes a RectAreaLight another shape; stock three draws it as a rectangle all the same. Kept as JSON at
@@ -11,8 +11,7 @@ const shapes: readonly AreaLightShape[] = ['rectangle', 'disc', 'tube'];
  * @throws RangeError for another shape
  */
 export function setAreaLightShape(light: RectAreaLight, shape: AreaLightShape): void {
-  if (!shapes.includes(shape)) {
-    throw new RangeError(`setAreaLightShape: the shape is "${shape}"; give ${shapes.join(', ')}.`);
-  }
+  // called by JavaScript too
+  if (!SHAPES.split(', ').includes(shape)) throw new RangeError(`Farol: "${shape}" is no shape; give ${SHAPES}.`);
   light.userData.farol = { ...light.userData.farol, shape };
 }
