@@ -7,6 +7,6 @@ export function warnOfNaN(object: Object3D): void {
   if (warned.has(object)) return;
   warned.add(object);
   console.warn(
-    `Farol: ${object.type} "${object.name || object.uuid}" has a matrix or positions that are not finite numbers (NaN); set them. The rest is drawn.`,
+    `Farol: ${object.type} "${object.name || object.uuid}" has a matrix or positions that are not numbers (NaN); set them. The rest is drawn.`,
   );
 }
