@@ -129,7 +129,9 @@ export class FieldChannel implements Channel {
 
   release(): void {
     const { component, field } = this;
-    if (component.isAttached) component.simulate(field, component.getAuthored(field));
+    // a uniform of a surface, or a weight of a model's morph target, goes with them
+    if (component.isAttached && Object.hasOwn(component.fields, field))
+      component.simulate(field, component.getAuthored(field));
   }
 
   private addRest(rest: Vector3Tuple): void {

@@ -44,6 +44,19 @@ function stage(model = source()): { scene: Scene; renderer: ModelRenderer; weigh
   return { scene, renderer, weights };
 }
 
+/** Adds a clip of two seconds from no smile to a whole one. @returns what is told of components from now on */
+function addGrin(scene: Scene): readonly string[] {
+  const keys = [
+    { time: 0, value: 0 },
+    { time: 2, value: 1 },
+  ];
+  const data = clipText({ tracks: [{ path: '', component: 'ModelRenderer', field: 'morph.Smile', keys }], events: [] });
+  scene.assets.addFieldAsset('clip', 'Grin', { data, duration: 2 });
+  const told: string[] = [];
+  scene.onComponentError = (_component, error) => told.push((error as Error).message);
+  return told;
+}
+
 const names = ({ fields }: ModelRenderer): string[] => Object.keys(fields).filter((name) => name.startsWith('morph.'));
 
 test('the weight of each morph target is a field, of all meshes that have one of the name', async () => {
@@ -101,14 +114,7 @@ test('parts have the morph targets that they draw, and another model its own', (
 
 test('a clip of one’s own animates weights, also of a model that is chosen after it began', () => {
   const { scene, renderer, weights } = stage();
-  const keys = [
-    { time: 0, value: 0 },
-    { time: 2, value: 1 },
-  ];
-  const data = clipText({ tracks: [{ path: '', component: 'ModelRenderer', field: 'morph.Smile', keys }], events: [] });
-  scene.assets.addFieldAsset('clip', 'Grin', { data, duration: 2 });
-  const told: string[] = [];
-  scene.onComponentError = (_component, error) => told.push((error as Error).message);
+  const told = addGrin(scene);
   renderer.model = null;
   renderer.gameObject.addComponent(Animation, { clip: 'Grin' });
   scene.update(0.5);
@@ -120,4 +126,21 @@ test('a clip of one’s own animates weights, also of a model that is chosen aft
   scene.reset();
   expect(weights()).toEqual({ Face: [0, 0.25], Teeth: [0, 0] });
   expect(told).toHaveLength(1);
+});
+
+test('a scene is reset where the model of a weight that is animated has gone meanwhile', () => {
+  const { scene, renderer, weights } = stage();
+  const told = addGrin(scene);
+  renderer.gameObject.addComponent(Animation, { clip: 'Grin' });
+  scene.update(0.5);
+  renderer.model = null;
+  scene.reset();
+  expect(told).toEqual([]);
+  renderer.model = 'face.glb';
+  expect(weights()).toEqual({ Face: [0, 0.25], Teeth: [0, 0] });
+  scene.update(0.5);
+  renderer.model = null;
+  scene.update(0.5);
+  scene.update(0.5);
+  expect(told).toEqual([expect.stringContaining("has no field 'morph.Smile'")]);
 });
