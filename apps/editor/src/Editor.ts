@@ -169,7 +169,7 @@ export class Editor implements EditorApi {
       if (name === null) return;
       const text = name.length > 60 ? `${name.slice(0, 60)}…` : name;
       this.notices.show(
-        'info',
+        'warning',
         t('There is no scene “{text}”: known are empty, {names}.', { text, names: Object.keys(samples).join(', ') }),
       );
     }
