@@ -16,6 +16,8 @@ const alone = [
   'packages/engine/src/app/appSize.test.ts',
   'packages/engine/src/components/Decal.test.ts',
 ];
+/** Files that measure what the process does: two threads of tests in one would be measured together. */
+const processes = ['packages/engine/src/fuzz/*.test.ts'];
 
 /** One run over the unit tests of all workspaces, in Node; with the three of the folder FAROL_THREE, if there is one. */
 export default defineConfig({
@@ -32,8 +34,12 @@ export default defineConfig({
     hookTimeout: 30_000,
     projects: [
       // most of the time would go to loading three and our packages anew for each file
-      { extends: true, test: { name: 'together', include, exclude: [...exclude, ...alone], isolate: false } },
+      {
+        extends: true,
+        test: { name: 'together', include, exclude: [...exclude, ...alone, ...processes], isolate: false },
+      },
       { extends: true, test: { name: 'alone', include: alone, exclude, isolate: true } },
+      { extends: true, test: { name: 'processes', include: processes, exclude, pool: 'forks' } },
     ],
   },
 });

@@ -117,6 +117,7 @@ test('a surface from a built-in, on an object: its values are fields; its text i
   // on a phone: all of the panel is in the window
   await page.getByRole('button', { name: 'Close', exact: true }).click();
   await page.setViewportSize({ width: 390, height: 844 });
+  await expect(page.locator('.sheet-tabs')).toBeVisible();
   await page.evaluate(() => window.editor.openMicroShader('surface:Tint'));
   await expect(panel.getByRole('button', { name: 'Show the asset' })).toBeInViewport({ ratio: 1 });
   await expect(panel.getByRole('status')).toBeInViewport({ ratio: 1 });

@@ -17,8 +17,9 @@ test('a fresh profile is welcomed over a ready scene; the tour leads to real con
   expect(await page.evaluate(() => window.editor.document.scene.name)).toBe('Temple');
   const pictures = welcome(page).getByRole('region', { name: 'Samples' }).locator('img');
   await expect(pictures).toHaveCount(await page.evaluate(() => Object.keys(window.editor.samples).length));
-  const widths = pictures.evaluateAll((images) => images.map((image) => (image as HTMLImageElement).naturalWidth));
-  expect(new Set(await widths)).toEqual(new Set([640]));
+  const widths = (): Promise<number[]> =>
+    pictures.evaluateAll((images) => images.map((image) => (image as HTMLImageElement).naturalWidth));
+  await expect.poll(async () => [...new Set(await widths())]).toEqual([640]);
   expect(await axeProblems(page)).toEqual([]);
 
   await page.getByRole('button', { name: 'Two-minute tour' }).click();

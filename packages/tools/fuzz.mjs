@@ -1,17 +1,41 @@
 /**
- * `npm run fuzz`: opens 100,000 generated and damaged files; see packages/engine/src/fuzz. Failing ones are cut down and
- * written to .cache/fuzz: mend the fault, and keep the file in packages/engine/src/fuzz/found.
+ * `npm run fuzz`: opens 100,000 generated and damaged files, in as many processes as there are processors; see
+ * packages/engine/src/fuzz. Failing ones are cut down and written to .cache/fuzz: mend the fault, and keep the file in
+ * packages/engine/src/fuzz/found. `npm run fuzz -- --help` lists options.
  *
- * `npm run fuzz -- 5000 77` opens 5,000, the first of seed 77.
+ * On another host, without npm: `npm run fuzz -- --pack fuzz.mjs` here, and `node fuzz.mjs` there.
  */
-import { join } from 'node:path';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { ensureInstalled } from './ensureInstalled.mjs';
 import { root } from './root.mjs';
-import { runTool } from './runTool.mjs';
 
-const [cases = '100000', seed = '1000000'] = process.argv.slice(2);
-process.exitCode = runTool(
-  'vitest',
-  'vitest',
-  ['run', '--config', 'packages/vitest.config.ts', 'packages/engine/src/fuzz'],
-  { FAROL_FUZZ_CASES: cases, FAROL_FUZZ_SEED: seed, FAROL_FUZZ_OUT: join(root, '.cache/fuzz') },
-);
+ensureInstalled();
+const { build } = await import('vite');
+const { serverSourceConditions } = await import('./sourceConditions.mjs');
+const outDir = join(root, '.cache/fuzz-bundle');
+await build({
+  configFile: false,
+  root: join(root, 'packages/engine'),
+  publicDir: false,
+  logLevel: 'warn',
+  ssr: { noExternal: true, resolve: { conditions: serverSourceConditions } },
+  build: {
+    ssr: 'src/fuzz/testAtLength.ts',
+    outDir,
+    emptyOutDir: true,
+    target: 'node20',
+    rolldownOptions: { output: { entryFileNames: 'fuzz.mjs', codeSplitting: false } },
+  },
+});
+const bundle = join(outDir, 'fuzz.mjs');
+const args = process.argv.slice(2);
+const pack = args.indexOf('--pack');
+if (pack < 0)
+  process.exitCode = spawnSync(process.execPath, [bundle, ...args], { stdio: 'inherit', cwd: root }).status ?? 1;
+else if (args[pack + 1]) copyFileSync(bundle, resolve(args[pack + 1]));
+else {
+  console.error('--pack: name the file that is to be made.');
+  process.exitCode = 1;
+}

@@ -1,20 +1,13 @@
-import {
-  DepthTexture,
-  FloatType,
-  NearestFilter,
-  RGBAFormat,
-  type Texture,
-  type WebGLRenderer,
-  WebGLRenderTarget,
-} from 'three';
+import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type Texture, type WebGLRenderer } from 'three';
 import { drawBuffersOf } from '../gpu/checkDevice';
 import { attachmentIndex } from './gbufferNames';
 import { targetBytes } from '../gpu/targetBytes';
 import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
+import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
 /** Geometry buffer: the attachments of `gbufferLayout`, those that effects ask for, and a depth texture. */
 export class GBuffer {
-  readonly target: WebGLRenderTarget;
+  readonly target: WebGLMultipleRenderTargets;
   readonly layout: readonly GBufferAttachment[];
   /** Emissive and indirect light: the first attachment, or, for the rest of a frame, what an effect made of it. */
   accumulation: Texture;
@@ -37,8 +30,7 @@ export class GBuffer {
         `Farol: the G-buffer has ${layout.length} attachments and this device draws to ${most} at once; use a technique without a G-buffer, such as 'forward'.`,
       );
     }
-    this.target = new WebGLRenderTarget(1, 1, {
-      count: layout.length,
+    this.target = new WebGLMultipleRenderTargets(1, 1, layout.length, {
       minFilter: NearestFilter,
       magFilter: NearestFilter,
       depthTexture: new DepthTexture(1, 1, FloatType),
