@@ -1,3 +1,4 @@
+import { machineSlowness } from '@farol/tools/machineSlowness';
 import type { CDPSession, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
 import { openEditor } from './editor';
@@ -119,10 +120,12 @@ test('inspector and tree cost 0.3 ms a frame at most while 200 of 10,000 objects
   const closed: number[] = [];
   for (let i = 0; i < 5; i++) closed.push(await perFrame());
   const cost = least(open) - least(closed);
+  const slowness = machineSlowness();
   console.log(
-    `open ${least(open).toFixed(3)} ms, closed ${least(closed).toFixed(3)} ms a frame: ${cost.toFixed(3)} ms`,
+    `open ${least(open).toFixed(3)} ms, closed ${least(closed).toFixed(3)} ms a frame: ${cost.toFixed(3)} ms; ` +
+      `machine ${slowness.toFixed(2)} times slower than the reference`,
   );
-  expect(cost).toBeLessThan(0.3);
+  expect(cost).toBeLessThan(0.3 * slowness);
 });
 
 test('an edit of one of 10,000 objects is committed within 16 ms; open, edit all, save within 2 s', async ({
@@ -178,8 +181,9 @@ test('an edit of one of 10,000 objects is committed within 16 ms; open, edit all
   const edited = await seconds(press('h'));
   const saved = await seconds(() => page.evaluate(() => window.editor.serialize().length));
   console.log(`open ${opened.toFixed(2)} s, hide all ${edited.toFixed(2)} s, save ${saved.toFixed(2)} s`);
-  for (const [name, times] of Object.entries(figures)) expect(least(times), name).toBeLessThan(16);
-  expect(opened).toBeLessThan(2);
-  expect(edited).toBeLessThan(2);
-  expect(saved).toBeLessThan(2);
+  const slowness = machineSlowness();
+  for (const [name, times] of Object.entries(figures)) expect(least(times), name).toBeLessThan(16 * slowness);
+  expect(opened).toBeLessThan(2 * slowness);
+  expect(edited).toBeLessThan(2 * slowness);
+  expect(saved).toBeLessThan(2 * slowness);
 });
