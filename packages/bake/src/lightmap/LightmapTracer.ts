@@ -6,13 +6,12 @@ import {
   type Texture,
   type WebGLArrayRenderTarget,
   type WebGLRenderer,
-  type WebGLRenderTarget,
 } from 'three';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import type { Slices } from '../gpu/Slices';
 import { keepState } from '../gpu/keepState';
 import { measurePhase } from '../measurePhase';
-import { lightUniforms, type LightTable } from '../trace/lightTable';
+import type { LightTable } from '../trace/lightTable';
 import type { BakedProbes } from '../probes/BakedProbes';
 import { traceProbes } from '../probes/traceProbes';
 import type { SkySource } from '../trace/SkySource';
@@ -22,14 +21,14 @@ import coarsen from './coarsen.glsl?raw';
 import copy from './copy.glsl?raw';
 import denoise from './denoise.glsl?raw';
 import dilate from './dilate.glsl?raw';
-import direct from './direct.glsl?raw';
-import gather from './gather.glsl?raw';
+import { type Grid, gridTargets } from './grid';
 import move from './move.glsl?raw';
 import preview from './preview.glsl?raw';
 import resolve from './resolve.glsl?raw';
 import settle from './settle.glsl?raw';
+import { directStages, type Gather, gathersOf, type Stage, type StageSource } from './stages';
 import type { Surfaces } from './Surfaces';
-import { layersTarget, maskTarget, pictureTarget, placeTarget, sumsTarget, texelTarget } from './targets';
+import { layersTarget, maskTarget, pictureTarget, texelTarget } from './targets';
 import upsample from './upsample.glsl?raw';
 
 export interface LightmapTracerOptions {
@@ -48,18 +47,6 @@ export interface LightmapTracerOptions {
   onSlice(share: number, samples: number): void;
 }
 
-/** Samples that a draw takes at each texel: always as many, so that sums are rounded alike however fast the GPU is. */
-const SAMPLES_OF_A_DRAW = 4;
-/** Samples of lights with soft shadows, where the first few differ. */
-const softSamples = (samples: number): number =>
-  SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
-/**
- * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise counts
- * less.
- * @param index from 0
- */
-const gatherSamples = (samples: number, index: number): number =>
-  SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
 /** What it costs to settle a texel, in samples: eight rays or more, and four short ones. */
 const SETTLE_COST = 10;
 /** Steps of the filter. */
@@ -167,8 +154,9 @@ export class LightmapTracer {
   ): Promise<void> {
     const { bounces } = this.options;
     const layers = this.totals.length;
-    const direct = this.directStages(tables);
-    const gathers = this.gathers(skies);
+    const source = this.stageSource();
+    const direct = directStages(source, tables);
+    const gathers = gathersOf(source, skies);
     const all = [...direct, ...gathers.flatMap(({ stages }) => stages)];
     this.whole = layers * (SETTLE_COST + all.reduce((sum, stage) => sum + stage.cost, 0));
     if (this.scene.shines) {
@@ -234,75 +222,10 @@ export class LightmapTracer {
     Object.values(this.passes).forEach((pass) => pass.dispose());
   }
 
-  private directStages(tables: readonly [LightTable, LightTable]): Stage[] {
-    const { samples, bounces } = this.options;
-    return tables.flatMap((table, i) => {
-      if (i === 1 && bounces === 0) return [];
-      const stage = (isSoft: boolean): Stage => {
-        const perDraw = isSoft ? SAMPLES_OF_A_DRAW : 1;
-        const count = isSoft ? softSamples(samples) : 1;
-        const defines = { SAMPLES: perDraw, SOFT: String(isSoft) };
-        return {
-          pass: this.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
-          ...{ grid: this.fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
-          // few texels need them all
-          cost: isSoft ? perDraw + 0.1 * count : 1,
-          firstSamples: isSoft && count > perDraw ? perDraw : 0,
-          isNoisy: isSoft,
-          isGather: false,
-        };
-      };
-      return [...(table.hasHard ? [stage(false)] : []), ...(table.hasSoft ? [stage(true)] : [])];
-    });
-  }
-
-  /**
-   * Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by the first gather, which
-   * it takes beside: the last one then is of that alone.
-   */
-  private gathers(skies: readonly [SkySource, SkySource]): Gather[] {
-    const { bounces } = this.options;
-    const [sky, hidden] = skies;
-    const shines = !sky.isBlack || this.scene.shines;
-    const reflectsHidden = !hidden.isBlack && bounces > 0;
-    const hasSources = shines || reflectsHidden;
-    const count = hasSources ? bounces + 1 : bounces;
-    return Array.from({ length: count }, (_, i): Gather => {
-      const isLast = hasSources && i === bounces;
-      const reflected = {
-        ...(i > 0 || bounces > 0 ? { REFLECTED: '' } : {}),
-        ...(isLast ? { SOURCES_ALONE: '' } : {}),
-      };
-      const stages: Stage[] = [];
-      if (i === 0 && shines) {
-        const defines = { ...sky.defines, ...reflected, FROM_SOURCES: '' };
-        stages.push(this.gatherStage('sources', i, false, sky.uniforms, defines, 8));
-      } else if (i > 0 || bounces > 0) {
-        stages.push(this.gatherStage(isLast ? 'last' : 'bounce', i, false, {}, reflected, 16 + i));
-      }
-      if (i === 0 && reflectsHidden) {
-        stages.push(this.gatherStage('hidden', i, true, hidden.uniforms, { ...hidden.defines, FROM_SOURCES: '' }, 9));
-      }
-      const probes = i <= bounces - 2 ? 'all' : hasSources && i === bounces - 1 ? 'sources' : 'none';
-      return { stages, isReflected: i < count - 1, probes };
-    });
-  }
-
-  private gatherStage(
-    name: string,
-    index: number,
-    isIndirect: boolean,
-    uniforms: Record<string, { value: unknown }>,
-    defines: Record<string, unknown>,
-    stream: number,
-  ): Stage {
-    const samples = gatherSamples(this.options.samples, index);
-    const noSky = { SKY_LIGHTS: 1, SAMPLES: SAMPLES_OF_A_DRAW };
-    const pass = this.tracePass(name, gather, uniforms, { ...noSky, ...defines });
-    const grid = index === 0 ? this.fine : this.coarse;
-    const cost = samples * (grid.size / this.options.size) ** 2;
-    const base = { perDraw: SAMPLES_OF_A_DRAW, cost, scale: Math.PI, stream, isIndirect };
-    return { pass, samples, grid, firstSamples: 0, isNoisy: true, isGather: true, ...base };
+  private stageSource(): StageSource {
+    const { fine, coarse, options, scene } = this;
+    const { samples, bounces } = options;
+    return { samples, bounces, fine, coarse, shines: scene.shines, tracePass: (...given) => this.tracePass(...given) };
   }
 
   private tracePass(
@@ -574,54 +497,4 @@ export class LightmapTracer {
     this.renderer.setRenderTarget(target, lightmap);
     this.renderer.clear();
   }
-}
-
-/** Texels at which light is reckoned. */
-interface Grid {
-  /** Texels along a side. */
-  readonly size: number;
-  /** Positions, normals and normals of faces. */
-  readonly places: WebGLRenderTarget;
-  /** Positions as settle.glsl has moved them, where those are apart. */
-  readonly settled: WebGLRenderTarget | null;
-  /** Of all light, and of the luminance of that which lights have not given. */
-  readonly sums: WebGLRenderTarget;
-  /** A filter reads the first and writes the second. */
-  readonly light: WebGLRenderTarget[];
-}
-
-const gridTargets = (size: number): Omit<Grid, 'settled'> => ({
-  size,
-  places: placeTarget(size),
-  sums: sumsTarget(size),
-  light: [texelTarget(size, FloatType), texelTarget(size, FloatType)],
-});
-
-/** Light that is gathered at all texels before it is reflected. */
-interface Gather {
-  readonly stages: readonly Stage[];
-  /** Whether another one follows. */
-  readonly isReflected: boolean;
-  /** Which of its light probes see reflected. */
-  readonly probes: 'all' | 'sources' | 'none';
-}
-
-/** One kind of light, gathered at every texel. */
-interface Stage {
-  readonly pass: FullscreenPass;
-  readonly grid: Grid;
-  readonly samples: number;
-  readonly perDraw: number;
-  /** After so many, texels that they agree on take no more; 0: all take all. */
-  readonly firstSamples: number;
-  /** Of the whole work, in samples of a texel of the lightmap. */
-  readonly cost: number;
-  /** Irradiance by the mean of the samples. */
-  readonly scale: number;
-  /** Sets its random numbers apart. */
-  readonly stream: number;
-  /** Reflected, not shown. */
-  readonly isIndirect: boolean;
-  readonly isNoisy: boolean;
-  readonly isGather: boolean;
 }

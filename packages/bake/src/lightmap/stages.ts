@@ -1,0 +1,138 @@
+import type { FullscreenPass } from '../gpu/FullscreenPass';
+import { lightUniforms, type LightTable } from '../trace/lightTable';
+import type { SkySource } from '../trace/SkySource';
+import direct from './direct.glsl?raw';
+import gather from './gather.glsl?raw';
+import type { Grid } from './grid';
+
+/** Light that is gathered at all texels before it is reflected. */
+export interface Gather {
+  readonly stages: readonly Stage[];
+  /** Whether another one follows. */
+  readonly isReflected: boolean;
+  /** Which of its light probes see reflected. */
+  readonly probes: 'all' | 'sources' | 'none';
+}
+
+/** One kind of light, gathered at every texel. */
+export interface Stage {
+  readonly pass: FullscreenPass;
+  readonly grid: Grid;
+  readonly samples: number;
+  readonly perDraw: number;
+  /** After so many, texels that they agree on take no more; 0: all take all. */
+  readonly firstSamples: number;
+  /** Of the whole work, in samples of a texel of the lightmap. */
+  readonly cost: number;
+  /** Irradiance by the mean of the samples. */
+  readonly scale: number;
+  /** Sets its random numbers apart. */
+  readonly stream: number;
+  /** Reflected, not shown. */
+  readonly isIndirect: boolean;
+  readonly isNoisy: boolean;
+  readonly isGather: boolean;
+}
+
+/** What stages are made of. */
+export interface StageSource {
+  readonly samples: number;
+  readonly bounces: number;
+  /** Whether surfaces shine by themselves. */
+  readonly shines: boolean;
+  readonly fine: Grid;
+  readonly coarse: Grid;
+  /** The pass of a name, made once. */
+  tracePass(
+    name: string,
+    fragment: string,
+    uniforms: Record<string, { value: unknown }>,
+    defines: Record<string, unknown>,
+  ): FullscreenPass;
+}
+
+/** Samples that a draw takes at each texel: always as many, so that sums are rounded alike however fast the GPU is. */
+const SAMPLES_OF_A_DRAW = 4;
+/** Samples of lights with soft shadows, where the first few differ. */
+const softSamples = (samples: number): number =>
+  SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
+/**
+ * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise counts
+ * less.
+ * @param index from 0
+ */
+const gatherSamples = (samples: number, index: number): number =>
+  SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
+
+/** What lights give directly: those that are baked, and those of which reflections alone are. */
+export function directStages(source: StageSource, tables: readonly [LightTable, LightTable]): Stage[] {
+  const { samples, bounces, fine } = source;
+  return tables.flatMap((table, i) => {
+    if (i === 1 && bounces === 0) return [];
+    const stage = (isSoft: boolean): Stage => {
+      const perDraw = isSoft ? SAMPLES_OF_A_DRAW : 1;
+      const count = isSoft ? softSamples(samples) : 1;
+      const defines = { SAMPLES: perDraw, SOFT: String(isSoft) };
+      return {
+        pass: source.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
+        ...{ grid: fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
+        // few texels need them all
+        cost: isSoft ? perDraw + 0.1 * count : 1,
+        firstSamples: isSoft && count > perDraw ? perDraw : 0,
+        isNoisy: isSoft,
+        isGather: false,
+      };
+    };
+    return [...(table.hasHard ? [stage(false)] : []), ...(table.hasSoft ? [stage(true)] : [])];
+  });
+}
+
+/**
+ * What is gathered after that. Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by
+ * the first gather, which it takes beside: the last one then is of that alone.
+ */
+export function gathersOf(source: StageSource, skies: readonly [SkySource, SkySource]): Gather[] {
+  const { bounces } = source;
+  const [sky, hidden] = skies;
+  const shines = !sky.isBlack || source.shines;
+  const reflectsHidden = !hidden.isBlack && bounces > 0;
+  const hasSources = shines || reflectsHidden;
+  const count = hasSources ? bounces + 1 : bounces;
+  return Array.from({ length: count }, (_, i): Gather => {
+    const isLast = hasSources && i === bounces;
+    const reflected = {
+      ...(i > 0 || bounces > 0 ? { REFLECTED: '' } : {}),
+      ...(isLast ? { SOURCES_ALONE: '' } : {}),
+    };
+    const stages: Stage[] = [];
+    if (i === 0 && shines) {
+      const defines = { ...sky.defines, ...reflected, FROM_SOURCES: '' };
+      stages.push(gatherStage(source, 'sources', i, false, sky.uniforms, defines, 8));
+    } else if (i > 0 || bounces > 0) {
+      stages.push(gatherStage(source, isLast ? 'last' : 'bounce', i, false, {}, reflected, 16 + i));
+    }
+    if (i === 0 && reflectsHidden) {
+      stages.push(gatherStage(source, 'hidden', i, true, hidden.uniforms, { ...hidden.defines, FROM_SOURCES: '' }, 9));
+    }
+    const probes = i <= bounces - 2 ? 'all' : hasSources && i === bounces - 1 ? 'sources' : 'none';
+    return { stages, isReflected: i < count - 1, probes };
+  });
+}
+
+function gatherStage(
+  source: StageSource,
+  name: string,
+  index: number,
+  isIndirect: boolean,
+  uniforms: Record<string, { value: unknown }>,
+  defines: Record<string, unknown>,
+  stream: number,
+): Stage {
+  const samples = gatherSamples(source.samples, index);
+  const noSky = { SKY_LIGHTS: 1, SAMPLES: SAMPLES_OF_A_DRAW };
+  const pass = source.tracePass(name, gather, uniforms, { ...noSky, ...defines });
+  const grid = index === 0 ? source.fine : source.coarse;
+  const cost = samples * (grid.size / source.fine.size) ** 2;
+  const base = { perDraw: SAMPLES_OF_A_DRAW, cost, scale: Math.PI, stream, isIndirect };
+  return { pass, samples, grid, firstSamples: 0, isNoisy: true, isGather: true, ...base };
+}
