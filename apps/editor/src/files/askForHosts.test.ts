@@ -13,7 +13,7 @@ test('hosts and names are listed short, and few of very many, in time that grows
   }));
   const answer = askForHosts(dialogs, 'scene.farol', many);
   expect(performance.now() - start).toBeLessThan(3000);
-  const request = dialogs.current as { problems: { path: string; problem: string }[] };
+  const request = dialogs.current as unknown as { problems: { path: string; problem: string }[] };
   expect(request.problems).toHaveLength(31);
   expect(request.problems.at(-1)).toEqual({ path: '', problem: '… and 29,979 more' });
   expect(request.problems[20]).toEqual({ path: 'https://20.test', problem: '20 , 30020 ' });
