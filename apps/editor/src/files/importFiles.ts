@@ -21,6 +21,9 @@ import type { FileMap } from '@farol/engine/files';
 /** Endings of the files that can be imported, for messages: an OBJ or STL is packed into a GLB, and a ZIP unpacked. */
 const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .zip,');
 
+/** Whether a file can be imported by itself, by its ending. */
+export const isImportable = (path: string): boolean => typeOfUrl(path) !== null || /\.(fbx|obj|stl|zip)$/i.test(path);
+
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** A path for a message. */
