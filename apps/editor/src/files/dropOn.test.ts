@@ -23,14 +23,14 @@ end_header
 async function drop(...paths: string[]): Promise<{ opened: unknown[]; imported: readonly string[]; said: string[] }> {
   const document = new EditorDocument();
   const notices = new Notices();
-  const openFileBytes = vi.fn(async () => true);
+  const openFileBytes = vi.fn<EditorApi['openFileBytes']>(async () => true);
   const { commands, assets } = document;
   const editor = {
     ...{ document, commands, notices, openFileBytes, dialogs: new Dialogs(), mayUnpack: () => true },
   } as unknown as EditorApi;
   const files = new Map(paths.map((path) => [path, new File([ply], path.slice(path.lastIndexOf('/') + 1))]));
   await dropOn(editor, { asset: null, files }, { kind: 'elsewhere' });
-  const opened = openFileBytes.mock.calls.map((call) => (call as unknown as [unknown, { name: string }])[1].name);
+  const opened = openFileBytes.mock.calls.map(([, { name }]) => name);
   return { opened, imported: assets.files.map(({ name }) => name), said: notices.current.map(({ text }) => text) };
 }
 
