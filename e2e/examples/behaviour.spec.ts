@@ -120,6 +120,19 @@ test('without WebGL 2 every example says what to do', async ({ page, watch }) =>
   watch.forgive(/THREE.Clock|error-boundaries/);
 });
 
+test('an address that names a technique or a part that there is not draws the page all the same', async ({
+  page,
+  watch,
+}) => {
+  for (const name of ['r3f', 'drei', 'gltf']) {
+    await page.goto(`./examples/${name}/index.html?still&technique=constructor&part=__proto__`);
+    await expect(page.getByLabel('Drawn by'), name).toHaveValue('auto');
+    await page.evaluate(() => window.example.ready);
+    expect(await page.evaluate(() => window.example.farol.technique), name).toBe('auto');
+  }
+  watch.forgive(/THREE\.Clock: This module has been deprecated/);
+});
+
 test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends', async ({ page, watch }) => {
   await openExample(page, 'r3f', 'deferred');
   const plain = await drawExample(page, 'deferred');

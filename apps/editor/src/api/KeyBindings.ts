@@ -1,5 +1,6 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
+import { keptInBrowser } from '../model/keptInBrowser';
 
 /** Something with keys of its own: an action. */
 interface Keyed {
@@ -25,7 +26,9 @@ export class KeyBindings<T extends Keyed> {
     private readonly actions: { readonly list: readonly T[] },
     storage: string,
   ) {
-    this.store = createStore<KeyState>()(persist((): KeyState => ({ chosen: {} }), { name: storage }));
+    this.store = createStore<KeyState>()(
+      persist((): KeyState => ({ chosen: {} }), { name: storage, storage: keptInBrowser() }),
+    );
   }
 
   /** The combinations that do an action, such as 'Ctrl+Shift+Z'. */

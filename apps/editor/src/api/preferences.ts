@@ -1,5 +1,6 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
+import { keptInBrowser } from '../model/keptInBrowser';
 import type { Language } from '../language/languages';
 import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
@@ -46,6 +47,6 @@ export const createPreferences = (storage: string): PreferenceStore =>
         pivot: 'centre',
         isMuted: false,
       }),
-      { name: storage },
+      { name: storage, storage: keptInBrowser() },
     ),
   );

@@ -1,18 +1,29 @@
 import { formatCount, t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import type { Dialogs } from '../model/Dialogs';
 
-/** Names of assets that are listed for a host. */
+/** Names of assets that are listed for a host, and hosts that are listed. */
 const LISTED = 4;
+const HOSTS = 30;
 
 /** What is wanted from each host. */
 function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
-  return [...new Set(addresses.map(({ origin }) => origin))].map((path) => {
-    const list = addresses.filter(({ origin }) => origin === path);
-    const names = list.slice(0, LISTED).map(({ asset }) => asset);
+  const byOrigin = new Map<string, string[]>();
+  for (const { origin, asset } of addresses) {
+    const names = byOrigin.get(origin);
+    if (names) names.push(asset);
+    else byOrigin.set(origin, [asset]);
+  }
+  const listed = [...byOrigin].slice(0, HOSTS).map(([origin, list]): FileProblem => {
+    const names = list.slice(0, LISTED).map((name) => shortText(name));
     const more = list.length > LISTED ? t(' and {count} more', { count: formatCount(list.length - LISTED) }) : '';
-    return { path, problem: `${names.join(', ')}${more}` };
+    return { path: shortText(origin, 120), problem: `${names.join(', ')}${more}` };
   });
+  const count = byOrigin.size - listed.length;
+  return count > 0
+    ? [...listed, { path: '', problem: t('… and {count} more', { count: formatCount(count) }) }]
+    : listed;
 }
 
 /** Asks whether a scene may load from other hosts. @param name - of the file or link @returns whether from all of them */

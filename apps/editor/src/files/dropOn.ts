@@ -2,11 +2,17 @@ import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
 import type { FileMap } from '@farol/engine/files';
 import type { DraggedAsset } from './dragAsset';
-import { importFiles, importOnly } from './importFiles';
+import { importFiles, importOnly, isImportable } from './importFiles';
 import { pointInPicture } from './landInPicture';
 import { type DropPlace, placeAsset } from './placeAsset';
 
-const isScene = (name: string): boolean => /\.(farol|json)$/i.test(name);
+/** The scene among files: a `.farol`, or a `.json` beside nothing that can be imported, as many models have one. */
+export function sceneAmong(files: FileMap): File | null {
+  const paths = [...files.keys()];
+  const isPlain = !paths.some((path) => isImportable(path));
+  const path = paths.find((each) => /\.farol$/i.test(each)) ?? paths.find((each) => isPlain && /\.json$/i.test(each));
+  return path === undefined ? null : files.get(path)!;
+}
 
 /** What was dropped: an asset of the editor's, or files. */
 export interface Dropped {
@@ -34,10 +40,9 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
     if (target.kind !== 'elsewhere') await placeAsset(editor, asset, placeOf(editor, target));
     return;
   }
-  const scene = [...files].find(([path]) => isScene(path));
+  const scene = sceneAmong(files);
   if (scene) {
-    const [, file] = scene;
-    await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), { name: file.name, handle: null });
+    await editor.openFileBytes(new Uint8Array(await scene.arrayBuffer()), { name: scene.name, handle: null });
     return;
   }
   const place = placeOf(editor, target);

@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import type { EditorApi } from '../api/EditorApi';
 import { Dialogs } from '../model/Dialogs';
 import { EditorDocument } from '../model/EditorDocument';
@@ -37,4 +37,61 @@ test('files whose bytes are there already are used as they are, and importing th
   await importOnly(editor, filesOf('other.ply'));
   expect(notices.current.map(({ text }) => text)).toEqual(['There already, with the same content: triangle.ply.']);
   expect(commands.history.length).toBe(1);
+});
+
+const editorOf = (): { editor: EditorApi; document: EditorDocument; notices: Notices } => {
+  const document = new EditorDocument();
+  const notices = new Notices();
+  const { commands } = document;
+  const editor = { document, commands, notices, dialogs: new Dialogs(), mayUnpack: () => true } as unknown as EditorApi;
+  return { editor, document, notices };
+};
+
+test('a ZIP that cannot be read is told by name, and the files beside it come in', async () => {
+  const { editor, document, notices } = editorOf();
+  const files = new Map([...filesOf('triangle.ply'), ['cut.zip', new File(['PK'], 'cut.zip')] as const]);
+  await importFiles(editor, files);
+  expect(document.assets.has('triangle.ply', 'mesh')).toBe(true);
+  expect(notices.current.map(({ kind, text }) => [kind, text])).toEqual([
+    ['error', expect.stringMatching(/^cut\.zip: The file is cut short or damaged/)],
+  ]);
+  // alone it is why nothing came in
+  expect(await importFiles(editor, new Map([['a.zip', new File(['PK'], 'a.zip')]]))).toEqual({ names: [], known: [] });
+  expect(notices.current.at(-1)!.text).toMatch(/^a\.zip: The file is cut short or damaged/);
+});
+
+test('names of files are told short', async () => {
+  const long = 'x'.repeat(60_000);
+  for (const name of [`${long}.txt`, `${long}.obj`, `${long}.glb`, `${long}.gltf`, `${long}.png`, `${long}.zip`]) {
+    const { editor, notices } = editorOf();
+    const files = new Map([[name, new File(['hello'], name)]]);
+    const said = await importFiles(editor, files).then(
+      () => notices.current.map(({ text }) => text).join('\n'),
+      (error: Error) => error.message,
+    );
+    expect(said.length, name.slice(-5)).toBeGreaterThan(20);
+    expect(said.length, name.slice(-5)).toBeLessThan(600);
+  }
+});
+
+test('many files of one size, of which none is there, and of one name are taken in time that grows with them alone', async () => {
+  const { editor, document } = editorOf();
+  const size = 2 ** 20;
+  const bytes = (i: number): Uint8Array<ArrayBuffer> => {
+    const all = new Uint8Array(size).fill(32);
+    all.set(new TextEncoder().encode(ply));
+    all.set(new TextEncoder().encode(`${i}`), size - 8);
+    return all;
+  };
+  const read = vi.spyOn(Blob.prototype, 'arrayBuffer');
+  const count = 40;
+  const files = new Map(
+    Array.from({ length: count }, (_, i) => [`folder ${i}/triangle.ply`, new File([bytes(i)], 'triangle.ply')]),
+  );
+  const { names } = await importFiles(editor, files);
+  expect(new Set(names).size).toBe(count);
+  expect(document.assets.has(`triangle ${count}.ply`)).toBe(true);
+  // each is read to be loaded, and to be told from the others
+  expect(read.mock.calls.length).toBeLessThan(count * 4);
+  read.mockRestore();
 });

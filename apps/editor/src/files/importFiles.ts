@@ -10,17 +10,24 @@ import {
   readableEndings,
   typeOfUrl,
 } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import type { EditorApi } from '../api/EditorApi';
-import { knownAs } from './knownAs';
+import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
-import { freeAssetName } from '../model/assetNames';
+import { numberedNames } from '../model/assetNames';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
 /** Endings of the files that can be imported, for messages: an OBJ or STL is packed into a GLB, and a ZIP unpacked. */
 const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .zip,');
 
+/** Whether a file can be imported by itself, by its ending. */
+export const isImportable = (path: string): boolean => typeOfUrl(path) !== null || /\.(fbx|obj|stl|zip)$/i.test(path);
+
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
+/** A path for a message. */
+const told = (path: string): string => shortText(path, 80);
 
 function find(files: FileMap, model: string, uri: string): [string, File] | null {
   const parts = model.split('/').slice(0, -1);
@@ -98,49 +105,70 @@ export interface ImportResult {
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first] = files.keys();
   const title =
-    files.size === 1 ? t('Reading {name}', { name: nameIn(first) }) : t('Reading {count} files', { count: files.size });
-  return withProgress(editor.dialogs, title, async (signal) =>
-    importAll(editor, await expandZips(files, editor.mayUnpack), signal),
-  );
+    files.size === 1
+      ? t('Reading {name}', { name: told(nameIn(first)) })
+      : t('Reading {count} files', { count: files.size });
+  const problems: string[] = [];
+  return withProgress(editor.dialogs, title, async (signal) => {
+    const all = await expandZips(files, editor.mayUnpack, (problem) => problems.push(problem));
+    return importAll(editor, all, problems, signal);
+  });
 }
 
 /** Takes files in as assets and places nothing: says which of them are there already, which would look as if nothing was done. */
 export async function importOnly(editor: EditorApi, files: FileMap): Promise<void> {
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
-  const names = [...new Set(known)].slice(0, 4).join(', ');
+  const names = [...new Set(known)].slice(0, 4).map(told).join(', ');
   editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
 }
 
-async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal): Promise<ImportResult> {
+async function importAll(
+  editor: EditorApi,
+  files: FileMap,
+  problems: string[],
+  signal: AbortSignal,
+): Promise<ImportResult> {
   const { assets } = editor.document;
   const left = new Set(files.keys());
-  const problems: string[] = [];
   const notes: string[] = [];
   const names: string[] = [];
   const added: string[] = [];
   const knownOnes: string[] = [];
+  const there = new KnownFiles(assets);
+  /** By the name of files, the names for the next one of it. */
+  const numbered = new Map<string, Generator<string, void>>();
+  const freeName = (fileName: string): string => {
+    const next = numbered.get(fileName) ?? numberedNames(fileName);
+    numbered.set(fileName, next);
+    for (;;) {
+      const name = next.next().value as string;
+      if (!assets.has(name)) return name;
+    }
+  };
   const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
-    const known = await knownAs(assets, blob);
+    const known = await there.find(blob);
     if (known) {
       names.push(known);
       knownOnes.push(known);
       return;
     }
-    const name = freeAssetName(assets, fileName);
+    const name = freeName(fileName);
     assets.registerFile(name, blob);
     try {
       await assets.load(name, signal);
       if (assets.typeOf(name) === 'sound') await assets.sound(name).decode();
       added.push(name);
       names.push(name);
+      there.add({ name, type: assets.typeOf(name)!, blob });
     } catch (error) {
       assets.unregister(name);
+      numbered.delete(fileName);
       signal.throwIfAborted();
       const { cause } = error as Error;
       problems.push(
         t('{path} cannot be imported: {reason}', {
-          path,
+          path: told(path),
           reason: error instanceof AssetError && cause instanceof Error ? cause.message : (error as Error).message,
         }),
       );
@@ -161,7 +189,7 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
         signal.throwIfAborted();
         problems.push(
           t('{path} cannot be imported: {reason}', {
-            path,
+            path: told(path),
             reason: error instanceof Error ? error.message : String(error),
           }),
         );
@@ -195,7 +223,10 @@ async function importAll(editor: EditorApi, files: FileMap, signal: AbortSignal)
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
     throw new Error(
-      t('{names} cannot be imported: only {importable} can.', { names: unknown.slice(0, 4).join(', '), importable }),
+      t('{names} cannot be imported: only {importable} can.', {
+        names: unknown.slice(0, 4).map(told).join(', '),
+        importable,
+      }),
     );
   }
   for (const problem of problems) editor.notices.show('error', problem);

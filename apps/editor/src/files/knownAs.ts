@@ -1,18 +1,52 @@
-import type { AssetLibrary } from '@farol/engine';
+import type { AssetFile, AssetLibrary } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
+
+/** Bytes at either end of a file by which most are told apart. */
+const END = 1024;
+
+const fingerprints = new WeakMap<Blob, Promise<string>>();
+
+async function makeFingerprint(blob: Blob): Promise<string> {
+  const ends = await new Blob([blob.slice(0, END), blob.slice(-END)]).arrayBuffer();
+  return String.fromCharCode(...new Uint8Array(ends));
+}
+
+/** The first and the last bytes of a file, which are read once. */
+function fingerprintOf(blob: Blob): Promise<string> {
+  const known = fingerprints.get(blob) ?? makeFingerprint(blob);
+  fingerprints.set(blob, known);
+  return known;
+}
 
 async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
   if (a === b) return true;
-  if (a.size !== b.size) return false;
+  if ((await fingerprintOf(a)) !== (await fingerprintOf(b))) return false;
+  if (a.size <= END) return true;
   const [one, two] = await Promise.all([a.arrayBuffer(), b.arrayBuffer()]);
   const [left, right] = [new Uint8Array(one), new Uint8Array(two)];
   return left.every((byte, i) => byte === right[i]);
 }
 
-/** The asset that has these very bytes already, of one type when given; null when there is none. */
-export async function knownAs(assets: AssetLibrary, blob: Blob, type?: AssetType): Promise<string | null> {
-  for (const file of assets.files) {
-    if ((type === undefined || file.type === type) && (await sameBytes(file.blob, blob))) return file.name;
+/** The files of a library by their sizes, so that many others are looked for among them at once. */
+export class KnownFiles {
+  private readonly bySize = new Map<number, AssetFile[]>();
+
+  constructor(assets: AssetLibrary) {
+    for (const file of assets.files) this.add(file);
   }
-  return null;
+
+  add(file: AssetFile): void {
+    const { size } = file.blob;
+    const list = this.bySize.get(size);
+    if (list) list.push(file);
+    else this.bySize.set(size, [file]);
+  }
+
+  /** The asset that has these very bytes already, of one type when given; null when there is none. */
+  async find(blob: Blob, type?: AssetType): Promise<string | null> {
+    for (const file of this.bySize.get(blob.size) ?? []) {
+      if ((type === undefined || file.type === type) && (await sameBytes(file.blob, blob))) return file.name;
+    }
+    return null;
+  }
 }

@@ -1,12 +1,13 @@
 import { t } from '@farol/editing';
 import { AssetError, type AssetLibrary, type TakenAsset } from '@farol/engine';
 import { type FileAsset, foreignAddresses } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import type { EditorApi } from '../api/EditorApi';
 import { freeNameAmong } from '../model/assetNames';
 import { nameInScene, type ReadAsset } from '../model/bringAssets';
 import { mayRunTexts } from '../scripts/knownScripts';
 import { askForHosts } from './askForHosts';
-import { knownAs } from './knownAs';
+import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
 
 /**
@@ -52,10 +53,11 @@ async function readAll(
 ): Promise<ReadonlyMap<string, ReadAsset>> {
   const { assets } = editor.document;
   const read = new Map<string, ReadAsset>();
+  const files = new KnownFiles(assets);
   try {
     for (const each of wanted) {
       read.set(each.name, null);
-      if (!refused.has(each.name)) read.set(each.name, await readOne(editor, each, read, signal));
+      if (!refused.has(each.name)) read.set(each.name, await readOne(editor, each, read, files, signal));
     }
   } catch (error) {
     for (const each of read.values()) if (isTaken(each)) each.value?.dispose();
@@ -71,18 +73,19 @@ async function readOne(
   editor: EditorApi,
   asset: FileAsset,
   read: ReadonlyMap<string, ReadAsset>,
+  files: KnownFiles,
   signal: AbortSignal,
 ): Promise<ReadAsset> {
   const { assets } = editor.document;
   const tell = (reason: string): null => {
-    const text = t('{name} could not be pasted: {reason}', { name: asset.name, reason });
+    const text = t('{name} could not be pasted: {reason}', { name: shortText(asset.name, 80), reason });
     editor.notices.show('error', text);
     return null;
   };
   const blob = asset.file === undefined ? null : await editor.clipboard.file(asset.file);
   if (asset.file !== undefined && blob === null)
     return tell(t('its file is no longer there. Copy it again, in a tab that has it open.'));
-  const same = blob && (await knownAs(assets, blob, asset.type));
+  const same = blob && (await files.find(blob, asset.type));
   if (same) return same;
   const others = new Set([...read.values()].filter(isTaken).map(({ name }) => name));
   const free = freeNameAmong((name) => assets.has(name) || others.has(name), asset.name);

@@ -1,11 +1,11 @@
 import type { FileMap } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { makeEmptyScene } from '../model/makeEmptyScene';
-import { dropOn } from './dropOn';
+import { dropOn, sceneAmong } from './dropOn';
 
 /** Opens a scene among files; else begins an empty scene with what the files hold, in the middle of the picture. */
 export async function startWith(editor: EditorApi, files: FileMap): Promise<void> {
-  const hasScene = [...files.keys()].some((path) => /\.(farol|json)$/i.test(path));
+  const hasScene = sceneAmong(files) !== null;
   if (!hasScene) {
     if (!(await editor.mayLoseChanges())) return;
     editor.show(makeEmptyScene(editor.libraryForNext()), { name: null, handle: null });

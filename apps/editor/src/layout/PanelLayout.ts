@@ -1,5 +1,6 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
+import { keptInBrowser } from '../model/keptInBrowser';
 import { defaultLayout } from './defaultLayout';
 import { activatePanel, movePanel, type PanelDrop, removePanel, resizeSplit } from './editLayout';
 import { groupsOf, groupWith, type LayoutNode, MAIN_PANEL } from './LayoutNode';
@@ -42,6 +43,7 @@ export class PanelLayout {
         (): LayoutState => ({ stored: null, known: [], maximised: null, isSmall: false, sheet: null, share: 0.5 }),
         {
           name: storage,
+          storage: keptInBrowser(),
           partialize: ({ stored, known, share }) => ({ stored, known, share }),
         },
       ),

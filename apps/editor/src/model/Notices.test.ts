@@ -44,3 +44,10 @@ it('shows no broken bytes', () => {
   expect(log.entries[0].text).toBe('a…b…gnp.exe: … is no scene');
   expect(readableText('Añadido 😀\n\tfin')).toBe('Añadido 😀\n\tfin');
 });
+
+it('shows no more of a message than can be read', () => {
+  const { log, notices } = make();
+  notices.show('error', `${'x'.repeat(1_000_000)} is not there`);
+  expect(notices.current[0].text.length).toBeLessThan(2100);
+  expect(log.entries[0].text.length).toBeLessThan(2100);
+});

@@ -8,7 +8,7 @@ interface Named {
 /** Gives names that no object of a scene has: 'Box', then 'Box 2', 'Box 3'. */
 export class UniqueNames {
   private readonly taken = new Set<string>();
-  /** By the name wanted: the number to try next. */
+  /** By a numbered name that is taken: the number to try after it. */
   private readonly next = new Map<string, number>();
 
   /** Knows the names that there are now. */
@@ -25,9 +25,14 @@ export class UniqueNames {
 
   private numbered(wanted: string): string {
     const [, stem, digits] = /^(.*?)(?: (\d{1,9}))?$/s.exec(wanted)!;
-    let number = this.next.get(wanted) ?? Number(digits ?? 1) + 1;
-    while (this.taken.has(`${stem} ${number}`)) number++;
-    this.next.set(wanted, number + 1);
+    const passed: string[] = [];
+    let number = Number(digits ?? 1) + 1;
+    for (let name = `${stem} ${number}`; this.taken.has(name); name = `${stem} ${number}`) {
+      passed.push(name);
+      number = this.next.get(name) ?? number + 1;
+    }
+    // all up to the one that is given away are taken: nobody goes through them again
+    for (const name of passed) this.next.set(name, number + 1);
     return `${stem} ${number}`;
   }
 }

@@ -90,7 +90,10 @@ function takeOuterReferences(
   const ids = new Set(objects.map(({ id }) => id));
   const taken: [string, number, string, FieldValue][] = [];
   for (const { id, components } of objects) {
-    components.forEach(({ type, values }, i) => {
+    components.forEach((component, i) => {
+      const { type, values } = (component ?? {}) as Partial<typeof component>;
+      // what is broken is told once all is checked
+      if (typeof type !== 'string' || typeof values !== 'object' || values === null) return;
       const fields = scene.registry.types.get(type)?.fields ?? {};
       for (const [name, value] of Object.entries(values)) {
         const isReference = fields[name]?.kind === 'object' || naming[type]?.objects.includes(name);
@@ -126,6 +129,22 @@ function placeInWorld(object: GameObject, world: readonly number[], parent: Cont
 
 /** Copied objects that were read from text, not checked yet. */
 type RawClip = { -readonly [K in keyof Clip]?: Clip[K] };
+
+const isTexts = (value: unknown): value is string[] =>
+  Array.isArray(value) && value.every((each) => typeof each === 'string');
+
+/** Which fields name assets and objects, of the types for which the text says so rightly; by names of its own alone. */
+function readNaming(given: unknown): Record<string, NamingFields> {
+  const naming = Object.create(null) as Record<string, NamingFields>;
+  for (const [type, each] of Object.entries(given ?? {})) {
+    const { assets, objects } = (each ?? {}) as Partial<NamingFields>;
+    if (isTexts(assets) && isTexts(objects)) naming[type] = { assets, objects };
+  }
+  return naming;
+}
+
+const isMatrix = (value: unknown): value is number[] =>
+  Array.isArray(value) && value.length === 16 && value.every((each) => Number.isFinite(each));
 
 function readClip(text: string): RawClip & { objects: FileObject[] } {
   try {
@@ -175,7 +194,8 @@ export function pasteObjects(
   { place = () => {}, read = NOTHING_READ }: PasteOptions = {},
 ): Command {
   const clip = readClip(text);
-  const { objects, naming = {} } = clip;
+  const { objects } = clip;
+  const naming = readNaming(clip.naming);
   const outer = takeOuterReferences(objects, scene, naming);
   const prefabs = newPrefabs(scene, clip);
   const options = { registry: scene.registry, assets: scene.assets };
@@ -185,15 +205,15 @@ export function pasteObjects(
     .filter(({ id }) => scene.prefabs.get(id) === null)
     .map((prefab) => ({ ...prefab, objects: renamedObjects(scene, prefab.objects, brought, naming) }));
   const made = makeObjects(renamedObjects(scene, file.objects, brought, naming), scene.registry);
-  for (const [id, component, name, value] of outer) {
-    for (const root of made) root.find(id)?.components[component]?.set(name, value);
-  }
+  const byId = new Map<string, GameObject>();
+  for (const root of made) root.traverse((object) => byId.set(object.id, object));
+  for (const [id, component, name, value] of outer) byId.get(id)?.components[component]?.set(name, value);
   const copies = cloneTogether(made);
   copies.forEach((copy, i) => {
     const world = clip.worlds?.[i];
     const before = scene.findById(made[i].id);
     const isHome = before && (before.parent ?? scene) === parent;
-    if (!isHome && Array.isArray(world) && world.length === 16) placeInWorld(copy, world, parent);
+    if (!isHome && isMatrix(world)) placeInWorld(copy, world, parent);
   });
   for (const root of made) root.dispose();
   place(copies);

@@ -1,4 +1,5 @@
 import { t } from '@farol/editing';
+import { shortText } from '@farol/renderer';
 import type { ForeignAddress } from '@farol/engine/files';
 
 /** Asks whether the scene of a link may load from other hosts. @returns the hosts: all of them, or none */
@@ -9,8 +10,10 @@ export function askForHosts(addresses: readonly ForeignAddress[]): Promise<reado
   place.setAttribute('aria-label', t('Files of other hosts'));
   const text = document.createElement('p');
   const listed =
-    hosts.slice(0, 8).join('\n') +
-    (hosts.length > 8 ? `\n${t('… and {count} more', { count: hosts.length - 8 })}` : '');
+    hosts
+      .slice(0, 8)
+      .map((host) => shortText(host, 120))
+      .join('\n') + (hosts.length > 8 ? `\n${t('… and {count} more', { count: hosts.length - 8 })}` : '');
   text.textContent = `${t('This scene asks for files of other hosts, which would learn that you open it:')}\n${listed}`;
   place.append(text);
   return new Promise((resolve) => {

@@ -13,19 +13,21 @@ const DELAY = 500;
 export function guardScripts(document: EditorDocument): void {
   const { scripts } = document;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  const store = storeOfTab();
-  const hung = store?.getItem(KEY) === 'yes';
+  const hung = ofTab((store) => store.getItem(KEY)) === 'yes';
   const note = (): void => {
     clearTimeout(timer);
-    if (!scripts.isOn || !scripts.areThere) return store?.removeItem(KEY);
-    store?.setItem(KEY, 'yes');
+    if (!scripts.isOn || !scripts.areThere) {
+      ofTab((store) => store.removeItem(KEY));
+      return;
+    }
+    ofTab((store) => store.setItem(KEY, 'yes'));
     timer = setTimeout(() => void remember(document), DELAY);
   };
   if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
   else if (hung) scripts.hold('hung');
   scripts.changed.subscribe(note);
   // a page that hangs, and is ended, does not come here
-  addEventListener('pagehide', () => store?.removeItem(KEY));
+  addEventListener('pagehide', () => ofTab((store) => store.removeItem(KEY)));
   addEventListener('pageshow', note);
 }
 
@@ -35,10 +37,10 @@ async function remember({ scene }: EditorDocument): Promise<void> {
   await code?.rememberScripts(scene);
 }
 
-/** The tab's storage; null where the browser gives none. */
-function storeOfTab(): Storage | null {
+/** Reads or writes the tab's storage; null where the browser gives none, or has no room. */
+function ofTab<T>(use: (store: Storage) => T): T | null {
   try {
-    return sessionStorage;
+    return use(sessionStorage);
   } catch {
     return null;
   }

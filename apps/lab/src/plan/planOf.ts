@@ -40,7 +40,7 @@ export function estimate({ series, competitors, effort }: LabPlan): number {
 
 function seriesOf(choice: SeriesChoice, size: { width: number; height: number }): LabSeries {
   const { scene, axis } = choice;
-  const words = sceneWords[scene];
+  const words = Object.hasOwn(sceneWords, scene) ? sceneWords[scene] : null;
   if (!words) throw new Error(`Unknown scene ${scene}: known are ${Object.keys(sceneWords).join(', ')}.`);
   if (!words.axes.includes(axis)) {
     throw new Error(`${words.label} cannot be measured over ${axis}: its axes are ${words.axes.join(', ')}.`);

@@ -86,4 +86,35 @@ describe('linkOf and configurationOf', () => {
     expect(pick(linked.configuration)).toEqual(value);
     expect(() => planOf(linked.configuration)).not.toThrow();
   });
+
+  it.each(['__proto__', 'constructor', 'toString'])('name %s as a scene that there is not', (name) => {
+    const { problems } = configurationOf(`#series=${name}:lights:1`)!;
+    expect(problems[0]).toMatch(`series=${name}:lights:1 is left out: Unknown scene ${name}: known are`);
+  });
+
+  it('say little of an address of a million letters, and take no more series and values than a run may have', () => {
+    const long = 'x'.repeat(1_000_000);
+    const fragments = [
+      `preset=${long}`,
+      `preset=lights&${long}=1`,
+      `preset=lights&size=${long}`,
+      `preset=lights&techniques=${long}`,
+      `preset=lights&techniques=${'a,'.repeat(500_000)}`,
+      `preset=lights&turn=${long}`,
+      `series=${long}`,
+      `series=sponza:lights:1:${long}`,
+      `series=sponza:lights:1:kind=${long}`,
+      `series=moon:lights:${'1,'.repeat(500_000)}1`,
+      `series=sponza:lights:${'1,'.repeat(500_000)}1`,
+      `preset=lights${'&series=moon:lights:1'.repeat(50_000)}`,
+      `preset=lights&${Array.from({ length: 50_000 }, (_, i) => `name${i}=1`).join('&')}`,
+    ];
+    for (const fragment of fragments) {
+      expect(configurationOf(fragment)!.problems.join('\n').length, fragment.slice(0, 40)).toBeLessThan(2000);
+    }
+    const many = Array.from({ length: 51 }, () => 'series=sponza:lights:1').join('&');
+    const { configuration, problems } = configurationOf(many)!;
+    expect(configuration.series).toHaveLength(50);
+    expect(problems).toEqual(['The address has 51 series, and 50 is the limit: the others are left out.']);
+  });
 });

@@ -43,6 +43,22 @@ export function linkOf(configuration: Configuration): string {
 /** How `techniques` is read too; the address of the command line's `--techniques`. */
 export const linkNames = ['preset', 'series', 'size', 'techniques', 'rounds', 'turn', 'changes', 'longest', 'seconds'];
 
+/** Letters of a name or a value that are told, unknown names and series that are told one by one. */
+const MOST_LETTERS = 60;
+const MOST_TOLD = 3;
+
+/** Series of a plan, and values of a series, as many as a run may have. */
+const MOST_SERIES = 50;
+const MOST_VALUES = 200;
+
+const shown = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
+
+/** A few problems of many. @param others what the others are, with their number before it */
+function tellFew(problems: string[], all: readonly string[], others: string): void {
+  problems.push(...all.slice(0, MOST_TOLD));
+  if (all.length > MOST_TOLD) problems.push(`So ${others.replace('#', String(all.length - MOST_TOLD))}.`);
+}
+
 /**
  * The configuration of an address's fragment. What is wrong in it is named, and its default stands in its place.
  *
@@ -55,14 +71,21 @@ export function configurationOf(fragment: string): Linked | null {
   const problems: string[] = [];
   const preset = presetOf(values, problems);
   const base = baseOf(preset);
-  const series = values.getAll('series').flatMap((text) => readSeries(text, base, problems));
+  const asked = values.getAll('series');
+  const broken: string[] = [];
+  const series = asked.slice(0, MOST_SERIES).flatMap((text) => readSeries(text, base, broken));
+  tellFew(problems, broken, 'are # other series');
+  if (asked.length > MOST_SERIES) {
+    problems.push(`The address has ${asked.length} series, and ${MOST_SERIES} is the limit: the others are left out.`);
+  }
   if (preset === 'custom' && series.length === 0) {
     problems.push('The address names no series, as in series=sponza:lights:10,100: those of Lights stand in.');
   }
   const effort = { ...base.effort };
   for (const [name, field] of Object.entries(effortFields)) {
     const text = values.get(name);
-    if (text !== null && !field.read(text, effort)) problems.push(`${name}=${text} is none: give ${field.mend}.`);
+    if (text !== null && !field.read(text, effort))
+      problems.push(`${name}=${shown(text)} is none: give ${field.mend}.`);
   }
   const configuration: Configuration = {
     preset,
@@ -71,16 +94,16 @@ export function configurationOf(fragment: string): Linked | null {
     competitors: readCompetitors(values.get('techniques'), base, problems),
     effort,
   };
-  for (const name of new Set(values.keys())) {
-    if (!linkNames.includes(name)) problems.push(`The address has a setting ${name}, which the Lab does not know.`);
-  }
+  const unknown = [...new Set(values.keys())].filter((name) => !linkNames.includes(name));
+  const told = unknown.map((name) => `The address has a setting ${shown(name)}, which the Lab does not know.`);
+  tellFew(problems, told, 'are # other settings');
   return { configuration, problems };
 }
 
 function presetOf(values: URLSearchParams, problems: string[]): string {
   const name = values.get('preset') ?? 'custom';
   if (name === 'custom' || Object.hasOwn(presets, name)) return name;
-  problems.push(`There is no preset ${name}: Quick stands in. Known are ${Object.keys(presets).join(', ')}.`);
+  problems.push(`There is no preset ${shown(name)}: Quick stands in. Known are ${Object.keys(presets).join(', ')}.`);
   return 'quick';
 }
 
@@ -107,6 +130,9 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     lights: 0,
   };
   let problem: string | null = choice.values.some(Number.isNaN) ? valuesProblem(choice.axis) : null;
+  if (choice.values.length > MOST_VALUES) {
+    problem = `it has ${choice.values.length} values, and ${MOST_VALUES} is the limit`;
+  }
   for (const setting of settings) {
     const [name, value] = setting.split('=');
     const number = numberOf(value ?? '');
@@ -116,7 +142,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     else if (name === 'kind') choice.lightKind = value as LightKind;
     else if (name === 'range') choice.lightRange = number;
     else if (name === 'shading') choice.shading = value as Shading;
-    else problem ??= `${setting} is unknown`;
+    else problem ??= `${shown(setting)} is unknown`;
   }
   try {
     if (problem === null) planOf({ ...base, series: [choice] });
@@ -124,7 +150,11 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
   }
   if (problem === null) return [choice];
-  problems.push(`series=${text} is left out: ${problem}. A series is scene:axis:values, as in sponza:lights:10,100.`);
+  // a plan quotes names as they are
+  const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
+  problems.push(
+    `series=${shown(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,
+  );
   return [];
 }
 
@@ -146,7 +176,7 @@ function readSize(text: string | null, { width, height }: Configuration, problem
   const [, ...sides] = /^(\d{1,5})[x×](\d{1,5})$/.exec(text) ?? [];
   const [w, h] = sides.map(Number);
   if (sides.length === 2 && Math.min(w, h) >= 16 && Math.max(w, h) <= 8192) return { width: w, height: h };
-  problems.push(`size=${text} is none: give width x height from 16x16 to 8192x8192, as in 1280x720.`);
+  problems.push(`size=${shown(text)} is none: give width x height from 16x16 to 8192x8192, as in 1280x720.`);
   return { width, height };
 }
 
@@ -157,7 +187,7 @@ function readCompetitors(text: string | null, base: Configuration, problems: str
   const unknown = asked.filter((name) => !known.includes(name));
   if (unknown.length > 0) {
     const names = Object.keys(competitorNames).join(', ');
-    problems.push(`techniques=${unknown.join(',')}: there is none of that name. Known are ${names}.`);
+    problems.push(`techniques=${shown(unknown.join(','))}: there is none of that name. Known are ${names}.`);
   }
   if (known.length > 0) return known;
   if (unknown.length === 0) problems.push('techniques= names none: those of the preset stand in.');

@@ -6,7 +6,7 @@ import { advance, Canvas } from '@react-three/fiber';
 import { StrictMode, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { WebGLRenderer } from 'three';
-import { type Drawer, readCanvas } from '../shared/examplePage';
+import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
 import { parts, partsWithFarol } from './parts';
 
 const address = new URLSearchParams(location.search);
@@ -24,8 +24,9 @@ const page: {
 } = { choose: () => {}, show: () => {}, part: '', settled: false, farol: null, webgl: null };
 
 function App() {
-  const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
-  const [part, setPart] = useState(address.get('part') ?? 'View');
+  const [by, setBy] = useState<Drawer>(askedDrawer);
+  const asked = address.get('part');
+  const [part, setPart] = useState(asked !== null && names.includes(asked) ? asked : 'View');
   Object.assign(page, { choose: setBy, show: setPart, part });
   const farol: FarolProps = {
     enabled: by !== 'three',
@@ -87,7 +88,7 @@ async function until(holds: () => boolean): Promise<void> {
 
 const chosen = (by: Drawer) => (by === 'three' ? page.farol === null : page.farol?.technique === by);
 window.example = {
-  ready: until(() => page.webgl !== null && (page.farol !== null || address.get('technique') === 'three')),
+  ready: until(() => page.webgl !== null && (page.farol !== null || askedDrawer() === 'three')),
   get farol() {
     return page.farol!;
   },

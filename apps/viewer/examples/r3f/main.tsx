@@ -6,7 +6,7 @@ import { advance, Canvas, useFrame } from '@react-three/fiber';
 import { StrictMode, use, useMemo, useRef, useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import type { Group, Mesh, WebGLRenderer } from 'three';
-import { type Drawer, readCanvas } from '../shared/examplePage';
+import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
 
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
@@ -58,7 +58,7 @@ function Knot() {
 }
 
 function App() {
-  const [by, setBy] = useState<Drawer>((address.get('technique') as Drawer | null) ?? 'auto');
+  const [by, setBy] = useState<Drawer>(askedDrawer);
   const [smooth, setSmooth] = useState(false);
   const effects = useMemo(() => (smooth ? [new SMAA()] : address.has('antialias') ? undefined : []), [smooth]);
   const [loads, suspend] = useState<Promise<unknown> | null>(null);
@@ -126,7 +126,7 @@ async function until(holds: () => boolean): Promise<void> {
 
 const chosen = (by: Drawer) => (by === 'three' ? page.farol === null : page.farol?.technique === by);
 window.example = {
-  ready: until(() => page.webgl !== null && (page.farol !== null || address.get('technique') === 'three')),
+  ready: until(() => page.webgl !== null && (page.farol !== null || askedDrawer() === 'three')),
   get farol() {
     return page.farol!;
   },

@@ -50,6 +50,13 @@ declare global {
   }
 }
 
+/** Who draws first: `?technique=` (or `three`); 'auto' for what there is not. */
+export function askedDrawer(): Drawer {
+  const asked = new URLSearchParams(location.search).get('technique');
+  const isKnown = asked !== null && (asked === 'three' || Object.hasOwn(techniques, asked));
+  return isKnown ? (asked as Drawer) : 'auto';
+}
+
 const STILL_AT = 1;
 
 /**
@@ -64,8 +71,7 @@ export function examplePage({ webgl, farol, frame, resize, ready = Promise.resol
     new Option("three's own renderer", 'three'),
     ...Object.entries(techniques).map(([name, { label }]) => new Option(`Farol: ${label}`, name)),
   );
-  const asked = address.get('technique');
-  select.value = asked !== null && (asked === 'three' || Object.hasOwn(techniques, asked)) ? asked : 'auto';
+  select.value = askedDrawer();
   document.querySelector('nav')!.append(select);
 
   const draw = (by: Drawer, seconds: number) => {

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**
@@ -9,7 +10,11 @@ export function findModel(files: FileMap): string {
   const models = [...files.keys()].filter((path) => /\.(glb|gltf|obj|stl|ply)$/i.test(path));
   models.sort((a, b) => a.split('/').length - b.split('/').length || a.localeCompare(b));
   if (models.length > 0) return models[0];
-  const names = [...files.keys()].slice(0, 5).join(', ') || 'nothing that is a file';
+  const names =
+    [...files.keys()]
+      .slice(0, 5)
+      .map((path) => shortText(path, 60))
+      .join(', ') || 'nothing that is a file';
   throw new Error(`no .glb, .gltf, .obj, .stl or .ply was given, but ${names}.`);
 }
 

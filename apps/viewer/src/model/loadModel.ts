@@ -7,6 +7,7 @@ import {
   packObj,
   readGltfJson,
 } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine/files';
@@ -38,7 +39,9 @@ export async function loadModel(given: FileMap, renderer: WebGLRenderer, signal?
     return await (/\.(glb|gltf)$/i.test(path) ? loadGltf : loadMesh)(files, path, renderer, signal);
   } catch (error) {
     signal?.throwIfAborted();
-    throw new Error(`${path}: ${error instanceof Error ? error.message : String(error)}`, { cause: error });
+    throw new Error(`${shortText(path, 80)}: ${error instanceof Error ? error.message : String(error)}`, {
+      cause: error,
+    });
   }
 }
 
@@ -63,7 +66,8 @@ const loadGltf: Load = async (files, path, renderer, signal) => {
   checkModelFile(bytes, json, (uri) => find(uri)?.size ?? null);
   const missing = missingFiles(files, path, json);
   if (missing.length > 0) {
-    throw new Error(`it needs ${missing.slice(0, 8).join(', ')}: drop the whole folder, or all of its files together.`);
+    const names = missing.slice(0, 8).map((each) => shortText(each, 60));
+    throw new Error(`it needs ${names.join(', ')}: drop the whole folder, or all of its files together.`);
   }
   const gltf = await parse(bytes, json.extensionsUsed ?? [], path, files, renderer, signal);
   const pack = async (): Promise<Blob> => {

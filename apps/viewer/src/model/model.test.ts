@@ -1,6 +1,8 @@
 import { readGltfJson } from '@farol/engine/files';
 import { describe, expect, it } from 'vitest';
+import type { WebGLRenderer } from 'three';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
+import { loadModel } from './loadModel';
 
 const files = (...paths: string[]) => new Map(paths.map((path) => [path, new File([path], path.split('/').pop()!)]));
 const bytes = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
@@ -56,4 +58,21 @@ describe('the files of a model', () => {
     const json = { buffers: [{ uri: 'scene.bin' }, {}], images: [{ uri: 'textures/wall.png' }, { uri: 'data:,' }] };
     expect(missingFiles(dropped, 'scene.gltf', json)).toEqual(['scene.bin']);
   });
+});
+
+it('tells little of files with long names, and of what a model names', async () => {
+  const long = 'x'.repeat(100_000);
+  const gltf = JSON.stringify({ asset: { version: '2.0' }, buffers: [{ uri: `${long}.bin`, byteLength: 4 }] });
+  const cases: Record<string, string>[] = [
+    { [`${long}.txt`]: 'a', [`${long}2.txt`]: 'b' },
+    { [`${long}.glb`]: 'hello' },
+    { [`${long}.zip`]: 'hello' },
+    { 'a.gltf': gltf },
+  ];
+  for (const entries of cases) {
+    const given = new Map(Object.entries(entries).map(([path, text]) => [path, new File([text], path)]));
+    const message = await loadModel(given, {} as WebGLRenderer).catch((error: Error) => error.message);
+    expect((message as string).length).toBeGreaterThan(20);
+    expect((message as string).length).toBeLessThan(700);
+  }
 });

@@ -48,15 +48,34 @@ export class MicroShaderOverrides {
     return problems;
   }
 
+  /** Names of chunks, each before those that it needs, where they need one another in no circle. */
+  private usersFirst(names: readonly string[]): string[] {
+    const users = new Map(names.map((name) => [name, 0]));
+    const needed = (name: string): string[] =>
+      (this.registry.get(name)?.dependencies ?? []).filter((each) => users.has(each));
+    for (const name of names) for (const each of needed(name)) users.set(each, users.get(each)! + 1);
+    const order = names.filter((name) => users.get(name) === 0);
+    // a list that grows is walked to its end
+    for (const name of order) {
+      for (const each of needed(name)) {
+        const left = users.get(each)! - 1;
+        users.set(each, left);
+        if (left === 0) order.push(each);
+      }
+    }
+    return order.length === names.length ? order : [...names];
+  }
+
   /** Takes out what is not wanted: one chunk may have to wait for another that depends on it. @returns what has to stay */
   private takeOut(wanted: ReadonlyMap<string, string>): Map<string, Error> {
     const refused = new Map<string, Error>();
+    const order = this.usersFirst([...this.applied.keys()].filter((name) => !wanted.has(name)));
     let isDone = false;
     while (!isDone) {
       isDone = true;
       refused.clear();
-      for (const name of this.applied.keys()) {
-        if (wanted.has(name)) continue;
+      for (const name of order) {
+        if (!this.applied.has(name)) continue;
         try {
           const before = this.replaced.get(name);
           if (before) this.registry.replace(name, before);

@@ -619,10 +619,11 @@ export class AssetLibrary implements MaterialHost, SurfaceHost {
 
   /** @throws AddressRefusedError (as a rejection) before anything is asked for */
   private async fetchFor(name: string, url: string): Promise<ArrayBuffer> {
-    const origin = this.trusted.has(url) ? null : foreignOrigin(url);
-    const isLimited = origin !== null && this.allowedOrigins !== null;
+    const isAsked = this.allowedOrigins !== null && !this.trusted.has(url);
+    const origin = isAsked ? foreignOrigin(url) : null;
+    const isLimited = origin !== null;
     if (isLimited && !this.allowedOrigins!.has(origin)) throw new AddressRefusedError(name, url, origin);
-    return this.readBytes(url, { isLimited });
+    return this.readBytes(url, { isLimited, staysHere: isAsked && !isLimited });
   }
 
   private refusal(name: string, type: AssetType, error: AddressRefusedError): AddressRefusedError {

@@ -253,6 +253,26 @@ test('an EXR becomes a texture of linear light, the right way up', async () => {
   expect([0, 1, 2, 4].map((i) => DataUtils.fromHalfFloat(data[i]))).toEqual([4, 2, 1, 0.5]);
 });
 
+test('an EXR or HDR of absurd size is refused before memory is taken', async () => {
+  const int = (...values: number[]): string =>
+    String.fromCharCode(...new Uint8Array(new Int32Array(values).buffer)) as string;
+  const attribute = (name: string, type: string, value: string): string =>
+    `${name}\0${type}\0${int(value.length)}${value}`;
+  const exr = (window: number[], tiles: string): ArrayBuffer =>
+    latin(`v/1\x01\x02\0\0\0${attribute('dataWindow', 'box2i', int(...window))}${tiles}\0${'\0'.repeat(64)}`);
+  const absurd: [string, ArrayBuffer][] = [
+    ['a.exr', exr([0, 0, 59_999, 59_999], '')],
+    ['b.exr', exr([-2_000_000_000, 0, 2_000_000_000, 0], '')],
+    ['c.exr', exr([0, 0, 1, 1], attribute('tiles', 'tiledesc', `${int(60_000, 60_000)}\0`))],
+    ['d.hdr', latin(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y\t60000\t+X\t60000\n${'\x02\x02'.repeat(99)}`)],
+  ];
+  for (const [name, bytes] of absurd) {
+    const assets = new AssetLibrary();
+    assets.registerFile(name, new Blob([bytes]));
+    await expect(assets.load(name)).rejects.toThrow(/its picture has \d+ × \d+ pixels/);
+  }
+});
+
 test('an asset whose name has no ending is what the file says, as bytes in it and as a file beside it', async () => {
   const ply = [
     'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z',

@@ -84,6 +84,19 @@ test('views of the same bytes do not come to more than they may', () => {
   expect(() => checkGltf(json, { binary: 1e6 })).toThrow(/come to 101,000,000 bytes of buffers that have 1,000,000/);
 });
 
+test('accessors of the same bytes, sparse ones too, and morph targets do not come to more than they may', () => {
+  const json: Json = { asset: { version: '2.0' }, buffers: [{ byteLength: 1e6 }] };
+  json.bufferViews = [{ buffer: 0, byteLength: 1e6 }];
+  const accessor = { bufferView: 0, componentType: 5126, type: 'SCALAR', count: 250_000 };
+  json.accessors = Array.from({ length: 101 }, () => accessor);
+  const said = /its accessors come to 101,000,000 bytes of buffers that have 1,000,000/;
+  expect(() => checkGltf(json as GltfJson, { binary: 1e6 })).toThrow(said);
+  json.accessors = [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 80_000 }];
+  const primitive = { attributes: { POSITION: 0 }, targets: Array.from({ length: 2000 }, () => ({ POSITION: 0 })) };
+  json.meshes = [{ primitives: [primitive] }];
+  expect(() => checkGltf(json as GltfJson, { binary: 1e6 })).toThrow(/morph targets come to 160,000,000 vertices/);
+});
+
 const chain = (count: number): Json[] =>
   Array.from({ length: count }, (_, i) => (i < count - 1 ? { children: [i + 1] } : {}));
 
@@ -169,6 +182,21 @@ const broken: [string, (json: Json) => void, RegExp][] = [
   ],
   ['a matrix of three', (j) => (j.nodes[1].matrix = [1, 2, 3]), /must have 16 numbers, not 3/],
   [
+    'very many draws',
+    (j) => {
+      j.meshes[0].primitives = Array.from({ length: 2000 }, () => ({ attributes: {} }));
+      j.nodes = Array.from({ length: 600 }, () => ({ mesh: 0 }));
+      j.skins = [];
+      j.animations = [];
+    },
+    /draw 1,200,000 things, and 1,000,000 is the limit/,
+  ],
+  [
+    'morph targets of one accessor',
+    (j) => (j.meshes[0].primitives[0].targets = Array.from({ length: 3000 }, () => ({ POSITION: 0 }))),
+    /3,000 morph targets, and 2,048 is the limit/,
+  ],
+  [
     'instances of absurd count',
     (j) => {
       j.accessors.push({ componentType: 5121, type: 'SCALAR', count: 4e7 });
@@ -242,6 +270,7 @@ describe('pictures', () => {
     new DataView(bytes.buffer).setUint32(20, height);
     return bytes;
   };
+  const letters = (text: string): number[] => [...text].map((letter) => letter.charCodeAt(0));
   const of = (...numbers: number[]): Uint8Array => new Uint8Array([...numbers, ...Array.from({ length: 40 }, () => 0)]);
 
   test('tell their size', () => {
@@ -255,6 +284,53 @@ describe('pictures', () => {
     webp.set([255, 1, 0, 127, 0, 0], 24);
     expect(imageSize(webp)).toEqual({ width: 512, height: 128 });
     expect(imageSize(of(1, 2, 3))).toBeNull();
+    // bytes between segments, and marks without a segment, are passed over, as decoders do
+    const odd = of(0xff, 0xd8, 0xff, 0x01, 7, 8, 0xff, 0xd0, 0xff, 0xff, 0xc0, 0, 11, 8, 0x01, 0x00, 0x02, 0x00);
+    expect(imageSize(odd)).toEqual({ width: 512, height: 256 });
+    const tabs = new TextEncoder().encode(`#?RADIANCE\n${`# ${'x'.repeat(80)}\n`.repeat(60)}\n-Y\t16\t+X\t32\n`);
+    expect(imageSize(tabs)).toEqual({ width: 32, height: 16 });
+    // what browsers decode besides, and may have been renamed
+    expect(imageSize(of(...letters('GIF89a'), 0x00, 0x02, 0x00, 0x01))).toEqual({ width: 512, height: 256 });
+    const bmp = [
+      ...letters('BM'),
+      ...Array.from({ length: 12 }, () => 0),
+      40,
+      0,
+      0,
+      0,
+      0,
+      2,
+      0,
+      0,
+      0,
+      0xff,
+      0xff,
+      0xff,
+    ];
+    expect(imageSize(of(...bmp))).toEqual({ width: 512, height: 256 });
+    const [small, large] = [
+      [0, 0, 0, 16, 0, 0, 0, 16],
+      [0, 0, 2, 0, 0, 0, 1, 0],
+    ].map((size) => [...letters('ispe'), 0, 0, 0, 0, ...size]);
+    const avif = [0, 0, 0, 20, ...letters('ftypavif'), 0, 0, 0, 0, ...small, ...large];
+    expect(imageSize(of(...avif))).toEqual({ width: 512, height: 256 });
+    const ktx2 = of(
+      0xab,
+      ...letters('KTX 20'),
+      0xbb,
+      13,
+      10,
+      26,
+      10,
+      ...Array.from({ length: 8 }, () => 0),
+      0,
+      2,
+      0,
+      0,
+      0,
+      1,
+    );
+    expect(imageSize(ktx2)).toEqual({ width: 512, height: 256 });
     expect(imageSize(of(0xff, 0xd8, 0, 0))).toBeNull();
   });
 
@@ -265,6 +341,35 @@ describe('pictures', () => {
     const json = valid();
     json.images[0].uri = `data:image/png;base64,${Buffer.from(png(60_000, 60_000)).toString('base64')}`;
     await expect(readModel(glb(json))).rejects.toThrow(/60000 × 60000 pixels/);
+  });
+
+  test('of absurd size are found wherever a model has them', async () => {
+    const absurd = png(60_000, 60_000);
+    const base64 = Buffer.from(absurd).toString('base64');
+    const percent = [...absurd].map((byte) => `%${byte.toString(16).padStart(2, '0')}`).join('');
+    // behind 80 kB of what programs write into a JPEG
+    const segment = [0xff, 0xe1, 0x9c, 0x40, ...Array.from({ length: 0x9c40 - 2 }, () => 0)];
+    const frame = [0xff, 0xc0, 0, 11, 8, 0xff, 0x00, 0xff, 0x00, ...Array.from({ length: 20 }, () => 0)];
+    const jpeg = Buffer.from([0xff, 0xd8, ...segment, ...segment, ...frame]).toString('base64');
+    for (const uri of [
+      `data:image/png;charset=x;base64,\n ${base64}`,
+      `data:image/png,${percent}`,
+      `data:image/jpeg;base64,${jpeg}`,
+      `data:image/png;base64,${base64.replaceAll('+', '%2B').replaceAll('=', '%3D')}`,
+    ]) {
+      const json = valid();
+      json.images[0].uri = uri;
+      await expect(readModel(glb(json))).rejects.toThrow(/\d{5} × \d{5} pixels/);
+    }
+    // in a buffer of a .gltf
+    const json = valid();
+    json.buffers.push({ byteLength: 40, uri: `data:application/octet-stream;base64,${base64}` });
+    json.bufferViews.push({ buffer: 1, byteLength: 40 });
+    json.images = [{ bufferView: 2, mimeType: 'image/png' }];
+    await expect(readModel(glb(json))).rejects.toThrow(/60000 × 60000 pixels/);
+    json.buffers = [{ byteLength: 42, uri: `data:,${'%00'.repeat(42)}` }, json.buffers[1]];
+    const text = new TextEncoder().encode(JSON.stringify(json)).buffer as ArrayBuffer;
+    await expect(readModel(text)).rejects.toThrow(/60000 × 60000 pixels/);
   });
 });
 

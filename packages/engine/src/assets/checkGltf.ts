@@ -7,6 +7,10 @@ import type { GltfJson } from './readGltfJson';
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
+/** Morph targets of one primitive, which are layers of a texture, and vertices of all. */
+const TARGETS = 2048;
+const TARGET_VERTICES = 100_000_000;
+
 const COMPONENTS: Record<number, number> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 const ITEMS: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
@@ -93,6 +97,7 @@ function checkAccessors(lists: GltfLists): void {
   const views = lists.all('bufferViews');
   const inDraco = dracoAccessors(lists);
   let zeros = 0;
+  let sum = 0;
   lists.all('accessors').forEach((accessor, i) => {
     const what = `accessor ${i}`;
     const component = COMPONENTS[accessor.componentType as number];
@@ -112,8 +117,10 @@ function checkAccessors(lists: GltfLists): void {
         );
       }
     };
-    if (accessor.bufferView !== undefined) fits(accessor, count, size);
-    else if (!inDraco.has(i)) zeros += count * size;
+    if (accessor.bufferView !== undefined) {
+      fits(accessor, count, size);
+      sum += count * size;
+    } else if (!inDraco.has(i)) zeros += count * size;
     if (accessor.sparse === undefined) return;
     const sparse = lists.record(accessor.sparse);
     const changed = lists.whole(sparse.count, `the sparse count of ${what}`);
@@ -122,6 +129,11 @@ function checkAccessors(lists: GltfLists): void {
     fits(indices, changed, COMPONENTS[indices.componentType as number] ?? 4);
     fits(lists.record(sparse.values), changed, size);
   });
+  // each of them is a buffer of the device, and those that are sparse are copied
+  const packed = lists.all('buffers').reduce((total, { byteLength }) => total + (byteLength as number), 0);
+  if (sum > Math.max(FREE, packed * RATIO)) {
+    lists.fail(`its accessors come to ${counted(sum)} bytes of buffers that have ${counted(packed)}`);
+  }
   if (zeros > FREE) lists.fail(`its accessors without data come to ${counted(zeros)} bytes of zeros`);
 }
 
@@ -149,7 +161,19 @@ function dracoAccessors(lists: GltfLists): Set<unknown> {
   return found;
 }
 
+/** Three puts morph targets into a texture of floats before a mesh is first drawn. */
+function checkTargets(lists: GltfLists, { attributes, targets = [] }: Record<string, unknown>, what: string): number {
+  const list = lists.listOf(targets, `the targets of ${what}`);
+  if (list.length > TARGETS) {
+    lists.fail(`${what} has ${counted(list.length)} morph targets, and ${counted(TARGETS)} is the limit`);
+  }
+  const { POSITION } = lists.record(attributes);
+  const count = POSITION === undefined ? 0 : (lists.all('accessors')[POSITION as number].count as number);
+  return list.length * count;
+}
+
 function checkMeshes(lists: GltfLists): void {
+  let vertices = 0;
   lists.all('meshes').forEach((mesh, i) => {
     const what = `mesh ${i}`;
     for (const primitive of primitivesOf(lists, mesh, what)) {
@@ -165,8 +189,12 @@ function checkMeshes(lists: GltfLists): void {
       if (material !== undefined) lists.index(material, 'materials', what);
       const draco = lists.record(primitive.extensions).KHR_draco_mesh_compression;
       if (draco !== undefined) lists.index(lists.record(draco).bufferView, 'bufferViews', what);
+      vertices += checkTargets(lists, primitive, what);
     }
   });
+  if (vertices > TARGET_VERTICES) {
+    lists.fail(`its morph targets come to ${counted(vertices)} vertices, and ${counted(TARGET_VERTICES)} is the limit`);
+  }
 }
 
 function checkAnimations(lists: GltfLists): void {

@@ -4,8 +4,9 @@ import { maximumDepth } from '../core/maximumDepth';
 import { absurdSize, LARGEST } from './checkModel';
 import type { GltfLists } from './GltfLists';
 
-/** Vertices in all, each mesh as often as it is drawn. */
+/** Vertices in all, each mesh as often as it is drawn, and primitives, each as often as a node has it. */
 const VERTICES = 100_000_000;
+const DRAWS = 1_000_000;
 
 const position = new Vector3();
 const rotation = new Quaternion();
@@ -43,8 +44,12 @@ function instancesOf(lists: GltfLists, node: Record<string, unknown>, what: stri
   return counts[0] ?? 1;
 }
 
-function verticesOf(lists: GltfLists, mesh: unknown): number {
+function primitivesOf(lists: GltfLists, mesh: unknown): Record<string, unknown>[] {
   const { primitives = [] } = lists.all('meshes')[mesh as number] as { primitives?: Record<string, unknown>[] };
+  return primitives;
+}
+
+function verticesOf(lists: GltfLists, primitives: readonly Record<string, unknown>[]): number {
   return primitives.reduce((sum, { indices, attributes }) => {
     const accessor = (indices ?? lists.record(attributes).POSITION) as number | undefined;
     return sum + (accessor === undefined ? 0 : (lists.all('accessors')[accessor].count as number));
@@ -82,7 +87,9 @@ export function checkGltfNodes(lists: GltfLists): void {
   const nodes = lists.all('nodes');
   const { order, parents } = treeOf(lists);
   const worlds = new Map<number, Matrix4>();
+  const sizes = new Map<unknown, number>();
   let vertices = 0;
+  let draws = 0;
   for (const i of order) {
     const node = nodes[i];
     const what = `node ${i}`;
@@ -95,8 +102,13 @@ export function checkGltfNodes(lists: GltfLists): void {
     if (node.skin !== undefined) lists.index(node.skin, 'skins', what);
     if (node.mesh === undefined) continue;
     lists.index(node.mesh, 'meshes', what);
-    vertices += verticesOf(lists, node.mesh) * instancesOf(lists, node, what);
+    const primitives = primitivesOf(lists, node.mesh);
+    const size = sizes.get(node.mesh) ?? verticesOf(lists, primitives);
+    sizes.set(node.mesh, size);
+    draws += primitives.length;
+    vertices += size * instancesOf(lists, node, what);
   }
+  if (draws > DRAWS) lists.fail(`it would draw ${counted(draws)} things, and ${counted(DRAWS)} is the limit`);
   if (vertices > VERTICES) {
     lists.fail(`it would draw ${counted(vertices)} vertices, and ${counted(VERTICES)} is the limit`);
   }

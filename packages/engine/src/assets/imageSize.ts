@@ -11,11 +11,31 @@ export function imageSize(bytes: Uint8Array): { width: number; height: number } 
   if (tag(0) === 'RIFF' && tag(8) === 'WEBP') return webpSize(view, tag(12));
   if (bytes[0] === 0xff && bytes[1] === 0xd8) return jpegSize(view);
   if (tag(0).startsWith('#?')) {
-    const head = new TextDecoder('latin1').decode(bytes.subarray(0, 4096));
-    const size = /^[-+][XY] +(\d+) +[-+][XY] +(\d+)\s*$/m.exec(head);
+    const head = new TextDecoder('latin1').decode(bytes.subarray(0, HEAD));
+    const size = /^[ \t]*[-+][XY][ \t]+(\d+)[ \t]+[-+][XY][ \t]+(\d+)\s*$/m.exec(head);
     return size && { width: Number(size[2]), height: Number(size[1]) };
   }
-  return null;
+  if (tag(0) === '\xabKTX') return { width: view.getUint32(20, true), height: Math.max(1, view.getUint32(24, true)) };
+  // what browsers decode besides: such a file may have another one's name
+  if (tag(0) === 'GIF8') return { width: view.getUint16(6, true), height: view.getUint16(8, true) };
+  if (tag(0).startsWith('BM')) {
+    return { width: Math.abs(view.getInt32(18, true)), height: Math.abs(view.getInt32(22, true)) };
+  }
+  return tag(4) === 'ftyp' ? avifSize(view) : null;
+}
+
+/** Bytes in which a header says its size. */
+const HEAD = 65_536;
+
+/** The largest of the pictures in an AVIF, each with a property `ispe`. @see ISO/IEC 23008-12, 6.5.3 */
+function avifSize(view: DataView): { width: number; height: number } | null {
+  let size: { width: number; height: number } | null = null;
+  for (let at = 8; at + 16 <= Math.min(view.byteLength, HEAD); at++) {
+    if (view.getUint32(at) !== 0x69737065) continue;
+    const [width, height] = [view.getUint32(at + 8), view.getUint32(at + 12)];
+    if (!size || width * height > size.width * size.height) size = { width, height };
+  }
+  return size;
 }
 
 /** @see RFC 9649 */
@@ -31,16 +51,24 @@ function webpSize(view: DataView, kind: string): { width: number; height: number
   return { width: view.getUint16(26, true) & 0x3fff, height: view.getUint16(28, true) & 0x3fff };
 }
 
-/** @see ITU-T T.81, B.2.2: the frame header is a segment of its own, SOF0 to SOF15 without DHT, JPG and DAC */
+/**
+ * Bytes between segments are passed over, as decoders do.
+ * @see ITU-T T.81, B.2.2: the frame header is a segment of its own, SOF0 to SOF15 without DHT, JPG and DAC
+ */
 function jpegSize(view: DataView): { width: number; height: number } | null {
   let at = 2;
   while (at + 9 <= view.byteLength) {
-    if (view.getUint8(at) !== 0xff) return null;
     const marker = view.getUint8(at + 1);
+    // RST0 to EOI and TEM stand alone; zero is data
+    const isAlone = (marker >= 0xd0 && marker <= 0xd9) || marker <= 1;
+    if (view.getUint8(at) !== 0xff || marker === 0xff || isAlone) {
+      at++;
+      continue;
+    }
     if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker)) {
       return { height: view.getUint16(at + 5), width: view.getUint16(at + 7) };
     }
-    at += marker === 0xff ? 1 : 2 + view.getUint16(at + 2);
+    at += 2 + view.getUint16(at + 2);
   }
   return null;
 }
@@ -52,10 +80,13 @@ export function checkImageSize(bytes: Uint8Array): void {
   checkPixels(size.width, size.height);
 }
 
-/** @throws Error when a picture of so many pixels would take absurd memory */
+/** A picture that is not decoded, since it would take absurd memory. */
+export class PixelsError extends Error {}
+
+/** @throws PixelsError when a picture of so many pixels would take absurd memory */
 export function checkPixels(width: number, height: number): void {
   if (width <= SIDE && height <= SIDE && width * height <= PIXELS) return;
-  throw new Error(
+  throw new PixelsError(
     `its picture has ${width} × ${height} pixels, and ${SIDE} a side, ${PIXELS / 2 ** 20} million in all, is the limit: make it smaller.`,
   );
 }

@@ -8,6 +8,8 @@ export interface FetchOptions {
    * was asked about.
    */
   readonly isLimited?: boolean;
+  /** The address is beside the page, and of a scene, which may not have it go on to another place either. */
+  readonly staysHere?: boolean;
 }
 
 /** Reads the bytes of an address. */
@@ -23,13 +25,17 @@ export const readableEndings =
 const limited: RequestInit = { credentials: 'omit', referrerPolicy: 'no-referrer', redirect: 'error' };
 
 /** Reads an address with `fetch`. @throws Error with the HTTP status when it is not there */
-export async function fetchBytes(url: string, { isLimited = false }: FetchOptions = {}): Promise<ArrayBuffer> {
+export async function fetchBytes(
+  url: string,
+  { isLimited = false, staysHere = false }: FetchOptions = {},
+): Promise<ArrayBuffer> {
   const address = shortText(url, 120);
   let response: Response;
   try {
-    response = await fetch(url, isLimited ? limited : {});
+    response = await fetch(url, isLimited ? limited : staysHere ? { redirect: 'error' } : {});
   } catch (cause) {
-    const reason = isLimited ? ', refuses other pages, or sends on to another address' : '';
+    const refuses = isLimited ? ', refuses other pages,' : staysHere ? ',' : '';
+    const reason = refuses && `${refuses} or sends on to another address`;
     throw new Error(`${address} cannot be reached${reason}.`, { cause });
   }
   if (!response.ok) throw new Error(`${address} answered ${response.status} ${shortText(response.statusText)}`.trim());

@@ -1,7 +1,7 @@
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
 import { shortText } from '@farol/renderer';
 import { checkExr } from './checkExr';
-import { checkImageSize } from './imageSize';
+import { checkPixels, imageSize, PixelsError } from './imageSize';
 
 /**
  * Reads an equirectangular picture of linear light. The loader is fetched when it is first needed.
@@ -13,11 +13,14 @@ export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR')
       ? new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader()
       : new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader();
   let texture: Texture;
-  checkImageSize(new Uint8Array(bytes));
+  const size = imageSize(new Uint8Array(bytes));
+  if (size) checkPixels(size.width, size.height);
   try {
     if (format === 'EXR') checkExr(bytes);
+    else if (!size) throw new Error('its header says no size');
     texture = loader.createDataTexture(bytes);
   } catch (cause) {
+    if (cause instanceof PixelsError) throw cause;
     const reason = cause instanceof Error ? shortText(cause.message.replace(/^THREE\.\w+:\s*/, ''), 160) : '';
     throw new Error(`its ${format} data are damaged or cut short (${reason}): export it again.`, { cause });
   }

@@ -37,19 +37,43 @@ async function loaderFor(
   return { loader, dispose: () => disposables.forEach((each) => each.dispose()) };
 }
 
+/** A `data:` address: its bytes, or null for what is damaged and for what is none. */
+function bytesOfData(uri: string): Uint8Array | null {
+  const [, base64, data = ''] = /^data:[^,]*?(;\s*base64\s*)?,([^]*)$/i.exec(uri) ?? [];
+  try {
+    const letters = data.replace(/%[\da-f]{2}/gi, (escape) =>
+      String.fromCharCode(Number.parseInt(escape.slice(1), 16)),
+    );
+    const text = base64 ? atob(letters) : letters;
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+    return bytes;
+  } catch {
+    return null;
+  }
+}
+
+const isData = (uri: unknown): uri is string => typeof uri === 'string' && /^data:/i.test(uri);
+
 const dataSize = (uri: string): number | null =>
-  /^data:/i.test(uri) ? Math.ceil(((uri.length - uri.indexOf(',') - 1) * 3) / 4) : null;
+  isData(uri) ? Math.ceil(((uri.length - uri.indexOf(',') - 1) * 3) / 4) : null;
 
-/** Letters of base64 that hold the head of a picture. */
-const HEAD = 65_536;
-
-function* headsOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8Array> {
+/** The pictures that are in a file, as bytes. */
+function* picturesOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8Array> {
+  const buffers = new Map<number, Uint8Array | null>();
+  const bufferOf = (index: number): Uint8Array | null => {
+    const uri = json.buffers?.[index]?.uri;
+    if (uri === undefined) return index === 0 ? binary : null;
+    if (!buffers.has(index)) buffers.set(index, isData(uri) ? bytesOfData(uri) : null);
+    return buffers.get(index)!;
+  };
   for (const { uri, bufferView } of json.images ?? []) {
     const view = bufferView === undefined ? null : json.bufferViews![bufferView];
-    if (view && view.buffer === 0 && binary)
-      yield binary.subarray(view.byteOffset ?? 0, (view.byteOffset ?? 0) + view.byteLength);
-    const [, base64] = /^data:[^,]*;base64,([\w+/]*)/i.exec(uri ?? '') ?? [];
-    if (base64) yield Uint8Array.from(atob(base64.slice(0, HEAD & ~3)), (letter) => letter.charCodeAt(0));
+    const start = view?.byteOffset ?? 0;
+    const bytes = view
+      ? bufferOf(view.buffer)?.subarray(start, start + view.byteLength)
+      : isData(uri) && bytesOfData(uri);
+    if (bytes) yield bytes;
   }
 }
 
@@ -66,7 +90,7 @@ export function checkModelFile(
 ): void {
   const binary = binaryOf(bytes);
   checkGltf(json, { binary: binary?.length ?? 0, sizeOf: (uri) => dataSize(uri) ?? sizeOf(uri) });
-  for (const head of headsOf(json, binary)) checkImageSize(head);
+  for (const picture of picturesOf(json, binary)) checkImageSize(picture);
 }
 
 /** What a loader threw, as one sentence on the file. */

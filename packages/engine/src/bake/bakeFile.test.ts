@@ -1,3 +1,4 @@
+import { deflateRawSync } from 'node:zlib';
 import { DataUtils } from 'three';
 import { describe, expect, test } from 'vitest';
 import { createRandom } from '../core/createRandom';
@@ -123,5 +124,26 @@ describe('a file of baked light', () => {
     const newer = new Uint8Array(bytes);
     newer.set(new TextEncoder().encode(head.replace('"version":1', '"version":2')), 12);
     await expect(readBake(newer.buffer)).rejects.toThrow('it was baked by a newer Farol');
+  });
+
+  test('that would come to absurd memory is refused before any is taken', async () => {
+    const packed = deflateRawSync(Buffer.alloc(6 * 8192 * 8192));
+    const lightmaps = Array.from({ length: 5 }, () => ({ width: 8192, height: 8192, bytes: packed.length }));
+    const head = {
+      version: 1,
+      signature: '',
+      lights: [],
+      sky: false,
+      channel: 1,
+      lightmaps,
+      meshes: [],
+      uvs: [0, 0],
+      probes: null,
+    };
+    const json = new TextEncoder().encode(JSON.stringify(head));
+    const parts = ['FAROLBAK', Uint32Array.of(json.length), json, ...lightmaps.map(() => packed)];
+    const bytes = await new Blob(parts as BlobPart[]).arrayBuffer();
+    expect(bytes.byteLength).toBeLessThan(3_000_000);
+    await expect(readBake(bytes)).rejects.toThrow(/its lightmaps come to 335,544,320 texels/);
   });
 });

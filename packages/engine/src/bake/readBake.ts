@@ -1,5 +1,6 @@
 import type { ProbeBox } from '@farol/renderer/light-probes';
 import { DataUtils } from 'three';
+import { counted } from '../core/counted';
 import type { LightmapData, LightmappedMesh, ProbeData } from './BakeData';
 import { BakedLight } from './BakedLight';
 import { inflate, unpackLightmap } from './lightmapCode';
@@ -8,6 +9,8 @@ import { BAKE_MAGIC, BAKE_VERSION, type BakeHead, UV_STEPS } from './writeBake';
 
 /** Texels of a lightmap along a side, at most. */
 const MOST_TEXELS = 8192;
+/** The same of all: sixteen of 4096 × 4096 come to 2 GB on the device. */
+const MOST_IN_ALL = 2 ** 28;
 /** Cells of a grid of probes along an axis, at most. */
 const MOST_CELLS = 64;
 const MOST_VERTICES = 2 ** 28;
@@ -59,7 +62,13 @@ function readHead(parts: Parts): BakeHead {
     ) &&
     Array.isArray(head.uvs) &&
     head.uvs.every((bytes) => isCount(bytes, 2 ** 31));
-  return isRight ? head : damaged();
+  if (!isRight) return damaged();
+  const texels = head.lightmaps.reduce((sum, { width, height }) => sum + width * height, 0);
+  if (texels > MOST_IN_ALL) {
+    const limit = `and ${counted(MOST_IN_ALL)} is the limit`;
+    throw new Error(`its lightmaps come to ${counted(texels)} texels, ${limit}: bake the light again, with fewer.`);
+  }
+  return head;
 }
 
 function readMeshes(head: BakeHead, bytes: Uint8Array): LightmappedMesh[] {
@@ -98,9 +107,11 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const parts = new Parts(new Uint8Array(bytes));
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.take(lightmap.bytes));
-    const lightmaps: LightmapData[] = await Promise.all(
-      head.lightmaps.map(({ width, height }, i) => unpackLightmap(packed[i], width, height)),
-    );
+    const lightmaps: LightmapData[] = [];
+    // one after another: each takes several times its size meanwhile
+    for (const [i, { width, height }] of head.lightmaps.entries()) {
+      lightmaps.push(await unpackLightmap(packed[i], width, height));
+    }
     const meshes = readMeshes(head, await inflate(parts.take(head.uvs[0]), head.uvs[1]));
     const probes = await readProbes(head, parts);
     const { signature, lights, sky, channel } = head;

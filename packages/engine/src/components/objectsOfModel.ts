@@ -23,7 +23,6 @@ import { modelParts } from '../assets/modelParts';
 import { GameObject } from '../core/GameObject';
 import { checkFieldValue } from '../fields/checkFieldValue';
 import type { FieldValue } from '../fields/Field';
-import { sameValue } from '../fields/FieldOwner';
 import { Camera } from './Camera';
 import { type KeptFor, type KeptPart, keptTogether } from './keptTogether';
 import { Light } from './Light';
@@ -58,6 +57,10 @@ type Flags = Object3D & {
   readonly isCamera?: boolean;
 };
 
+/** Values as a text that is the same for the same ones. */
+const textOf = (values: Values): string =>
+  JSON.stringify(Object.entries(values).toSorted(([a], [b]) => (a < b ? -1 : 1)));
+
 /** What of a model only a ModelRenderer draws, in words; null when all of it can be objects: see `objectsOfModel`. */
 export const whatKeepsTogether = (model: Model): KeptFor | null => keptTogether(model)[0]?.reason ?? null;
 
@@ -90,6 +93,17 @@ export function objectsOfModel(
   const made = new Map<Material, string | null>();
   const materials: { name: string; values: Values }[] = [];
 
+  /** Names of materials by their values, of the library and of those made here; of these, by the name wanted, the next number. */
+  const byValues = new Map<string, string[]>();
+  const taken = new Set<string>();
+  const numbers = new Map<string, number>();
+  const note = (text: string, of: string): void => {
+    const names = byValues.get(text);
+    if (names) names.push(of);
+    else byValues.set(text, [of]);
+  };
+  for (const each of assets.materialAssets) note(textOf(each.changedValues()), each.name);
+
   const nameOfMaterial = (material: Material): string | null => {
     if (!made.has(material)) made.set(material, makeMaterial(material));
     return made.get(material)!;
@@ -98,12 +112,18 @@ export function objectsOfModel(
     const values = materialValuesOf(material, (texture: Texture) => parts.get(texture) ?? null);
     if (!values) return parts.get(material) ?? null;
     const wanted = `${materialFolder}${material.name.replaceAll('/', '-').trim() || 'Material'}`;
-    for (let n = 1; ; n++) {
+    const text = textOf(values);
+    const isOfName = (each: string): boolean =>
+      each === wanted || (each.startsWith(`${wanted} `) && /^\d+$/.test(each.slice(wanted.length + 1)));
+    const same = byValues.get(text)?.find(isOfName);
+    if (same !== undefined) return same;
+    for (let n = numbers.get(wanted) ?? 1; ; n++) {
       const free = n === 1 ? wanted : `${wanted} ${n}`;
-      const known = materials.find((each) => each.name === free)?.values ?? assets.materialAsset(free)?.changedValues();
-      if (known && sameValues(known, values)) return free;
-      if (known || assets.has(free)) continue;
+      if (taken.has(free) || assets.has(free)) continue;
       materials.push({ name: free, values });
+      taken.add(free);
+      numbers.set(wanted, n + 1);
+      note(text, free);
       return free;
     }
   };
@@ -188,10 +208,6 @@ export function objectsOfModel(
   };
   return { objects: childrenOf(model.scene), materials };
 }
-
-const sameValues = (a: Values, b: Values): boolean =>
-  Object.keys(a).length === Object.keys(b).length &&
-  Object.keys(a).every((name) => name in b && sameValue(a[name], b[name]));
 
 const lightTypes = {
   AmbientLight: 'ambient',

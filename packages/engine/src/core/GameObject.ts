@@ -283,8 +283,9 @@ class BaseGameObject implements GameObjectType {
 
   private componentId(typeName: string): string {
     const base = `${this.id}:${typeName}`;
+    const taken = new Set(this.componentList.map(({ id }) => id));
     let id = base;
-    for (let n = 2; this.componentList.some((component) => component.id === id); n++) id = `${base}${n}`;
+    for (let n = 2; taken.has(id); n++) id = `${base}${n}`;
     return id;
   }
 }

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/renderer';
 import type { FileMap } from '../assets/collectFiles';
 import { FileError } from './FileError';
 import type { MayUnpack } from './unpack';
@@ -9,9 +10,15 @@ const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumb
  * Files with each ZIP among them replaced by what it holds, as if its folder had been dropped: 'sponza.zip' with
  * 'textures/wall.png' in it gives 'sponza/textures/wall.png'.
  * @param mayUnpack - asked before one becomes large; such a one is refused when absent. See `unpackLimits`
- * @throws Error (as a rejection) that names the ZIP and what is wrong with it; AbortError when `mayUnpack` answers no
+ * @param onProblem - told of a ZIP that cannot be read, which is left out then
+ * @throws Error (as a rejection) that names the ZIP and what is wrong with it, where nobody is told; AbortError when
+ * `mayUnpack` answers no
  */
-export async function expandZips(files: FileMap, mayUnpack?: MayUnpack): Promise<FileMap> {
+export async function expandZips(
+  files: FileMap,
+  mayUnpack?: MayUnpack,
+  onProblem?: (problem: string) => void,
+): Promise<FileMap> {
   const zips = [...files.keys()].filter((path) => /\.zip$/i.test(path));
   if (zips.length === 0) return files;
   const all = new Map(files);
@@ -27,7 +34,9 @@ export async function expandZips(files: FileMap, mayUnpack?: MayUnpack): Promise
       }
     } catch (cause) {
       if (!(cause instanceof FileError)) throw cause;
-      throw new Error(`${zip}: ${cause.problems[0].problem}`, { cause });
+      const problem = `${shortText(zip, 80)}: ${cause.problems[0].problem}`;
+      if (!onProblem) throw new Error(problem, { cause });
+      onProblem(problem);
     }
   }
   return all;

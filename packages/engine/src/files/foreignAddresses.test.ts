@@ -1,4 +1,4 @@
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
 import { deserialize, type MayFetch } from './deserialize';
@@ -185,6 +185,23 @@ describe('foreign addresses of a scene', () => {
     await expect(deserialize(file(), { assets })).rejects.toThrow(/sky\.hdr/);
     expect(asked.map(([url]) => url)).toContain('https://robots.example/robot.glb');
   });
+});
+
+test('an address beside the page that a scene names is not followed to another place, one of the host is', async () => {
+  const asked: [string, RequestRedirect | undefined][] = [];
+  vi.stubGlobal('fetch', async (url: string, { redirect }: RequestInit) => {
+    asked.push([url, redirect]);
+    throw new TypeError('fetch failed');
+  });
+  const assets = new AssetLibrary({ urls: { logo: 'logo.ply' } });
+  assets.allowedOrigins = new Set(['https://two.example']);
+  for (const url of ['go.ply?to=https://evil.example', 'https://two.example/a.ply']) assets.registerUrl(url, url);
+  const said: string[] = [];
+  for (const name of ['logo', 'go.ply?to=https://evil.example', 'https://two.example/a.ply'])
+    await assets.load(name).catch((error: Error) => said.push(error.message));
+  vi.unstubAllGlobals();
+  expect(asked.map(([, redirect]) => redirect)).toEqual([undefined, 'error', 'error']);
+  expect(said[1]).toMatch(/cannot be reached, or sends on to another address\.$/);
 });
 
 test('a model of which parts alone are used stays in the file', async () => {

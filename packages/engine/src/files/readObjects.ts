@@ -74,7 +74,7 @@ function readObject(
 
 function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<string, ReadObject> {
   const byId = new Map<string, ReadObject>();
-  const owners = new Map<string, ReadObject>();
+  const owners = new Map<string, { readonly path: PathLike; readonly type: string }>();
   for (const object of objects) {
     const other = byId.get(object.id);
     if (other && object.id)
@@ -86,13 +86,12 @@ function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<st
     for (const { id, type } of object.components) {
       const owner = owners.get(id);
       if (!owner || !id) {
-        owners.set(id, object);
+        owners.set(id, { path: object.path, type });
         continue;
       }
-      const taken = owner.components.find((each) => each.id === id)!;
       problems.add(
         `${object.path} ${type}`,
-        `has the id '${shortText(id)}', which is that of ${owner.path} ${taken.type} too: ids must differ.`,
+        `has the id '${shortText(id)}', which is that of ${owner.path} ${owner.type} too: ids must differ.`,
       );
     }
   }

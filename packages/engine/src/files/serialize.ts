@@ -67,12 +67,22 @@ export function assetInFile(asset: FieldAsset): FileAsset {
   return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
 
+/** Where an asset is in a container: under its name, also where that is '..' or has half of a letter. */
+function pathInContainer(name: string): string {
+  // a percent sign before 'u' is in no other path
+  const path = name
+    .split(/([\ud800-\udfff])/u)
+    .map((part, i) => (i % 2 === 1 ? `%u${part.charCodeAt(0).toString(16)}` : encodeURIComponent(part)))
+    .join('');
+  return `assets/${/^\.+$/.test(path) ? path.replaceAll('.', '%2E') : path}`;
+}
+
 /** Assets of a library that last: those added as files, with their path in a container, those made of fields, and those of an address. */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
   // by name: an asset that left and came back is at the same place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
-    return { name, type, file: `assets/${encodeURIComponent(name)}` };
+    return { name, type, file: pathInContainer(name) };
   });
   const ofFields = assets.fieldAssets().toSorted((a, b) => (a.name < b.name ? -1 : 1));
   for (const asset of ofFields) listed.push(assetInFile(asset));

@@ -5,6 +5,12 @@ import { type Places, weldPositions } from './weldPositions';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
+/**
+ * Corners in one place up to which each is compared with all others there. Where more meet, as in a scan with one point far
+ * off, which makes all others one place, each keeps the normal of its face.
+ */
+const MOST_COMPARED = 1024;
+
 /** Corner c of triangle c / 3 takes vertex `corners[c]`. */
 function* cornersOf({ index, attributes }: BufferGeometry): Steps<Uint32Array> {
   const count = index ? index.count : attributes.position.count;
@@ -94,7 +100,8 @@ function* cornerNormals(
       const place = places[corners[corner]];
       const flat = normals[own] === 0 && normals[own + 1] === 0 && normals[own + 2] === 0;
       let [x, y, z] = [0, 0, 0];
-      for (let i = start[place]; i < start[place + 1]; i++) {
+      const end = start[place + 1] - start[place] > MOST_COMPARED ? 0 : start[place + 1];
+      for (let i = start[place]; i < end; i++) {
         const face = list[i] - (list[i] % 3);
         const cosine =
           normals[own] * normals[face] + normals[own + 1] * normals[face + 1] + normals[own + 2] * normals[face + 2];
@@ -131,13 +138,14 @@ function* joinCorners(
     });
   };
   const first = new Int32Array(count).fill(-1);
+  const sizes = new Uint32Array(count);
   const next: number[] = [];
   const kept: number[] = [];
   const index = new Uint32Array(corners.length);
   yield* inSteps(corners.length, (from, to) => {
     for (let corner = from; corner < to; corner++) {
       const place = places[corners[corner]];
-      let vertex = first[place];
+      let vertex = sizes[place] < MOST_COMPARED ? first[place] : -1;
       while (vertex >= 0) {
         const [a, b] = [corner * 3, kept[vertex] * 3];
         const gap =
@@ -151,6 +159,7 @@ function* joinCorners(
         vertex = kept.push(corner) - 1;
         next.push(first[place]);
         first[place] = vertex;
+        sizes[place]++;
       }
       index[corner] = vertex;
     }
@@ -197,7 +206,7 @@ function* creaseNormals(geometry: BufferGeometry, creaseAngle: number): Steps<Bu
  * A copy of a triangle geometry with normals: smooth where faces meet at an angle up to `creaseAngle`, creased where
  * they meet at more. Corners are welded by place, so seams of the texture coordinates do not show; faces count by the
  * angle that they have at the corner (Thürmer and Wüthrich 1998), so that the cut of a face into triangles does not
- * show either. Other attributes and groups are kept; morph targets are not.
+ * show either; where more than 1,024 meet in one place each keeps its own normal. Other attributes and groups are kept; morph targets are not.
  * @param geometry - indexed or not, with a `position` attribute; left as it is
  * @param creaseAngle - radians, 0 (flat) to π (all smooth); π / 6 when absent
  */

@@ -9,13 +9,22 @@ const HEADER = 65_536;
 
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
-/** @throws Error when an element of the header cannot be in the data: the loader would go through it all the same */
+/** @throws Error when the elements of the header cannot be in the data: the loader would go through them all the same */
 function checkHeader(data: ArrayBuffer): void {
   const text = new TextDecoder('latin1').decode(new Uint8Array(data, 0, Math.min(HEADER, data.byteLength)));
   const end = text.search(/^end_header\b/m);
   if (end < 0) throw new Error('the PLY file has no whole header');
-  for (const [, name, count] of text.slice(0, end).matchAll(/^element\s+(\S+)\s+(\S+)/gm)) {
-    if (/^\d+$/.test(count) && Number(count) <= data.byteLength) continue;
+  const elements: { name: string; count: string; properties: number }[] = [];
+  for (const line of text.slice(0, end).split(/\r\n?|\n/)) {
+    const [word, name = '', count = ''] = line.split(/\s+/, 3);
+    if (word === 'element') elements.push({ name, count, properties: 0 });
+    else if (word === 'property' && elements.length > 0) elements.at(-1)!.properties++;
+  }
+  let left = data.byteLength;
+  for (const { name, count, properties } of elements) {
+    // each property takes a byte at least
+    left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
+    if (left >= 0) continue;
     throw new Error(`the PLY file cannot hold ${shortText(count)} of the element ${shortText(name)}: it is cut short`);
   }
 }

@@ -34,7 +34,8 @@ export class NumberReader {
     }
     const word = this.words[this.word++];
     const value = Number(word);
-    if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(word) || !Number.isFinite(value)) {
+    // the pattern last: it takes time by the square of digits that end in something else
+    if (!Number.isFinite(value) || !/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(word)) {
       throw new IESError(this.line, `"${word.slice(0, QUOTED)}" is no number; write ${what} there.`);
     }
     return value;

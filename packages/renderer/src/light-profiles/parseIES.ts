@@ -111,14 +111,14 @@ function readKeywords(lines: readonly string[], version: IESVersion): Map<string
   };
   let last = 'LABEL';
   for (const line of lines) {
-    const found = /^\s*\[([^\]]+)\]\s*(.*?)\s*$/.exec(line);
+    const found = /^\s*\[([^\]]+)\]/.exec(line);
     if (found === null) {
       if (version === 'LM-63-1986' && line.trim() !== '') add('LABEL', line.trim());
       continue;
     }
     const key = found[1].trim().toUpperCase();
     if (key !== 'MORE') last = key;
-    add(last, found[2]);
+    add(last, line.slice(found[0].length).trim());
   }
   return keywords;
 }

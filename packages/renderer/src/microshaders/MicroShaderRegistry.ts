@@ -186,7 +186,13 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
 
   /** A chunk and all that depend on it, directly or not. */
   usersOf(name: string): string[] {
-    return this.names().filter((other) => this.withDependencies([other]).has(name));
+    const names = this.names();
+    const users = new Set([name]);
+    for (let known = 0; known < users.size;) {
+      known = users.size;
+      for (const other of names) if (this.get(other)!.dependencies.some((each) => users.has(each))) users.add(other);
+    }
+    return names.filter((other) => users.has(other));
   }
 
   /**
@@ -200,7 +206,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.swapped.set(name, chunk);
     if (this.edited.has(name)) return;
     this.own.set(name, chunk);
-    const affected = this.names().filter((used) => this.withDependencies([used]).has(name));
+    const affected = this.usersOf(name);
     this.replacedAt.set(name, ++this.replacements);
     this.revisions.clear();
     for (const listener of [...this.listeners]) listener(affected);

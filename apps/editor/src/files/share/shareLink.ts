@@ -1,6 +1,7 @@
 import { formatCount, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { containerContent, inlineAssets } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import { encodeLink } from './linkText';
 
 /** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */
@@ -16,9 +17,8 @@ export async function linkHash(scene: Scene): Promise<string> {
   const content = containerContent(scene);
   const largest = [...content.files].toSorted((a, b) => b[1].size - a[1].size).slice(0, 3);
   const bytes = largest.reduce((sum, [, { size }]) => sum + size, 0);
-  const names = largest.map(
-    ([path, { size }]) => `${decodeURIComponent(path.slice('assets/'.length))} (${kilobytes(size)})`,
-  );
+  const named = new Map(content.file.assets.map(({ name, file }) => [file, name]));
+  const names = largest.map(([path, { size }]) => `${shortText(named.get(path)!)} (${kilobytes(size)})`);
   const why = names.length > 0 ? t(' The largest assets are {names}.', { names: names.join(', ') }) : '';
   const refuse = (size: number): never => {
     const limit = kilobytes(LINK_LIMIT);

@@ -4,6 +4,7 @@ import { keyId } from '../../model/timeline/clipTracks';
 import { STRAIGHT } from '../../model/timeline/easingCurve';
 import type { TimelineColours } from './colours';
 import { firstMark, marksOfTrack } from './keyMarks';
+import { marksBetween } from './rulerSteps';
 import { type ShownCurve, shownCurves } from './shownCurves';
 import { HEADER, type TimelineView } from './TimelineView';
 
@@ -108,7 +109,7 @@ function drawValues(context: Context, view: TimelineView, colours: TimelineColou
   const power = 10 ** Math.floor(Math.log10(least));
   const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= least)!;
   context.font = '10px system-ui, sans-serif';
-  for (let i = Math.ceil(view.value(view.height) / step); i * step <= view.value(HEADER); i++) {
+  for (const i of marksBetween(view.value(view.height), view.value(HEADER), step)) {
     const y = Math.round(view.y(i * step));
     context.fillStyle = i === 0 ? colours.lineStrong : colours.line;
     context.fillRect(0, y, view.width, 1);

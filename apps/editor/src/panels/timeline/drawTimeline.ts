@@ -1,7 +1,7 @@
 import type { TimelineColours } from './colours';
 import { drawCurves } from './drawCurves';
 import { firstMark, isMarkSelected, type KeyMarks, marksOfTrack, marksOfTracks } from './keyMarks';
-import { rulerSteps } from './rulerSteps';
+import { marksBetween, rulerSteps } from './rulerSteps';
 import { rangeOfKeys } from '../../model/timeline/editKeys';
 import type { TimelineRow } from './timelineRows';
 import { HEADER, RULER, SUMMARY, type TimelineView } from './TimelineView';
@@ -157,7 +157,7 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
   context.fillRect(0, HEADER - 1, width, 1);
   const { step, perLabel, labelOf } = rulerSteps(view.scale, timeline.frameRate, view.unit);
   context.font = '10px system-ui, sans-serif';
-  for (let i = Math.max(Math.ceil(view.time(-40) / step), 0); i * step < view.time(width); i++) {
+  for (const i of marksBetween(Math.max(view.time(-40), 0), view.time(width), step)) {
     const x = Math.round(view.x(i * step)) + 0.5;
     const hasLabel = i % perLabel === 0;
     context.fillStyle = hasLabel ? colours.dim : colours.lineStrong;
@@ -175,7 +175,7 @@ function drawGround(context: Context, view: TimelineView, colours: TimelineColou
   context.fillRect(0, 0, width, height);
   const { step, perLabel } = rulerSteps(view.scale, timeline.frameRate, view.unit);
   context.fillStyle = colours.line;
-  for (let i = Math.max(Math.ceil(view.time(0) / step), 0); i * step < view.time(width); i++) {
+  for (const i of marksBetween(Math.max(view.time(0), 0), view.time(width), step)) {
     if (i % perLabel === 0) context.fillRect(Math.round(view.x(i * step)), HEADER, 1, height - HEADER);
   }
 }

@@ -15,8 +15,24 @@ const LABEL = 56;
 
 const NICE = [1, 2, 5] as const;
 
+/** Marks that a ruler has at most: more than pixels of any screen have room for. */
+const MOST_MARKS = 2000;
+
+/**
+ * The marks of a ruler from one place up to another, as multiples of its step. None where there would be very many, or
+ * where numbers have no digits left to tell one from the next.
+ */
+export function marksBetween(from: number, to: number, step: number): number[] {
+  const first = Math.ceil(from / step);
+  const count = Math.floor(to / step) - first + 1;
+  if (!(count > 0 && count <= MOST_MARKS) || !Number.isSafeInteger(first) || !Number.isSafeInteger(first + count))
+    return [];
+  return Array.from({ length: count }, (_, i) => first + i);
+}
+
 /** The smallest of 1, 2, 5, 10, 20 and so on that is not below a number. */
 function niceAbove(least: number): number {
+  if (!(least > 1e-100 && least < 1e100)) return 1;
   for (let power = 10 ** Math.floor(Math.log10(least)); ; power *= 10) {
     for (const factor of NICE) if (factor * power >= least * 0.999) return factor * power;
   }

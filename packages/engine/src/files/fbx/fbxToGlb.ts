@@ -21,6 +21,7 @@ import { ObjTextures } from '../obj/ObjTextures';
 import type { PackedObj } from '../obj/PackedObj';
 import type { MtlMaterial } from '../obj/parseMtl';
 import { padded, writeGlb } from '../writeGlb';
+import { checkFbx } from './checkFbx';
 import { FbxTextures } from './FbxTextures';
 
 /** Metres of a unit of FBX: a centimetre. */
@@ -45,14 +46,19 @@ function parse(loader: FBXLoader, bytes: ArrayBuffer, notes: Set<string>): Group
   try {
     return loader.parse(bytes, '');
   } catch (cause) {
-    const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
-    const isRaw = cause instanceof TypeError || cause instanceof RangeError;
-    const reason = isRaw ? 'something in it is missing, or of another kind than FBX says' : shortText(said, 160);
-    throw new Error(`its FBX data cannot be read (${reason}): export it again as FBX 7.4, or as glTF.`, { cause });
+    throw readError(cause);
   } finally {
     console.warn = warn;
     console.error = error;
   }
+}
+
+/** What is wrong with an FBX, as one sentence. */
+function readError(cause: unknown): Error {
+  const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
+  const isRaw = cause instanceof TypeError || cause instanceof RangeError;
+  const reason = isRaw ? 'something in it is missing, or of another kind than FBX says' : shortText(said, 160);
+  return new Error(`its FBX data cannot be read (${reason}): export it again as FBX 7.4, or as glTF.`, { cause });
 }
 
 const triple = (colour: Color): Triple => {
@@ -141,6 +147,12 @@ export async function fbxToGlb(files: FileMap, path: string, signal?: AbortSigna
     given.arrayBuffer(),
   ]);
   signal?.throwIfAborted();
+  try {
+    await checkFbx(bytes, signal);
+  } catch (cause) {
+    signal?.throwIfAborted();
+    throw readError(cause);
+  }
   const found = new FbxTextures();
   const warnings = new Set<string>();
   const group = parse(new FBXLoader(found.manager), bytes, warnings);

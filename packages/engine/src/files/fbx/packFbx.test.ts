@@ -1,3 +1,4 @@
+import { zlibSync } from 'three/addons/libs/fflate.module.js';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { checkModelFile } from '../../assets/readModel';
 import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
@@ -231,6 +232,87 @@ describe('packFbx', () => {
       'a.fbx: these textures were not found: Wall.png. Drop the whole folder, or all files together.',
     ]);
     expect(json.materials[0].pbrMetallicRoughness).not.toHaveProperty('baseColorTexture');
+  });
+
+  /** A binary FBX of version 7.4: nodes with their properties, as bytes, and what is in them. */
+  type Node = [name: string, properties: Uint8Array[], inner?: Node[]];
+  const words = (...values: number[]): Uint8Array => new Uint8Array(Uint32Array.from(values).buffer);
+  const letters = (text: string): Uint8Array => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const join = (...parts: Uint8Array[]): Uint8Array<ArrayBuffer> => Uint8Array.from(parts.flatMap((part) => [...part]));
+  const text = (value: string): Uint8Array => join(letters('S'), words(value.length), letters(value));
+  const whole = (value: number): Uint8Array => join(letters('I'), words(value));
+  const packed = (type: string, count: number, data: Uint8Array): Uint8Array => {
+    const bytes = zlibSync(data);
+    const result = new Uint8Array(13 + bytes.length);
+    result.set(join(letters(type), words(count, 1, bytes.length)));
+    result.set(bytes, 13);
+    return result;
+  };
+  function binary(nodes: Node[]): Uint8Array<ArrayBuffer> {
+    const bytes: Uint8Array[] = [letters('Kaydara FBX Binary  \0\x1a\0'), words(7400)];
+    let at = 27;
+    const write = ([name, properties, inner = []]: Node): void => {
+      const head = new Uint8Array(13);
+      bytes.push(head, letters(name), ...properties);
+      at += 13 + name.length + properties.reduce((sum, { length }) => sum + length, 0);
+      inner.forEach(write);
+      new DataView(head.buffer).setUint32(0, at, true);
+      new DataView(head.buffer).setUint32(4, properties.length, true);
+      head[12] = name.length;
+    };
+    nodes.forEach(write);
+    bytes.push(new Uint8Array(201));
+    const result = new Uint8Array(bytes.reduce((sum, { length }) => sum + length, 0));
+    let end = 0;
+    for (const each of bytes) {
+      result.set(each, end);
+      end += each.length;
+    }
+    return result;
+  }
+
+  it('writes nothing into what all objects share', async () => {
+    const before = Object.getOwnPropertyNames(Object.prototype);
+    const named = '\t__proto__: "polluted", "b", "c" {\n\t}\n';
+    const file = fbx().replace('Objects:  {\n', `Objects:  {\n${named}`);
+    const nodes: Node[] = [
+      ['Objects', [], [['__proto__', [whole(5), text('a'), text('b')], [['id', [text('polluted')]]]]]],
+    ];
+    try {
+      for (const content of [file, file.replace('__proto__', 'constructor'), binary(nodes)]) {
+        await expect(pack({ 'a.fbx': content }, 'a.fbx')).rejects.toThrow(
+          /its FBX data cannot be read \(it has an entry of the name (__proto__|constructor)\)/,
+        );
+      }
+      expect(Object.getOwnPropertyNames(Object.prototype)).toEqual(before);
+      expect('polluted' in {}).toBe(false);
+      expect('polluted' in Object).toBe(false);
+    } finally {
+      for (const name of Object.getOwnPropertyNames(Object.prototype))
+        if (!before.includes(name)) Reflect.deleteProperty(Object.prototype, name);
+      Reflect.deleteProperty(Object, 'polluted');
+    }
+  });
+
+  it('is not made to take memory or time without end', async () => {
+    const geometry = (...inner: Node[]): Uint8Array<ArrayBuffer> =>
+      binary([['Objects', [], [['Geometry', [whole(1), text('a'), text('Mesh')], inner]]]]);
+    const absurd: [string | Uint8Array<ArrayBuffer>, RegExp][] = [
+      // 100 kB that become 100 MB
+      [geometry(['Vertices', [packed('d', 3, new Uint8Array(100_000_000))]]), /come to more than it says/],
+      [geometry(['Vertices', [packed('d', 1e9, new Uint8Array(8))]]), /its arrays come to more than [\d,]+ bytes/],
+      [
+        geometry(['PolygonVertexIndex', [packed('i', 40_000, new Uint8Array(160_000))]]),
+        /a face of it has 40,000 corners: cut it into triangles/,
+      ],
+      [fbx().replace('a: 3,2,1,-1', `a: ${'3,2,1,'.repeat(20_000)}-1`), /a face of it has 60,001 corners/],
+      [fbx().replace(/(KeyValueFloat: \*\d+ \{\s+a: [-\d.]+,)/, '$11e300,'), /keys of its clips are too far/],
+    ];
+    for (const [content, message] of absurd) {
+      const start = performance.now();
+      await expect(pack({ 'a.fbx': content }, 'a.fbx')).rejects.toThrow(message);
+      expect(performance.now() - start).toBeLessThan(5000);
+    }
   });
 
   it('says what is wrong with what it cannot read', async () => {

@@ -12,23 +12,32 @@ function partsOf(path: string): string[] {
 
 const stemOf = (name: string): string => name.replace(/\.\w+$/, '');
 
-/** How many parts of two paths agree, from their ends. */
-function agreement(a: readonly string[], b: readonly string[]): number {
-  let count = 0;
-  while (count < a.length && count < b.length && a.at(-1 - count) === b.at(-1 - count)) count++;
-  return count;
+/** Parts of a path, from its end, by which files are told apart. */
+const MOST_PARTS = 32;
+
+/** The ends of a path, the longest first: 'a/b/c', 'b/c', 'c'. */
+function endsOf(parts: readonly string[]): string[] {
+  const last = parts.slice(-MOST_PARTS);
+  return last.map((_, i) => last.slice(i).join('/'));
 }
 
 /** Finds what OBJ and MTL files name among dropped files: by other case, other slashes, another folder. */
 export class ObjFolder {
-  private readonly entries: readonly {
-    readonly path: string;
-    readonly parts: readonly string[];
-    readonly file: File;
-  }[];
+  private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
+  /** By its whole path, and by each end of one, the first file that has it. */
+  private readonly wholes = new Map<string, string>();
+  private readonly ends = new Map<string, string>();
 
   constructor(files: FileMap) {
-    this.entries = [...files].map(([path, file]) => ({ path, parts: partsOf(path), file }));
+    // a path such as 'a/..' names no file
+    this.entries = [...files.keys()]
+      .map((path) => ({ path, parts: partsOf(path) }))
+      .filter(({ parts }) => parts.length > 0);
+    for (const { path, parts } of this.entries) {
+      const whole = parts.join('/');
+      if (!this.wholes.has(whole)) this.wholes.set(whole, path);
+      for (const end of endsOf(parts)) if (!this.ends.has(end)) this.ends.set(end, path);
+    }
   }
 
   /**
@@ -43,15 +52,13 @@ export class ObjFolder {
     const name = wanted.at(-1);
     if (name === undefined) return null;
     const exact = partsOf([...folder, ...reference.replaceAll('\\', '/').split('/')].join('/')).join('/');
-    const whole = this.entries.find(({ parts }) => parts.join('/') === exact);
-    if (whole) return whole.path;
+    const whole = this.wholes.get(exact);
+    if (whole !== undefined) return whole;
     const others = endings.map((ending) => stemOf(name) + ending);
     for (const each of [name, ...others]) {
-      const path = [...wanted.slice(0, -1), each];
-      const found = this.entries
-        .filter(({ parts }) => parts.at(-1) === each)
-        .toSorted((a, b) => agreement(b.parts, path) - agreement(a.parts, path));
-      if (found.length > 0) return found[0].path;
+      const ends = endsOf([...wanted.slice(0, -1), each]);
+      const found = ends.find((end) => this.ends.has(end));
+      if (found !== undefined) return this.ends.get(found)!;
     }
     return null;
   }

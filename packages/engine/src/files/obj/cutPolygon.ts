@@ -1,12 +1,20 @@
 import { ShapeUtils, Vector2 } from 'three';
 
+/** How a polygon was cut. */
+export interface CutPolygon {
+  /** Three indices of corners for each triangle. */
+  readonly triangles: readonly number[];
+  /** Whether it is not convex, and was cut as if it was. */
+  readonly isCoarse: boolean;
+}
+
 /**
  * Cuts a polygon into triangles that turn as it does: a fan from its first corner where it is convex, by ears where it is
  * not.
  * @param points - x, y and z of each corner
- * @returns three indices of corners for each triangle
+ * @param most - corners up to which one is cut by ears
  */
-export function cutPolygon(points: readonly number[]): readonly number[] {
+export function cutPolygon(points: readonly number[], most: number): CutPolygon {
   const count = points.length / 3;
   const fan = Array.from({ length: count - 2 }, (_, i) => [0, i + 1, i + 2]).flat();
   const normal = newellNormal(points);
@@ -17,10 +25,11 @@ export function cutPolygon(points: readonly number[]): readonly number[] {
   const flat = Array.from({ length: count }, (_, i) => new Vector2(points[i * 3 + u], points[i * 3 + v]));
   const turn = (a: number, b: number, c: number): number =>
     (flat[b].x - flat[a].x) * (flat[c].y - flat[a].y) - (flat[b].y - flat[a].y) * (flat[c].x - flat[a].x);
-  if (flat.every((_, i) => turn(i, (i + 1) % count, (i + 2) % count) >= 0)) return fan;
+  const isConvex = flat.every((_, i) => turn(i, (i + 1) % count, (i + 2) % count) >= 0);
+  if (isConvex || count > most) return { triangles: fan, isCoarse: !isConvex };
   const ears = ShapeUtils.triangulateShape(flat, []) as [number, number, number][];
-  if (ears.length !== count - 2) return fan;
-  return ears.flatMap(([a, b, c]) => (turn(a, b, c) < 0 ? [a, c, b] : [a, b, c]));
+  if (ears.length !== count - 2) return { triangles: fan, isCoarse: false };
+  return { triangles: ears.flatMap(([a, b, c]) => (turn(a, b, c) < 0 ? [a, c, b] : [a, b, c])), isCoarse: false };
 }
 
 /** @see Sutherland, Sproull and Schumacker 1974: Newell's method */

@@ -1,11 +1,8 @@
 import { TGALoader } from 'three/addons/loaders/TGALoader.js';
-import { checkImageSize } from '../../assets/imageSize';
+import { checkImageSize, checkPixels } from '../../assets/imageSize';
 import type { Picture } from './pictures';
 
 const isTga = (name: string): boolean => /\.(tga|vda|icb|vst)$/i.test(name);
-
-/** The largest side of a TGA (px), as of other pictures. */
-const SIDE = 16_384;
 
 /** What the first bytes say: a format that glTF holds as it is, or null. */
 export function gltfMime(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
@@ -17,7 +14,7 @@ export function gltfMime(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
 export function decodeTga(bytes: Uint8Array<ArrayBuffer>): Picture {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [width, height] = bytes.length < 18 ? [0, 0] : [view.getUint16(12, true), view.getUint16(14, true)];
-  if (width > SIDE || height > SIDE) throw new Error('it is too large');
+  checkPixels(width, height);
   // types 1 to 3 are not packed: the loader takes bytes that are not there for black
   const isPacked = bytes[2] > 3;
   if (bytes.length < 18 || (!isPacked && bytes.length < 18 + (width * height * bytes[16]) / 8))

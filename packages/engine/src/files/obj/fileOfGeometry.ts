@@ -39,6 +39,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
     runs: [{ name: '', key: '', material: null, from: 0, to: whole }],
     materialFiles: [],
     leftOut: 0,
+    coarse: 0,
   };
 }
 

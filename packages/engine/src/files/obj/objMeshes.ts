@@ -117,28 +117,32 @@ function sortRuns(runs: readonly ObjRun[]): { name: string; materials: Map<strin
 }
 
 function* buildMeshes(file: ObjFile): Steps<ObjMesh[]> {
-  const first = new Int32Array(file.positions.length / 3).fill(-1);
   const meshes: ObjMesh[] = [];
   for (const { name, materials } of sortRuns(file.runs)) {
     const primitives: ObjPrimitive[] = [];
-    for (const [material, runs] of materials) primitives.push(yield* buildPrimitive(file, material, runs, first));
+    for (const [material, runs] of materials) primitives.push(yield* buildPrimitive(file, material, runs));
     meshes.push({ name, primitives });
   }
   return meshes;
 }
 
-/** @param first - a place for each vertex of the file, all −1, as it is left */
+/** A factor for a hash that no file can know: chosen numbers could give all corners one place. */
+const randomFactor = (): number => Math.floor(Math.random() * 2 ** 31) * 2 + 1;
+const factors = [randomFactor(), randomFactor(), randomFactor()];
+
 function* buildPrimitive(
   { positions, normals, uvs, colours, corners }: ObjFile,
   material: string | null,
   runs: readonly ObjRun[],
-  first: Int32Array,
 ): Steps<ObjPrimitive> {
   const count = runs.reduce((sum, { from, to }) => sum + to - from, 0);
   const index = new Uint32Array(count);
-  /** Corner that each vertex of the primitive is made of; vertices of one place are chained from `first` by `next`. */
+  const bits = Math.max(1, Math.ceil(Math.log2(count)));
+  const first = new Int32Array(2 ** bits).fill(-1);
+  /** Corner that each vertex of the primitive is made of; vertices of one hash are chained from `first` by `next`. */
   const kept = new Uint32Array(count);
   const next = new Int32Array(count);
+  const [a, b, c] = factors;
   let vertices = 0;
   let done = 0;
   let hasUvs = false;
@@ -146,19 +150,20 @@ function* buildPrimitive(
     yield* inSteps(end - start, (from, to) => {
       for (let corner = start + from; corner < start + to; corner++) {
         const at = corner * 3;
-        const place = corners[at];
-        let vertex = first[place];
+        const [place, uv, normal] = [corners[at], corners[at + 1], corners[at + 2]];
+        const hash = (Math.imul(place, a) + Math.imul(uv + 1, b) + Math.imul(normal + 1, c)) >>> (32 - bits);
+        let vertex = first[hash];
         while (vertex >= 0) {
           const other = kept[vertex] * 3;
-          if (corners[other + 1] === corners[at + 1] && corners[other + 2] === corners[at + 2]) break;
+          if (corners[other] === place && corners[other + 1] === uv && corners[other + 2] === normal) break;
           vertex = next[vertex];
         }
         if (vertex < 0) {
           vertex = vertices++;
           kept[vertex] = corner;
-          next[vertex] = first[place];
-          first[place] = vertex;
-          if (corners[at + 1] >= 0) hasUvs = true;
+          next[vertex] = first[hash];
+          first[hash] = vertex;
+          if (uv >= 0) hasUvs = true;
         }
         index[done++] = vertex;
       }
@@ -174,7 +179,6 @@ function* buildPrimitive(
     });
     return target;
   };
-  for (let vertex = 0; vertex < vertices; vertex++) first[corners[kept[vertex] * 3]] = -1;
   return {
     material,
     positions: yield* take(positions, 3, 0),

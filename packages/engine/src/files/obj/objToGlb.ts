@@ -102,6 +102,9 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
   }
   if (unknown.size > 0) notes.push(`these materials are in no MTL file and stay grey: ${listed(unknown)}.`);
   if (file.leftOut > 0) notes.push(`its lines, points and curves were left out.`);
+  if (file.coarse > 0) {
+    notes.push(`${file.coarse} of its faces have so many corners that they may look wrong: cut them into triangles.`);
+  }
 
   const extensions = [
     ...(gltf.usesEmissiveStrength ? ['KHR_materials_emissive_strength'] : []),

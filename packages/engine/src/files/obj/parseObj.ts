@@ -36,10 +36,15 @@ export interface ObjFile {
   readonly materialFiles: readonly string[];
   /** Lines, points, curves and surfaces, which are left out. */
   readonly leftOut: number;
+  /** Faces of so many corners that they were cut as if they were convex, and are not. */
+  readonly coarse: number;
 }
 
 /** Lines from one step to the next: about a millisecond of work. */
 const STEP = 4096;
+
+/** Corners of a face that is not convex: cutting it by ears takes time by their square. */
+const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
 /** A face of four corners, cut from its first corner and from its second. */
@@ -72,9 +77,17 @@ class ObjParser {
   private readonly runs: ObjRun[] = [];
   private readonly materialFiles: string[] = [];
   private leftOut = 0;
-  private object = '';
+  private coarse = 0;
   private group = '';
   private material: string | null = null;
+  /** Names of groups and objects, and of materials, each once: equal ones are compared without reading them. */
+  private readonly names = new Map<string, string>();
+  private readonly numbers = new Map<string, number>();
+  private object = '';
+  /** Numbers of the names of object and group. */
+  private key = '0 0';
+  /** What was done, in lines. */
+  private work = 0;
   private hasColours = false;
   /** The vertex of the highest number, and the line that names it. */
   private highest = -1;
@@ -90,7 +103,7 @@ class ObjParser {
   /** @returns whether there is more to read */
   readLines(count: number): boolean {
     const { reader } = this;
-    for (let i = 0; i < count && !reader.isAtEnd; i++) {
+    for (this.work = 0; this.work < count && !reader.isAtEnd; this.work++) {
       this.readLine();
       reader.nextLine();
     }
@@ -98,7 +111,7 @@ class ObjParser {
   }
 
   finish(): ObjFile {
-    const { positions, uvs, normals, corners, runs, materialFiles, leftOut } = this;
+    const { positions, uvs, normals, corners, runs, materialFiles, leftOut, coarse } = this;
     const vertices = positions.length / 3;
     if (vertices === 0) {
       throw new Error('it has no vertices: it is no OBJ file, or an empty one. Export it again.');
@@ -120,6 +133,7 @@ class ObjParser {
       runs,
       materialFiles,
       leftOut,
+      coarse,
     };
   }
 
@@ -144,14 +158,14 @@ class ObjParser {
       case 'fo':
         return this.readFace();
       case 'o':
-        this.object = reader.rest();
+        this.object = this.once(reader.rest());
         this.group = '';
-        return;
+        return this.groupChanged();
       case 'g':
-        this.group = reader.rest();
-        return;
+        this.group = this.once(reader.rest());
+        return this.groupChanged();
       case 'usemtl':
-        this.material = reader.rest();
+        this.material = this.once(reader.rest());
         return;
       case 'mtllib':
         this.materialFiles.push(reader.rest());
@@ -202,8 +216,29 @@ class ObjParser {
     const run = this.currentRun();
     if (count === 3) this.pushCorners(triangle);
     else if (count === 4) this.pushCorners(this.isFolded(face) ? otherHalves : halves);
-    else this.pushCorners(cutPolygon(this.pointsOf(face)));
+    else this.pushCorners(this.cut(face));
     run.to = this.corners.length / 3;
+  }
+
+  private cut(face: readonly number[]): readonly number[] {
+    const count = face.length / 3;
+    const { triangles, isCoarse } = cutPolygon(this.pointsOf(face), MOST_CORNERS);
+    if (isCoarse) this.coarse++;
+    this.work += Math.min(count, MOST_CORNERS) ** 2 / 64;
+    return triangles;
+  }
+
+  private once(name: string): string {
+    const known = this.names.get(name);
+    if (known !== undefined) return known;
+    this.names.set(name, name);
+    this.numbers.set(name, this.names.size);
+    return name;
+  }
+
+  private groupChanged(): void {
+    const [object, group] = [this.object, this.group].map((name) => this.numbers.get(name) ?? 0);
+    this.key = `${object} ${group}`;
   }
 
   /** Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not convex. */
@@ -236,9 +271,8 @@ class ObjParser {
   }
 
   private currentRun(): ObjRun {
-    const { runs, object, group, material } = this;
+    const { runs, object, group, material, key } = this;
     const last = runs.at(-1);
-    const key = `${object}\n${group}`;
     if (last?.key === key && last.material === material) return last;
     const hasName = group !== '' && group !== 'default' && group !== 'off';
     const from = this.corners.length / 3;

@@ -1,7 +1,10 @@
+import { BufferAttribute, BufferGeometry } from 'three';
 import { Slices } from '../../core/Slices';
-import { runInSlices } from '../../core/steps';
+import { runInSlices, type Steps } from '../../core/steps';
 import { counted } from '../../core/counted';
 import { fileOfGeometry } from './fileOfGeometry';
+import { LineReader } from './LineReader';
+import { floatList } from './NumberList';
 import type { ObjFile } from './parseObj';
 
 const HEADER = 84;
@@ -9,15 +12,44 @@ const FACET = 50;
 
 const isText = (bytes: Uint8Array): boolean => /^\W{0,5}solid/.test(String.fromCharCode(...bytes.subarray(0, 16)));
 
-/** @throws Error of one sentence when the loader would read beyond the end, or find nothing */
-function checkStl(bytes: Uint8Array): void {
+/** Lines from one step to the next: about a millisecond of work. */
+const STEP = 4096;
+
+/** @returns whether it is text @throws Error of one sentence when the loader would read beyond the end */
+function checkStl(bytes: Uint8Array): boolean {
   if (bytes.length < HEADER) throw new Error('it is cut short: an STL file has 84 bytes at least. Export it again.');
   const facets = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
   const exact = HEADER + facets * FACET;
-  if (exact === bytes.length || isText(bytes)) return;
+  if (exact === bytes.length) return false;
+  if (isText(bytes)) return true;
   if (exact > bytes.length) {
     throw new Error(`its header says ${counted(facets)} triangles, and it is too short for them: export it again.`);
   }
+  return false;
+}
+
+/**
+ * The corners of the triangles of a text. three's loader looks for each beginning's end in all that follows, again and again
+ * where there is none.
+ */
+function* parseText(bytes: Uint8Array): Steps<BufferGeometry> {
+  const reader = new LineReader(bytes);
+  const corners = floatList();
+  // the name of a solid may hold any words
+  let isInLoop = false;
+  while (!reader.isAtEnd) {
+    for (let i = 0; i < STEP && !reader.isAtEnd; i++) {
+      while (!reader.isLineOver) {
+        const word = reader.word().toLowerCase();
+        if (word === 'loop') isInLoop = true;
+        else if (word === 'endloop') isInLoop = false;
+        else if (isInLoop && word === 'vertex') corners.push3(reader.number(), reader.number(), reader.number());
+      }
+      reader.nextLine();
+    }
+    yield;
+  }
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(corners.values, 3));
 }
 
 /**
@@ -25,9 +57,9 @@ function checkStl(bytes: Uint8Array): void {
  * @throws Error of one sentence that says what is wrong
  */
 export async function parseStl(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile> {
-  checkStl(bytes);
-  const { STLLoader } = await import('three/addons/loaders/STLLoader.js');
-  const geometry = new STLLoader().parse(bytes.buffer);
+  const geometry = checkStl(bytes)
+    ? await runInSlices(parseText(bytes), new Slices(signal))
+    : new (await import('three/addons/loaders/STLLoader.js')).STLLoader().parse(bytes.buffer);
   const positions = geometry.getAttribute('position');
   if (!positions || positions.count < 3) throw new Error('it has no triangles: it is no STL file, or an empty one.');
   if (positions.array.some((value) => !Number.isFinite(value))) {

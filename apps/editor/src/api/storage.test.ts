@@ -1,0 +1,46 @@
+import { afterEach, expect, test, vi } from 'vitest';
+import { PanelLayout } from '../layout/PanelLayout';
+import { PanelRegistry } from '../layout/PanelRegistry';
+import { guardScripts } from '../scripts/guardScripts';
+import { EditorDocument } from '../model/EditorDocument';
+import { KeyBindings } from './KeyBindings';
+import { createPreferences } from './preferences';
+
+afterEach(() => vi.unstubAllGlobals());
+
+const refuse = (): never => {
+  throw new DOMException('The quota has been exceeded.', 'QuotaExceededError');
+};
+
+/** Storages of browsers that are full, that are blocked, and that hold what nobody wrote. */
+const storages: Record<string, object> = {
+  full: { getItem: () => null, setItem: refuse, removeItem: refuse },
+  blocked: { getItem: refuse, setItem: refuse, removeItem: refuse },
+  odd: { getItem: () => '{"state":', setItem: () => {}, removeItem: () => {} },
+};
+
+test.each(Object.keys(storages))('what is chosen holds for the page where the storage of the browser is %s', (kind) => {
+  const said = [vi.spyOn(console, 'warn'), vi.spyOn(console, 'error')];
+  vi.stubGlobal('localStorage', storages[kind]);
+  vi.stubGlobal('window', { localStorage: storages[kind] });
+  const preferences = createPreferences('test');
+  preferences.setState({ isMuted: true });
+  expect(preferences.getState().isMuted).toBe(true);
+  const layout = new PanelLayout(new PanelRegistry([]), 'test-layout');
+  expect(() => layout.reset()).not.toThrow();
+  const keys = new KeyBindings({ list: [] }, 'test-keys');
+  expect(keys).toBeDefined();
+  for (const each of said) {
+    expect(each).not.toHaveBeenCalled();
+    each.mockRestore();
+  }
+});
+
+test('scripts are switched on and off where the tab has no storage', () => {
+  vi.stubGlobal('location', { search: '' });
+  vi.stubGlobal('addEventListener', () => {});
+  vi.stubGlobal('sessionStorage', storages.blocked);
+  const document = new EditorDocument();
+  expect(() => guardScripts(document)).not.toThrow();
+  expect(() => document.scripts.changed.emit()).not.toThrow();
+});

@@ -1,0 +1,18 @@
+import { createJSONStorage, type PersistStorage, type StateStorage } from 'zustand/middleware';
+
+const attempt = <T>(run: () => T): T | null => {
+  try {
+    return run();
+  } catch {
+    return null;
+  }
+};
+
+const storage: StateStorage = {
+  getItem: (name) => attempt(() => localStorage.getItem(name)),
+  setItem: (name, value) => void attempt(() => localStorage.setItem(name, value)),
+  removeItem: (name) => void attempt(() => localStorage.removeItem(name)),
+};
+
+/** Keeps choices in the browser; where it has no storage, or no room, they hold until the page is left. */
+export const keptInBrowser = <S>(): PersistStorage<S> | undefined => createJSONStorage<S>(() => storage);

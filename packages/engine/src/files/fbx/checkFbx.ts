@@ -1,0 +1,200 @@
+import { shortText } from '@farol/renderer';
+import { counted } from '../../core/counted';
+
+/** Bytes that arrays may come to, whatever the file's size is, and how many times its size they may come to. */
+const FREE = 64 * 2 ** 20;
+const RATIO = 100;
+
+/** Bytes of packed data that are unpacked without looking: they come to 4 MB at most. */
+const SMALL = 4096;
+
+/** Corners of faces of more than four, squared and added up: the loader cuts each by ears. */
+const CUTTING = 500_000_000;
+
+/** Turns that the loader puts between the keys of curves, one for each half of a circle. */
+const TURNS = 10_000_000;
+
+/** Nodes within one another. */
+const DEEPEST = 200;
+
+const MAGIC = 'Kaydara FBX Binary  \0';
+
+/** Bytes of a value of an array, by the letter of its type. */
+const sizes: Readonly<Record<string, number>> = { b: 1, c: 1, d: 8, f: 4, i: 4, l: 8 };
+/** The same of a single value. */
+const singles: Readonly<Record<string, number>> = { C: 1, D: 8, F: 4, I: 4, L: 8, Y: 2 };
+
+/** Names that every object has: the loader would write into what all objects share. */
+const shared = new Set(Object.getOwnPropertyNames(Object.prototype));
+
+const fail = (problem: string): never => {
+  throw new Error(problem);
+};
+
+/** What an FBX comes to. Each method throws an Error that is the reason in a sentence. */
+class Budget {
+  private bytes = 0;
+  private cutting = 0;
+  private turns = 0;
+
+  constructor(private readonly fileSize: number) {}
+
+  checkName(name: string): void {
+    if (shared.has(name)) fail(`it has an entry of the name ${shortText(name)}`);
+  }
+
+  takeBytes(bytes: number): void {
+    this.bytes += bytes;
+    if (this.bytes > Math.max(FREE, this.fileSize * RATIO)) {
+      fail(`its arrays come to more than ${counted(Math.max(FREE, this.fileSize * RATIO))} bytes`);
+    }
+  }
+
+  /** @param indices - of corners, the last of a face negative */
+  takeFaces(indices: ArrayLike<number>): void {
+    let corners = 0;
+    for (let i = 0; i < indices.length; i++) {
+      corners++;
+      if (indices[i] >= 0 && i < indices.length - 1) continue;
+      if (corners > 4) this.cutting += corners * corners;
+      if (this.cutting > CUTTING) fail(`a face of it has ${counted(corners)} corners: cut it into triangles`);
+      corners = 0;
+    }
+  }
+
+  /** @param values - of the keys of a curve, which may be an angle in degrees */
+  takeCurve(values: ArrayLike<number>): void {
+    for (let i = 1; i < values.length; i++) {
+      const span = Math.abs(values[i] - values[i - 1]);
+      if (span >= 180) this.turns += span / 180;
+    }
+    if (this.turns > TURNS) fail('the keys of its clips are too far from one another');
+  }
+}
+
+/** An array of a node, as it lies in the file. */
+interface PackedArray {
+  readonly node: string;
+  readonly type: string;
+  readonly count: number;
+  readonly isPacked: boolean;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** Goes through the nodes of a binary FBX as the loader does. @throws RangeError where the loader reads beyond the end */
+function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
+  const view = new DataView(bytes);
+  let at = MAGIC.length + 2;
+  const word = (): number => view.getUint32((at += 4) - 4, true);
+  const isLong = word() >= 7500;
+  // the other half of a length is beyond any file, and the loader reads both
+  const length = (): number => (isLong ? word() + word() * 2 ** 32 : word());
+  const { byteLength } = bytes;
+  const isOver = (): boolean => (byteLength % 16 === 0 ? Math.floor((at + 176) / 16) * 16 : at + 176) >= byteLength;
+  const nameOf = (size: number): string =>
+    String.fromCharCode(...new Uint8Array(bytes, at, size)).replace(/\0.*$/s, '');
+  /** Where the nodes end that are not whole yet. */
+  const open: number[] = [];
+  while (open.length > 0 || !isOver()) {
+    if (open.length > 0 && at >= open.at(-1)!) {
+      open.pop();
+      continue;
+    }
+    const end = length();
+    const properties = length();
+    length();
+    const nameLength = view.getUint8(at++);
+    const node = nameOf(nameLength);
+    at += nameLength;
+    if (end === 0) continue;
+    budget.checkName(node);
+    for (let i = 0; i < properties; i++) {
+      const type = String.fromCharCode(view.getUint8(at++));
+      if (Object.hasOwn(singles, type)) at += singles[type];
+      else if (type === 'S' || type === 'R') {
+        const size = word();
+        at += size;
+      } else if (Object.hasOwn(sizes, type)) {
+        const [count, encoding, packed] = [word(), word(), word()];
+        const size = encoding === 0 ? count * sizes[type] : packed;
+        if (at + size > byteLength) throw new RangeError('Beyond the end.');
+        yield { node, type, count, isPacked: encoding !== 0, bytes: new Uint8Array(bytes, at, size) };
+        at += size;
+      } else throw new RangeError('A type that the loader does not know.');
+      if (at > byteLength) throw new RangeError('Beyond the end.');
+    }
+    open.push(end);
+    if (open.length > DEEPEST) fail(`its nodes are more than ${DEEPEST} deep`);
+  }
+}
+
+/**
+ * Unpacks an array while counting: more than `most` bytes are refused.
+ * @returns null when the data are damaged, which the loader says
+ */
+async function unpacked(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer> | null> {
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let length = 0;
+  for (;;) {
+    const { done, value } = await reader.read().catch(() => ({ done: null, value: null }));
+    if (done === null) return null;
+    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
+    parts.push(value as Uint8Array<ArrayBuffer>);
+    length += value!.length;
+    if (length <= most) continue;
+    reader.cancel().catch(() => {});
+    fail('its arrays come to more than it says');
+  }
+}
+
+const numbersOf = (bytes: Uint8Array<ArrayBuffer>, type: string): ArrayLike<number> => {
+  const whole = bytes.slice(0, bytes.length - (bytes.length % sizes[type])).buffer;
+  if (type === 'f') return new Float32Array(whole);
+  if (type === 'd') return new Float64Array(whole);
+  if (type === 'i') return new Int32Array(whole);
+  return [];
+};
+
+async function checkBinary(bytes: ArrayBuffer, budget: Budget, signal?: AbortSignal): Promise<void> {
+  try {
+    for (const { node, type, count, isPacked, bytes: data } of arraysOf(bytes, budget)) {
+      // the loader makes lists of numbers
+      budget.takeBytes(count * 8);
+      const isFaces = node === 'PolygonVertexIndex';
+      const isCurve = node === 'KeyValueFloat';
+      const mustUnpack = isPacked && (isFaces || isCurve || data.length > SMALL);
+      const content = mustUnpack ? await unpacked(data, count * sizes[type] + 2 ** 16) : data;
+      signal?.throwIfAborted();
+      if (content && isFaces) budget.takeFaces(numbersOf(content, type));
+      if (content && isCurve) budget.takeCurve(numbersOf(content, type));
+    }
+  } catch (error) {
+    // the loader says what is damaged
+    if (!(error instanceof RangeError)) throw error;
+  }
+}
+
+function checkText(bytes: ArrayBuffer, budget: Budget): void {
+  const text = new TextDecoder('latin1').decode(bytes);
+  for (const [, name] of text.matchAll(/^[ \t]*(\w+)[ \t]*:/gm)) budget.checkName(name);
+  for (const [, name, list] of text.matchAll(
+    /\b(PolygonVertexIndex|KeyValueFloat):[^{}]*\{\s*a:([^a-df-zA-DF-Z:{}]*)/g,
+  )) {
+    const numbers = list.split(',').map(Number);
+    if (name === 'PolygonVertexIndex') budget.takeFaces(numbers);
+    else budget.takeCurve(numbers);
+  }
+}
+
+/**
+ * Checks an FBX before three's loader reads it, which writes entries of any name into objects, unpacks whatever comes, cuts
+ * faces of any number of corners at once, and puts as many keys into a clip as its angles ask for.
+ * @throws Error (as a rejection) whose message is the reason; what the signal was aborted with
+ */
+export async function checkFbx(bytes: ArrayBuffer, signal?: AbortSignal): Promise<void> {
+  const budget = new Budget(bytes.byteLength);
+  const head = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(MAGIC.length, bytes.byteLength)));
+  if (head === MAGIC) await checkBinary(bytes, budget, signal);
+  else checkText(bytes, budget);
+}
