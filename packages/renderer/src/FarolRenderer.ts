@@ -10,7 +10,7 @@ import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
-import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, shadowCode, warmUpCode } from './frame/lazyCode';
+import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, nodeCode, shadowCode, warmUpCode } from './frame/lazyCode';
 import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
@@ -131,6 +131,7 @@ export class FarolRenderer {
         addMicroShaders(this.microshaders, 'gouraud', code.microShaders);
         return code.gouraudTwins(this.frame.view);
       });
+    this.frame.makeNodes = () => nodeCode.use((code) => new code.NodeDraws());
     this.recorder = new InfoRecorder(webgl);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
@@ -301,6 +302,8 @@ export class FarolRenderer {
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // a shader that has no place for the loop was met: once more, by three's lights
     if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false);
+    // until the code of node materials is there three draws all of it
+    if (frame.lacksNodes) webgl.render(scene, camera);
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
@@ -312,7 +315,7 @@ export class FarolRenderer {
    * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
-   * light nothing), the views of surfaces and overdraw (the final picture is shown),
+   * light nothing), node materials (three draws the scene), the views of surfaces and overdraw (the final picture is shown),
    * 'forward', 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
    * @throws Error when the code cannot be fetched
    */

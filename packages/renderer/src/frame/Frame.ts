@@ -98,6 +98,8 @@ export class Frame {
   /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
+  /** Makes what has three draw node materials; null until its code is there. */
+  makeNodes: () => NodeDraws | null = () => null;
   gbufferExtras: readonly GBufferAttachment[] = [];
   /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
   inferredScale = 0.5;
@@ -116,6 +118,8 @@ export class Frame {
 
   constructor(
     readonly webgl: WebGLRenderer,
+  /** Something of a node material was to be drawn, whose code is not there. */
+  lacksNodes = false;
     readonly lights: LightTable,
     readonly twins: TwinCache,
     readonly uniforms: SharedUniforms,
@@ -155,6 +159,7 @@ export class Frame {
     this.level = webgl.getActiveMipmapLevel();
     this.several = this.target !== null && this.target.textures.length > 1;
     webgl.getCurrentViewport(this.viewport);
+    this.lacksNodes = false;
     this.resize();
     const { elements } = camera.projectionMatrix;
     const reversed = isDepthReversed(webgl);
@@ -322,7 +327,10 @@ export class Frame {
 
   /** Has three draw an item of a node material, unless that is done. */
   drawNodes(item: RenderItem): void {
-    if (!item.drawn) (this.nodes ??= new NodeDraws()).draw(this, item);
+    if (item.drawn) return;
+    this.nodes ??= this.makeNodes();
+    if (this.nodes === null) this.lacksNodes = true;
+    else this.nodes.draw(this, item);
   }
 
   /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
