@@ -248,7 +248,7 @@ export class FarolRenderer {
       }
       const update = scene.matrixWorldAutoUpdate && !updated;
       if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
-      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true));
+      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
       if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
     } finally {
       this.isDrawing = false;
@@ -257,12 +257,13 @@ export class FarolRenderer {
     }
   }
 
-  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean): void {
+  /** @param seenBy whose layers count too: the array of cameras that the camera is of. Default the camera */
+  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
     if (this.disposed) return; // by a callback that another camera of an array has had called
     this.recorder.begin(this.timing);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
-    this.finder.find(scene, camera, this.lightLayers, update, byThree);
+    this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { draws, finder, frame, picker, webgl } = this;
@@ -274,6 +275,7 @@ export class FarolRenderer {
     let done = false;
     const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
+    frame.seenBy = sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
@@ -300,10 +302,10 @@ export class FarolRenderer {
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
     if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
-    // a shader that has no place for the loop was met: once more, by three's lights
-    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false);
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
+    // a shader that has no place for the loop was met: once more, by three's lights
+    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false, seenBy);
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */

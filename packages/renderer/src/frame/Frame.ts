@@ -18,7 +18,7 @@ import {
 import type { View } from './views';
 import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
-import { farthestTold, needsStoredDistance } from '../gbuffer/depthLimits';
+import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { FieldDraws } from '../lighting/FieldDraws';
 import type { LightTable } from '../lighting/LightTable';
@@ -71,6 +71,8 @@ export class Frame {
   scene!: Scene;
   camera!: Camera;
   view: View = 'final';
+  /** Whose layers tell which lights there are, and who casts shadows: the camera, or the array of cameras that it is of. */
+  seenBy!: Camera;
   /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
   /** The part of the target that is drawn to: x, y, width, height (pixels). */
@@ -106,6 +108,8 @@ export class Frame {
   /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
   storesDistance = false;
   /** Whether the canvas has depth, and no stencil. */
+  /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
+  hasPlainProjection = true;
   private readonly canvasDepthOnly: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
   readonly premultiplied: boolean;
@@ -163,6 +167,7 @@ export class Frame {
     this.resize();
     const { elements } = camera.projectionMatrix;
     const reversed = isDepthReversed(webgl);
+    this.hasPlainProjection = isPlainProjection(elements, 'isOrthographicCamera' in camera);
     const logarithmic = logarithmicFar(camera, webgl);
     this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
     const coarse = this.target?.depthTexture?.type === UnsignedShortType;
