@@ -76,6 +76,59 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
     expect.soft(() => checkAgreement(technique, difference, name, BY_THREE.test(name) ? {} : SHADOWS)).not.toThrow();
 });
 
+/** Changes of `ShaderLib`: a shader of it, which stage, what is looked for and what is put after it. */
+const shaders = [
+  ['physical', 'fragmentShader', '#include <opaque_fragment>', 'gl_FragColor.rgb = gl_FragColor.bgr;'],
+  ['physical', 'vertexShader', '#include <project_vertex>', 'gl_Position.y += 0.3 * gl_Position.x;'],
+  ['phong', 'vertexShader', '#include <project_vertex>', 'gl_Position.y += 0.3 * gl_Position.x;'],
+  ['lambert', 'fragmentShader', '#include <opaque_fragment>', 'gl_FragColor.rgb = gl_FragColor.bgr;'],
+  ['depth', 'vertexShader', '#include <begin_vertex>', 'transformed.y *= 2.5;'],
+] as const;
+
+test('what a page changes in ShaderLib is in the picture of every technique, and gone when it is undone', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate((shaders): Result[] => {
+    const { Bench, chunkScene, compareImages, farol, three: THREE } = window.testPage;
+    const drawn = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter((n) => n !== 'auto');
+    const all: Result[] = [];
+    for (const [shader, stage, from, more] of shaders) {
+      const bench = new Bench(64, 44);
+      bench.farol.inferredScale = 1;
+      bench.webgl.shadowMap.enabled = true;
+      const { scene, camera, lights } = chunkScene(64, 44);
+      /** three compiles anew when no material holds a program any more; what draws shadow maps is the light's. */
+      const reset = () => {
+        scene.traverse((object) =>
+          ((object as import('three').Mesh).material as import('three').Material)?.dispose(),
+        );
+        for (const { shadow } of lights as import('three').SpotLight[]) shadow.needsUpdate = true;
+      };
+      const library = THREE.ShaderLib[shader];
+      const own = library[stage];
+      // before anything is drawn: programs of three's own depth material are for good
+      library[stage] = own.replace(from, `${from}\n${more}`);
+      const wanted = bench.stock(scene, camera);
+      for (const technique of drawn)
+        all.push({ name: `${shader}, ${stage}`, technique, ...compareImages(wanted, bench.byTechnique(technique, scene, camera)) });
+      library[stage] = own;
+      if (shader !== 'depth') {
+        reset();
+        const plain = bench.stock(scene, camera);
+        if (compareImages(plain, wanted).psnr > 45) throw new Error(`${shader}: does not show`);
+        for (const technique of drawn.slice(0, 3))
+          all.push({ name: `${shader}, ${stage}, undone`, technique, ...compareImages(plain, bench.byTechnique(technique, scene, camera)) });
+      }
+      bench.webgl.dispose();
+    }
+    return all;
+  }, shaders); // prettier-ignore
+  for (const { name, technique, ...difference } of results)
+    expect
+      .soft(() => checkAgreement(technique, difference, name, technique === 'inferred' ? {} : SHADOWS))
+      .not.toThrow();
+});
+
 test("three's cascaded shadow maps come out as by stock three, in every technique, with fading edges too", async ({
   benchPage: page,
 }) => {

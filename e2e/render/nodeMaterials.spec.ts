@@ -48,3 +48,26 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
   for (const { name, difference } of results.results) checkAgreement(name, difference, 'node materials');
   expect(results.again, 'stock three afterwards').toBe(0);
 });
+
+test('until the code of node materials is there three draws the scene, then Farol does: the same picture', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}?lazy`);
+  await page.waitForFunction(() => 'testPage' in window);
+  const results = await page.evaluate(async () => {
+    const { Bench, compareImages, farol, nodeScene } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { scene, camera } = (await nodeScene()).nodeScene(bench.webgl, 64, 48);
+    bench.stock(scene, camera);
+    await Promise.resolve();
+    const stock = bench.stock(scene, camera);
+    const before = compareImages(stock, bench.byTechnique('clustered-forward', scene, camera));
+    await farol.FarolRenderer.preload();
+    bench.byTechnique('clustered-forward', scene, camera);
+    await Promise.resolve();
+    return { before, after: compareImages(stock, bench.byTechnique('clustered-forward', scene, camera)) };
+  });
+  expect(results.before.largest, 'by three').toBe(0);
+  checkAgreement('clustered-forward', results.after, 'node materials, once their code is there');
+});

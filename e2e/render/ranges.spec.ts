@@ -51,6 +51,11 @@ test('lights of ranges, places and strengths at the ends of numbers look as in s
     compare('a range of 1e6 and a far plane of 1e9', 0, 1e9, (...lights) => {
       for (const light of lights) light.distance = 1e6;
     });
+    for (const decay of [-0.5, -1, -1.5, 0.5, 5]) {
+      compare(`decay ${decay}`, 0, 40, (...lights) => {
+        for (const light of lights) Object.assign(light, { decay, distance: 9 });
+      });
+    }
     compare('10,000 km from the origin', 1e7, 40, (...lights) => {
       for (const light of lights) light.distance = 9;
     });

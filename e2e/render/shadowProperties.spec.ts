@@ -123,3 +123,39 @@ test("three's ShadowMapViewer shows the maps, and stock three keeps them where t
     expect.soft(kept, `${name}, drawn by stock three as they are (dB)`).toBeGreaterThan(30);
   }
 });
+
+test('a page that asks a map for its depths alone gets them, as by stock three', async ({ benchPage: page }) => {
+  const maps = await page.evaluate(() => {
+    const { Bench, compareImages, isFlat, shadowScene, three: THREE } = window.testPage;
+    const [farol, stock] = (['farol', 'stock'] as const).map((by) => {
+      const bench = new Bench(64, 48);
+      const { webgl } = bench;
+      Object.assign(webgl.shadowMap, { enabled: true, type: THREE.BasicShadowMap });
+      const { scene, camera, lights } = shadowScene(64, 48, { caster: 'spot' });
+      const map = { value: null as unknown };
+      const show = new THREE.Mesh(
+        new THREE.PlaneGeometry(2, 2),
+        new THREE.ShaderMaterial({
+          uniforms: { map },
+          vertexShader: 'varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }',
+          fragmentShader: `uniform highp sampler2D map; varying vec2 at;
+            void main() { gl_FragColor = vec4(vec3(texture2D(map, at).r), 1.0); }`,
+        }),
+      );
+      show.frustumCulled = false;
+      const shown = new THREE.Scene().add(show);
+      let picture = bench.stock(shown, camera);
+      for (let i = 0; i < 2; i++) {
+        if (by === 'farol') bench.byTechnique('clustered-forward', scene, camera);
+        else bench.stock(scene, camera);
+        map.value = (lights[0] as Caster).shadow.map!.depthTexture;
+        if (i > 0) picture = bench.stock(shown, camera);
+      }
+      return picture;
+    });
+    return { flat: isFlat(stock), farol: isFlat(farol), psnr: compareImages(stock, farol).psnr };
+  });
+  expect(maps.flat).toBe(false);
+  expect(maps.farol).toBe(false);
+  expect(maps.psnr).toBeGreaterThan(30);
+});

@@ -10,7 +10,7 @@ import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
-import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, shadowCode, warmUpCode } from './frame/lazyCode';
+import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, nodeCode, shadowCode, warmUpCode } from './frame/lazyCode';
 import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
@@ -131,6 +131,7 @@ export class FarolRenderer {
         addMicroShaders(this.microshaders, 'gouraud', code.microShaders);
         return code.gouraudTwins(this.frame.view);
       });
+    this.frame.makeNodes = () => nodeCode.use((code) => new code.NodeDraws());
     this.recorder = new InfoRecorder(webgl);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
@@ -247,7 +248,7 @@ export class FarolRenderer {
       }
       const update = scene.matrixWorldAutoUpdate && !updated;
       if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
-      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true));
+      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
       if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
     } finally {
       this.isDrawing = false;
@@ -256,12 +257,13 @@ export class FarolRenderer {
     }
   }
 
-  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean): void {
+  /** @param seenBy whose layers count too: the array of cameras that the camera is of. Default the camera */
+  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
     if (this.disposed) return; // by a callback that another camera of an array has had called
     this.recorder.begin(this.timing);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
-    this.finder.find(scene, camera, this.lightLayers, update, byThree);
+    this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { draws, finder, frame, picker, webgl } = this;
@@ -273,6 +275,7 @@ export class FarolRenderer {
     let done = false;
     const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
+    frame.seenBy = sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
@@ -299,8 +302,10 @@ export class FarolRenderer {
     // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
     if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    // until the code of node materials is there three draws all of it
+    if (frame.lacksNodes) webgl.render(scene, camera);
     // a shader that has no place for the loop was met: once more, by three's lights
-    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false);
+    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false, seenBy);
   }
 
   /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
@@ -312,7 +317,7 @@ export class FarolRenderer {
    * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
-   * light nothing), the views of surfaces and overdraw (the final picture is shown),
+   * light nothing), node materials (three draws the scene), the views of surfaces and overdraw (the final picture is shown),
    * 'forward', 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
    * @throws Error when the code cannot be fetched
    */

@@ -18,7 +18,7 @@ import {
 import type { View } from './views';
 import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
-import { farthestTold, needsStoredDistance } from '../gbuffer/depthLimits';
+import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { FieldDraws } from '../lighting/FieldDraws';
 import type { LightTable } from '../lighting/LightTable';
@@ -27,13 +27,14 @@ import { depthTwin, hasDepthTwin } from '../forward/depthTwin';
 import type { ForwardTwins } from '../forward/forwardTwin';
 import { setLayers } from '../materials/layersAttribute';
 import { plainBack, plainFront, plainWhole } from '../forward/plainTwins';
+import { followHostUniforms } from '../materials/hostUniforms';
 import { surfacesOf } from '../materials/surfacesOf';
 import type { TwinCache } from '../materials/TwinCache';
 import type { TwinKind } from '../materials/TwinKind';
 import type { MicroShaderRegistry } from '../microshaders';
 import { logarithmicFar } from '../gpu/unprojectUniforms';
 import type { GeometryGroup, RenderItem } from './RenderItem';
-import { NodeDraws } from '../three/NodeDraws';
+import type { NodeDraws } from '../three/NodeDraws';
 import { hasOwnShader, RenderQueue } from './RenderQueue';
 import { ResourceTable } from './Resources';
 import type { SharedUniforms } from './sharedUniforms';
@@ -70,6 +71,8 @@ export class Frame {
   readonly resources = new ResourceTable();
   scene!: Scene;
   camera!: Camera;
+  /** Whose layers tell which lights there are, and who casts shadows: the camera, or the array of cameras that it is of. */
+  seenBy!: Camera;
   view: View = 'final';
   /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
@@ -95,6 +98,8 @@ export class Frame {
   fields: FieldDraws<Frame> | null = null;
   /** Gives the forward twins of materials with Gouraud shading; null until their code is there. */
   gouraudTwins: () => ForwardTwins | null = () => null;
+  /** Makes what has three draw node materials; null until its code is there. */
+  makeNodes: () => NodeDraws | null = () => null;
   /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
@@ -103,6 +108,8 @@ export class Frame {
   inferredScale = 0.5;
   /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
   storesDistance = false;
+  /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
+  hasPlainProjection = true;
   /** Whether the canvas has depth, and no stencil. */
   private readonly canvasDepthOnly: boolean;
   /** Whether the canvas's colours are multiplied by alpha. */
@@ -111,6 +118,8 @@ export class Frame {
   /** Whether the host's target has several textures; then no effect replaces the target. */
   private several = false;
   private nodes: NodeDraws | null = null;
+  /** Something of a node material was to be drawn, whose code is not there. */
+  lacksNodes = false;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
 
@@ -150,6 +159,7 @@ export class Frame {
     this.reactive = null;
     this.resources.begin();
     this.nodes?.begin();
+    this.lacksNodes = false;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
@@ -157,6 +167,7 @@ export class Frame {
     webgl.getCurrentViewport(this.viewport);
     this.resize();
     const { elements } = camera.projectionMatrix;
+    this.hasPlainProjection = isPlainProjection(elements, 'isOrthographicCamera' in camera);
     const reversed = isDepthReversed(webgl);
     const logarithmic = logarithmicFar(camera, webgl);
     this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
@@ -304,6 +315,7 @@ export class Frame {
   /** Draws an item with a twin of its material, if there can be one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
     if (item.nodes) return;
+    if (item.ownShader) followHostUniforms(this.webgl, item.material);
     this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
@@ -322,7 +334,10 @@ export class Frame {
 
   /** Has three draw an item of a node material, unless that is done. */
   drawNodes(item: RenderItem): void {
-    if (!item.drawn) (this.nodes ??= new NodeDraws()).draw(this, item);
+    if (item.drawn) return;
+    this.nodes ??= this.makeNodes();
+    if (this.nodes === null) this.lacksNodes = true;
+    else this.nodes.draw(this, item);
   }
 
   /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
@@ -369,7 +384,7 @@ export class Frame {
     if (this.queue.layers !== 0) setLayers(this.gl, object.layers.mask);
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
-    (material.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
+    (source.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
     // three's own shaders of lit materials write the first texture alone
     const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);

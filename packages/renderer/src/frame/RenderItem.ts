@@ -29,6 +29,8 @@ export interface RenderItem {
   layered: boolean;
   /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
   plain: boolean;
+  /** Opaque, and to be drawn in three's order: its picture, or that of what comes after it, depends on it. */
+  ordered: boolean;
   /** Plain, lit, and by three's own shader as it is, so that its shading may be shared out over passes. */
   splits: boolean;
   /** Its shader is not three's as it is. */

@@ -1,4 +1,4 @@
-import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
+import { type BufferGeometry, type Camera, Material, Object3D, type ShaderMaterial, Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -34,6 +34,15 @@ export function hasOwnShader(material: Material): boolean {
     (material as ShaderMaterial).isShaderMaterial === true ||
     material.onBeforeCompile !== Material.prototype.onBeforeCompile
   );
+}
+
+const reach = new Sphere();
+const { onBeforeRender, onAfterRender } = Object3D.prototype;
+
+/** Whether the host's code runs when an object is drawn: it may clear depth, for what has a place in the order of draws. */
+function isStepOfHost(object: Object3D): boolean {
+  if ((object as Object3D & { isBatchedMesh?: boolean }).isBatchedMesh) return false; // three's own
+  return object.onBeforeRender !== onBeforeRender || object.onAfterRender !== onAfterRender;
 }
 
 /** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
@@ -126,7 +135,9 @@ export class RenderQueue {
     item.ownShader = ownShader;
     if (ownShader && !item.lit && !item.nodes && (material as ShaderMaterial).lights === true)
       this.refused.look(material as ShaderMaterial);
-    item.plain = list === this.opaque && isPlainOpaque(material);
+    const isStep = (groupOrder !== 0 || object.renderOrder !== 0) && isStepOfHost(object);
+    item.plain = list === this.opaque && isPlainOpaque(material) && !isStep;
+    item.ordered = list === this.opaque && !item.plain && (isStep || isOrderSensitive(material));
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     item.splits = item.plain && item.lit && !ownShader;
@@ -134,7 +145,7 @@ export class RenderQueue {
       this.reachesFar = this.reaches(object, geometry);
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
-    if (list === this.opaque && !item.plain && isOrderSensitive(material)) this.ordered = true;
+    if (item.ordered) this.ordered = true;
     // the lists are cut to their length when all is in, and so keep their storage
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;
@@ -145,17 +156,9 @@ export class RenderQueue {
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
-    const m = object.matrixWorld.elements;
+    const { center, radius } = reach.copy(sphere).applyMatrix4(object.matrixWorld);
     const v = this.camera.matrixWorldInverse.elements;
-    const { x, y, z } = sphere.center;
-    const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
-    const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
-    const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
-    const xs = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
-    const ys = m[4] * m[4] + m[5] * m[5] + m[6] * m[6];
-    const zs = m[8] * m[8] + m[9] * m[9] + m[10] * m[10];
-    const middle = -(v[2] * wx + v[6] * wy + v[10] * wz + v[14]);
-    return !(middle + sphere.radius * Math.sqrt(Math.max(xs, ys, zs)) <= this.farthest);
+    return !(radius - (v[2] * center.x + v[6] * center.y + v[10] * center.z + v[14]) <= this.farthest);
   }
 
   /** Ends the lists, and lets go of objects of earlier, larger frames. */
@@ -183,7 +186,7 @@ export class RenderQueue {
       if (item.plain) {
         if (behind) item.plain = item.splits = false;
         else if (item.splits) split = true;
-      } else if (isOrderSensitive(item.material)) {
+      } else if (item.ordered) {
         if (split) behind = true;
         else this.early = i + 1;
       }

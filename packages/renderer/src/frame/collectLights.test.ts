@@ -41,7 +41,7 @@ describe('collectLights', () => {
     );
     expect(names(all)).toEqual(['plain', 'carrier', 'in group']);
     expect(names(nested)).toEqual(['carrier', 'in group']);
-    expect(names(rest)).toEqual(['carrier', 'group', 'probe', 'other layer']);
+    expect(names(rest)).toEqual(['carrier', 'group', 'probe']);
   });
 
   it('leaves area lights to three until their code is there, and says that there are some', () => {

@@ -30,6 +30,7 @@ const FORCED = 2;
 
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
+ * @param camera or the array of cameras that it is of
  * @param update brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
  *   is fetched once, not twice. Default false
  */
@@ -115,9 +116,10 @@ function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, f
   }
 }
 
-/** @returns whether the light is a managed one that the camera's layers see */
+/** @returns whether three is not to meet the light: a managed one, or one that the camera's layers do not see */
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
-  if (!light.layers.test(camera.layers)) return false;
+  // an array of cameras may not see what one of its cameras does
+  if (!light.layers.test(camera.layers)) return true;
   if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
   if (!isManagedLight(light, left)) {
     found.left++;

@@ -33,6 +33,9 @@ export const lightFieldCode = new Lazy(
 /** Lights at the vertices. */
 export const gouraudCode = new Lazy(() => import('../lazy/gouraud'), 'Gouraud shading', 'light is in pixels');
 
+/** Node materials (TSL). */
+export const nodeCode = new Lazy(() => import('../lazy/nodes'), 'node materials', 'three draws scenes that have some');
+
 /** Compiles the programs of a technique ahead, before 'auto' draws by it. */
 export const warmUpCode = new Lazy(
   () => import('../lazy/warm-up'),
@@ -52,6 +55,7 @@ export const lazyCode = [
   multipassCode,
   lightFieldCode,
   gouraudCode,
+  nodeCode,
   timerCode,
   warmUpCode,
 ] as const;

@@ -1,6 +1,6 @@
-import { OrthographicCamera, PerspectiveCamera, Vector4 } from 'three';
-import { describe, expect, it } from 'vitest';
-import { farthestTold, needsStoredDistance } from './depthLimits';
+import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector4 } from 'three';
+import { describe, expect, it, test } from 'vitest';
+import { farthestTold, isPlainProjection, needsStoredDistance } from './depthLimits';
 
 const perspective = (near: number, far: number) => new PerspectiveCamera(50, 1, near, far).projectionMatrix.elements;
 
@@ -50,8 +50,27 @@ describe('surfaces store how far they are', () => {
     endless[10] = -1;
     endless[14] = -0.2;
     expect(needsStoredDistance(endless, false)).toBe(true);
-    expect(needsStoredDistance(new OrthographicCamera(-1, 1, 1, -1, 0, 1e6).projectionMatrix.elements, false)).toBe(
-      false,
-    );
+    const orthographic = (far: number) => new OrthographicCamera(-1, 1, 1, -1, 0, far).projectionMatrix.elements;
+    expect(needsStoredDistance(orthographic(1e3), false)).toBe(false);
+    expect(needsStoredDistance(orthographic(1e6), false)).toBe(true);
   });
+});
+
+test('plain projections are those whose pixels have a place by depth: off-centre or oblique, not skewed, without a view', () => {
+  const frustum = new PerspectiveCamera(50, 1.5, 0.1, 100);
+  frustum.setViewOffset(400, 300, 20, 30, 100, 80);
+  const box = new OrthographicCamera(-1, 3, 2, -1, -5, 20).projectionMatrix;
+  const oblique = frustum.projectionMatrix.clone();
+  oblique.elements[2] = oblique.elements[6] = 0.3;
+  expect(isPlainProjection(frustum.projectionMatrix.elements, false)).toBe(true);
+  expect(isPlainProjection(oblique.elements, false)).toBe(true);
+  expect(isPlainProjection(box.elements, true)).toBe(true);
+  // a camera that does not say what three's shaders ask it for
+  expect(isPlainProjection(box.elements, false)).toBe(false);
+  expect(isPlainProjection(frustum.projectionMatrix.elements, true)).toBe(false);
+  const turned = new Matrix4().makeRotationY(0.3);
+  const sheared = new Matrix4().makeShear(0, 0, 0, 0, 0.2, 0.1);
+  for (const view of [turned, new Matrix4().makeTranslation(0, 1, 2), new Matrix4().makeShear(0, 0.1, 0, 0, 0, 0)])
+    expect(isPlainProjection(frustum.projectionMatrix.clone().multiply(view).elements, false)).toBe(false);
+  expect(isPlainProjection(box.clone().multiply(sheared).elements, true)).toBe(false);
 });

@@ -4,6 +4,20 @@ const STEPS_16 = 2 ** -14;
 /** Far plane by near plane from which positions are no longer rebuilt from depth. */
 const WIDEST = 5e4;
 
+/** Depth of what an orthographic camera sees by its height, from which on a step of depth shows. */
+const DEEPEST = 1e3;
+
+/**
+ * Whether places can be rebuilt from depth, and lights put into tiles: the projection is perspective or orthographic, also
+ * off-centre or with an oblique near plane, not skewed, and holds no view as those of mapping libraries do.
+ * @param m 16 elements of a projection, column-major
+ * @param orthographic the camera says it is
+ */
+export function isPlainProjection(m: ArrayLike<number>, orthographic: boolean): boolean {
+  if (m[1] || m[3] || m[4] || m[7] || m[15] !== +orthographic) return false;
+  return orthographic ? !m[8] && !m[9] && !m[11] : m[11] === -1 && !m[12] && !m[13];
+}
+
 function isOblique(m: ArrayLike<number>): boolean {
   return m[2] !== 0 || m[6] !== 0;
 }
@@ -31,5 +45,6 @@ export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmi
  */
 export function needsStoredDistance(m: ArrayLike<number>, precise: boolean): boolean {
   if (isOblique(m)) return true;
-  return m[11] !== 0 && !precise && !((m[10] - 1) / (m[10] + 1) <= WIDEST && m[10] < -1);
+  if (m[11] === 0) return Math.abs(m[5]) > DEEPEST * Math.abs(m[10]);
+  return !precise && !((m[10] - 1) / (m[10] + 1) <= WIDEST && m[10] < -1);
 }

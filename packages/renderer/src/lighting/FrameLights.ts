@@ -56,6 +56,7 @@ export class FrameLights {
     if (shadows !== null) {
       shadows.areas = finder.areas;
       shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
+      shadows.layersSeen = frame.seenBy.layers.mask;
       shadows.update(scene, frame.camera, table.masked, frame);
     }
     frame.shadowMapsDrawn = shadows?.drawn ?? 0;

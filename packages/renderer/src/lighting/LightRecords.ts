@@ -97,7 +97,7 @@ export class LightRecords {
     const isArea = isAreaLight(light);
     const extension = isArea ? this.writeArea(light, view) : this.writeExtension(light);
     const mask = this.maskOf(light);
-    const plain = spot === null && extension === 0 && mask === 0;
+    const plain = spot === null && extension === 0 && mask === 0 && point.decay >= 0;
     const i = light.intensity;
     const decay = emissionDecay(point.decay ?? 0, plain);
     table.set4(at + LIGHT.sphere, x, y, z, range);

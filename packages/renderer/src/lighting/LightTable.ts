@@ -1,4 +1,4 @@
-import { type Camera, type Light, type Matrix4, type PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
+import { type Camera, type Light, type Matrix4, Vector3, type WebGLRenderer } from 'three';
 import { DataTable } from '../gpu/DataTable';
 import type { MaskSettings } from '../lights/classifyLight';
 import { NO_LIGHT } from '../lights/DepthBins';
@@ -6,6 +6,7 @@ import { DepthOrder } from '../lights/DepthOrder';
 import { LightGrid } from '../lights/LightGrid';
 import { emissionDecay, FLOATS_PER_RECORD, LIGHT, RECORDS_PER_ROW, TEXELS_PER_RECORD } from '../lights/lightRecord';
 import type { PictureSize } from '../lights/PictureSize';
+import { projectionFar, projectionNear } from '../lights/projectionDepths';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords } from './LightRecords';
 
@@ -136,9 +137,10 @@ export class LightTable extends VisibleLights {
     const { bounds, axes, grid } = this;
     this.bounded = count;
     if (order === 'by-grid') {
-      const { near, far } = camera as PerspectiveCamera;
+      const { elements } = camera.projectionMatrix;
       const cones = this.cones > 0 ? axes : null;
-      grid.update(count, bounds, camera.projectionMatrix.elements, near, far, size.width, size.height, cones);
+      const near = projectionNear(elements);
+      grid.update(count, bounds, elements, near, projectionFar(elements), size.width, size.height, cones);
       this.rank = grid.order;
       this.bounded = grid.count;
     } else if (order === 'by-depth') {

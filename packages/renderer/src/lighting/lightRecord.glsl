@@ -14,8 +14,8 @@ vec3 farol_lightColor(vec4 t) { return t.rgb; }
 bool farol_lightIsPlain(vec4 t) { return t.w >= 0.0; }
 bool farol_lightIsPlain(int record) { return farol_lightTexel(record, 1).w >= 0.0; }
 float farol_lightPlainDecay(vec4 t) { return t.w; }
-float farol_lightOtherDecay(vec4 t) { return -1.0 - t.w; }
-float farol_lightDecay(vec4 t) { return t.w >= 0.0 ? t.w : -1.0 - t.w; }
+float farol_lightOtherDecay(vec4 t) { return -64.0 - t.w; }
+float farol_lightDecay(vec4 t) { return t.w >= 0.0 ? t.w : -64.0 - t.w; }
 bool farol_lightHasDetails(vec4 t) { return t.w != 0.0; }
 vec4 farol_lightCone(int record) { return farol_lightTexel(record, 2); }
 vec3 farol_lightAxis(vec4 t) { return t.xyz; }

@@ -165,7 +165,7 @@ export class VisibleLights {
     bounds[at + 3] = range;
     const isMasked = mayBeMasked(light, masks);
     if (isMasked) this.masked.push(light);
-    const isPlain = kind === 'point' && !isMasked;
+    const isPlain = kind === 'point' && !isMasked && (light as PointLight).decay >= 0;
     if (isPlain) {
       const { color, intensity } = light;
       plain[at] = color.r * intensity;

@@ -43,8 +43,8 @@ export const lightRecord = {
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
     /** Of a light that is not plain. */
-    otherDecay: ['float', '-1.0 - t.w'],
-    decay: ['float', 't.w >= 0.0 ? t.w : -1.0 - t.w'],
+    otherDecay: ['float', '-64.0 - t.w'],
+    decay: ['float', 't.w >= 0.0 ? t.w : -64.0 - t.w'],
     /** Directional: it has a mask or an extension. */
     hasDetails: ['bool', 't.w != 0.0'],
   },
@@ -97,7 +97,10 @@ export const EXTENSION = {
   falloff: 12,
 } as const satisfies Offsets<typeof extensionRecord>;
 
-/** What the fourth number of `emission` holds of a local light. @param decay as three has it */
+/**
+ * What the fourth number of `emission` holds of a local light: below 0 where it is not plain.
+ * @param decay as three has it; below 0 light grows with distance, which no plain light does
+ */
 export function emissionDecay(decay: number, isPlain: boolean): number {
-  return isPlain ? decay : -1 - decay;
+  return isPlain ? decay : -64 - Math.max(decay, -63);
 }

@@ -6,6 +6,7 @@ import {
   UniformsLib,
   type WebGLRenderer,
 } from 'three';
+import { withHostUniforms } from './hostUniforms';
 import type { MicroShaderRegistry } from '../microshaders';
 import { shadingOf } from './shadingOf';
 import { inFullPrecision } from '../three/inFullPrecision';
@@ -31,6 +32,8 @@ function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
   return own;
 }
 
+const NOTHING = () => undefined;
+
 /**
  * A twin inherits every property of its source, live, and has programs of its own. Nothing is written to the source.
  */
@@ -38,42 +41,23 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   const twin = Object.create(source) as Material;
   const chunks = kind.chunks(source);
   const registry = context.microshaders as MicroShaderRegistry;
-  const own = (name: string, value: unknown) =>
-    Object.defineProperty(twin, name, { value, writable: true, configurable: true, enumerable: true });
-  Object.defineProperty(twin, 'id', { value: new BaseMaterial().id });
-  Object.defineProperty(twin, 'version', {
-    get: () =>
-      source.version +
-      registry.revision(chunks) +
-      (surfacesOf(source)?.version(registry) ?? 0) +
-      // between two versions of the source
-      (shadingOf(source) === 'flat' ? 0.5 : 0),
-    // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
-    set() {},
-  });
-  // three takes the flag down after a draw: Frame does so on the source, when its twin was drawn
-  if ('uniformsNeedUpdate' in source) {
-    Object.defineProperty(twin, 'uniformsNeedUpdate', {
-      get: () => (source as ShaderMaterial).uniformsNeedUpdate,
-      set() {},
-    });
-  }
-  Object.defineProperty(twin, 'flatShading', {
-    get: () => shadingOf(source) === 'flat' || (source as MeshPhongMaterial).flatShading,
-  });
-  own('_listeners', undefined);
-  own(
-    'customProgramCacheKey',
-    () =>
-      `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`,
-  );
-  own('onBeforeCompile', (shader: TwinShader, webgl: WebGLRenderer) => {
+  const version = () =>
+    source.version +
+    registry.revision(chunks) +
+    (surfacesOf(source)?.version(registry) ?? 0) +
+    // between two versions of the source
+    (shadingOf(source) === 'flat' ? 0.5 : 0);
+  const customProgramCacheKey = () =>
+    `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
+  const onBeforeCompile = (shader: TwinShader, webgl: WebGLRenderer) => {
+    const before = { ...shader.uniforms };
     source.onBeforeCompile(shader as Parameters<Material['onBeforeCompile']>[0], webgl);
-    shader.uniforms = {
-      ...shader.uniforms,
-      ...ownLights(shader.uniforms),
-      ...context.uniforms,
-    } as TwinShader['uniforms'];
+    const { uniforms } = shader;
+    shader.uniforms = Object.assign(
+      withHostUniforms(webgl, source, before, uniforms),
+      ownLights(uniforms),
+      context.uniforms,
+    ) as TwinShader['uniforms'];
     surfacesOf(source)?.rewrite(shader, registry, webgl);
     const { vertexShader, fragmentShader } = shader;
     try {
@@ -83,11 +67,20 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
       Object.assign(shader, { vertexShader, fragmentShader });
       context.refuse(source);
     }
+  };
+  return Object.defineProperties(twin, {
+    id: { value: new BaseMaterial().id },
+    // three's switch of sides on transparent materials must not reach the source; Frame draws the sides by twins
+    version: { get: version, set: NOTHING },
+    // three takes the flag down after a draw: Frame does so on the source, when its twin was drawn
+    ...('uniformsNeedUpdate' in source && {
+      uniformsNeedUpdate: { get: () => (source as ShaderMaterial).uniformsNeedUpdate, set: NOTHING },
+    }),
+    flatShading: { get: () => shadingOf(source) === 'flat' || (source as MeshPhongMaterial).flatShading },
+    _listeners: { value: undefined, writable: true },
+    customProgramCacheKey: { value: customProgramCacheKey },
+    onBeforeCompile: { value: onBeforeCompile },
+    // what a kind computes, it computes at each draw
+    ...Object.getOwnPropertyDescriptors(kind.properties ?? {}),
   });
-  // what a kind computes, it computes at each draw
-  const properties = Object.getOwnPropertyDescriptors(kind.properties ?? {});
-  for (const [name, descriptor] of Object.entries(properties)) {
-    Object.defineProperty(twin, name, { ...descriptor, configurable: true });
-  }
-  return twin;
 }

@@ -47,6 +47,11 @@ export class TechniquePicker {
   ): void {
     this.active = this.asked;
     this.reason = 'asked for';
+    if (!frame.hasPlainProjection) {
+      this.active = 'forward-single-pass';
+      this.reason = 'the projection is skewed';
+      return;
+    }
     const { lazy } = this.set.known[this.active];
     if (lazy !== undefined && !lazy.ask()) {
       this.active = 'deferred';

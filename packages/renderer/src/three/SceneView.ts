@@ -54,6 +54,8 @@ export class SceneView {
   /** Stands for all that transmits: three fills its transmission target only if something does. */
   private readonly glass: Mesh;
   private transmits = false;
+  /** Whose layers an object is to share, beside those of the camera. */
+  seenBy!: Camera;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -227,6 +229,7 @@ export class SceneView {
     const { driver } = this;
     list.push = (object, geometry, material, groupOrder, z, group, camera) => {
       if ((object as Object3D & { isFarolProxy?: boolean }).isFarolProxy === true) return;
+      if (!object.layers.test(this.seenBy.layers)) return;
       const override = this.view.overrideMaterial ?? null;
       if (camera?.reversedDepth === true) z = -z;
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);

@@ -4,8 +4,12 @@ import { hashText } from '../microshaders/hashText';
 const chunks = ShaderChunk as Record<string, string>;
 const INCLUDE = /#include +<([\w./]+)>/g;
 const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
-const LIT = ['lambert', 'phong', 'toon', 'standard'] as const;
-const CASTERS = ['depth', 'distance'] as const;
+/** Those of lit materials, and from SHADERS_LIT on those that shadow maps are drawn by. */
+const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
+const SHADERS_LIT = 4;
+
+/** @param i an even number for the vertex shader of one of SHADERS, the next for its fragment shader */
+const shaderText = (i: number) => ShaderLib[SHADERS[i >> 1]][i & 1 ? 'fragmentShader' : 'vertexShader'];
 
 export type ChunkGroup = 'lights' | 'shadows' | 'shading';
 
@@ -15,11 +19,11 @@ export type ChunkGroup = 'lights' | 'shadows' | 'shading';
  * that lit materials are drawn forward, by three's own functions.
  */
 const PRISTINE: Record<string, Partial<Record<ChunkGroup, string>>> = {
-  183: { lights: '1k59at7avjp', shadows: '1o1sro0e27z' },
-  184: { lights: 'n4mgpaf0sj', shadows: '1r0z7m8m9gy' },
-  185: { lights: 'y3mupo1zap', shadows: '1m9wpp7kd0s' },
-  186: { lights: 'macnamkbog', shadows: '7p7krnri95', shading: '22u55yhnzdz' },
-  187: { lights: '1oj3hyjbe93', shadows: 'b2r542dls3', shading: 'crgjazpsyq' },
+  183: { lights: '1k59at', shadows: 'ok22gn' },
+  184: { lights: 'n4mgpa', shadows: 'zpf8d3' },
+  185: { lights: 'y3mupo', shadows: 'f6e5rp' },
+  186: { lights: 'macnam', shadows: '1e3z16', shading: 'zpywff' },
+  187: { lights: '1oj3hy', shadows: '1m54z6', shading: '1cwb5h' },
 };
 /** Those of the page's three; none of a three that Farol does not know, which then counts as changed. */
 const pristine = PRISTINE[REVISION] ?? {};
@@ -29,7 +33,7 @@ export const sumsLights = Number(REVISION) >= 186;
 
 /** A hash of a text without its comments and spaces, which builds of three leave out. */
 export function textHash(text: string): string {
-  return hashText(text.replace(/\/\/.*|\/\*[^]*?\*\/|\s+/g, ''));
+  return hashText(text.replace(/\/\/.*|\/\*[^]*?\*\/|\s+/g, '')).slice(0, 6);
 }
 
 /** Adds the names of all chunks that a text includes. */
@@ -62,7 +66,7 @@ export class ThreeChunks {
     const { names, texts } = this;
     let same = names.length > 0;
     for (let i = 0; i < names.length; i++) if (chunks[names[i]] !== texts[i]) same = false;
-    for (let i = 0; i < LIT.length; i++) if (ShaderLib[LIT[i]].fragmentShader !== texts[names.length + i]) same = false;
+    for (let i = 0; i < 2 * SHADERS.length; i++) if (shaderText(i) !== texts[names.length + i]) same = false;
     if (same) return false;
     const hashes = this.hashes();
     this.lights = hashes.lights !== pristine.lights;
@@ -75,28 +79,25 @@ export class ThreeChunks {
   /** Those of the texts as they are. */
   hashes(): Record<ChunkGroup, string> {
     const casters = new Set(['shadowmap_pars_fragment', 'shadowmap_pars_vertex', 'shadowmap_vertex']);
-    for (const name of CASTERS) {
-      addIncludes(ShaderLib[name].vertexShader, casters);
-      addIncludes(ShaderLib[name].fragmentShader, casters);
-    }
-    casters.delete('common');
     const lit = new Set<string>(['tonemapping_pars_fragment', 'colorspace_pars_fragment']);
-    for (const name of LIT) {
-      addIncludes(ShaderLib[name].vertexShader, lit);
-      addIncludes(ShaderLib[name].fragmentShader, lit);
-    }
+    const shaders = Array.from({ length: 2 * SHADERS.length }, (_, i) => shaderText(i));
+    shaders.forEach((text, i) => addIncludes(text, i < 2 * SHADERS_LIT ? lit : casters));
+    casters.delete('common');
     for (const name of [...LIGHTS, ...casters]) lit.delete(name);
     // positions are rebuilt from depth as three projects them
     lit.add('project_vertex');
     this.names.length = this.texts.length = 0;
-    const hash = (names: Iterable<string>, libraries = '') => {
+    const hash = (names: Iterable<string>, from = 0, to = from) => {
       const sorted = [...names].sort();
       this.names.push(...sorted);
-      return textHash(libraries + sorted.map((name) => chunks[name]).join(';'));
+      return textHash([...shaders.slice(from, to), ...sorted.map((name) => chunks[name])].join(';'));
     };
-    const libraries = LIT.map((name) => ShaderLib[name].fragmentShader);
-    const hashes = { lights: hash(LIGHTS), shadows: hash(casters), shading: hash(lit, libraries.join(';')) };
-    this.texts.push(...this.names.map((name) => chunks[name]), ...libraries);
+    const hashes = {
+      lights: hash(LIGHTS),
+      shadows: hash(casters, 2 * SHADERS_LIT, shaders.length),
+      shading: hash(lit, 0, 2 * SHADERS_LIT),
+    };
+    this.texts.push(...this.names.map((name) => chunks[name]), ...shaders);
     return hashes;
   }
 }

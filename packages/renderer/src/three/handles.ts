@@ -1,4 +1,4 @@
-import type { Light, Material, RenderTarget, Texture, WebGLRenderer } from 'three';
+import type { IUniform, Light, Material, RenderTarget, Texture, WebGLRenderer } from 'three';
 
 // What three's WebGLProperties keeps of textures, targets and materials. All of it is gone once a lost context is restored.
 
@@ -15,6 +15,7 @@ interface MaterialProperties {
   readonly __version?: number;
   readonly currentProgram?: { readonly program: WebGLProgram };
   light?: Light;
+  readonly uniforms?: Record<string, IUniform>;
 }
 
 /** The WebGL texture; undefined until three first uses the texture. */
@@ -38,6 +39,11 @@ export function multisampledFramebufferHandle(
 /** Whether three has a program of a material's present version. */
 export function isCompiled(webgl: WebGLRenderer, material: Material): boolean {
   return (webgl.properties.get(material) as MaterialProperties).__version === material.version;
+}
+
+/** The uniforms that a material is drawn with, whatever its program: of the one that was compiled last; undefined before. */
+export function compiledUniforms(webgl: WebGLRenderer, material: Material): Record<string, IUniform> | undefined {
+  return (webgl.properties.get(material) as MaterialProperties).uniforms;
 }
 
 /** The program that a material was last drawn with. */

@@ -85,6 +85,7 @@ export class ParticleSurroundings {
       shadowMask: false,
       layered: false,
       plain: false,
+      ordered: false,
       splits: false,
       ownShader: false,
       drawn: false,

@@ -58,7 +58,7 @@ if (light < farol_fieldRun.x) {
   }
   if (lit && farol_isWithin(sphere.xyz, 1e14)) {
     farol_fieldSphere = sphere;
-    farol_fieldEmission = vec4(color, cone.xyz != vec3(0.0) ? -1.0 - emission.a : emission.a);
+    farol_fieldEmission = vec4(color, cone.xyz != vec3(0.0) ? -64.0 - emission.a : emission.a);
     farol_fieldCone = cone;
     farol_fieldCell = vec4(farol_cellOf(sphere.xyz));
   }

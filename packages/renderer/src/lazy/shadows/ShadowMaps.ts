@@ -51,6 +51,8 @@ export class ShadowMaps implements LightMasks {
   cascades = 1;
   /** Tells how far area lights reach; null while no scene has had one. */
   areas: AreaLights | null = null;
+  /** Layers of casters, as bits, where a shadow's camera names none: those that the frame's lights are seen by. */
+  layersSeen = 1;
   /** Maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
   /** Maps that light the frame as earlier frames drew them. */
@@ -149,7 +151,7 @@ export class ShadowMaps implements LightMasks {
    * @param firstMask record of the light table
    */
   setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
-    uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorld);
+    uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorldInverse).invert();
     uniforms.farol_shadowAtlas.value = this.depthTexture;
     uniforms.farol_lightAtlas.value = this.colourTexture;
     uniforms.farol_atlasTexel.value[0] = 1 / this.atlases.depths.size;
@@ -237,6 +239,7 @@ export class ShadowMaps implements LightMasks {
     this.toDraw.length = this.imagesToDraw.length = this.toCopy.length = this.tiles.bounded = 0;
     this.drawn = this.kept = this.texels = 0;
     this.slots.begin(this.frame);
+    this.slots.layersSeen = this.layersSeen;
     this.masks.begin();
     this.bounds.begin();
   }

@@ -68,7 +68,7 @@ export class SurfaceViewPass {
     const { near, far } = camera;
     const logarithmic = camera.isPerspectiveCamera && near > 0 && Number.isFinite(far);
     uniforms.farol_depthRange.value.set(near, Number.isFinite(far) ? far : near + 1000, logarithmic ? 1 : 0);
-    uniforms.farol_viewInverse.value.copy(camera.matrixWorld);
+    uniforms.farol_viewInverse.value.copy(camera.matrixWorldInverse).invert();
     frame.bindTarget();
     const { viewport } = frame;
     if (frame.view !== 'grid') {

@@ -2,6 +2,7 @@ import {
   AddEquation,
   BackSide,
   CustomBlending,
+  FrontSide,
   GreaterEqualDepth,
   InstancedBufferGeometry,
   Mesh,
@@ -82,6 +83,10 @@ export class LightVolumeDraws {
     // volumes are drawn with linear depth: where depths are logarithmic or too coarse, the range alone limits the light
     const depthTest = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance;
     materials.sphere.depthTest = materials.cone.depthTest = depthTest;
+    // a projection that mirrors turns faces round
+    const { elements: p } = frame.camera.projectionMatrix;
+    const side = p[0] * p[5] < 0 ? FrontSide : BackSide;
+    materials.sphere.side = materials.cone.side = side;
     if (lights.directional + lights.unbounded > 0) materials.global.draw(frame);
     if (lights.spheres > 0) {
       this.firstRecord.value = lights.firstBounded;
@@ -91,6 +96,7 @@ export class LightVolumeDraws {
     if (lights.slots > 0) {
       const field = (materials.field ??= materials.makeField());
       field.depthTest = depthTest;
+      field.side = side;
       this.firstRecord.value = lights.firstSlot;
       this.fields.geometry.instanceCount = lights.slots;
       frame.drawMesh(this.fields, field);

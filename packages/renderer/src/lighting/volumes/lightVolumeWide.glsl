@@ -23,5 +23,7 @@ float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
 // in place of a volume that is too wide: a triangle over the picture, at the far end of depth, its back to the camera
 vec4 farol_wholePicture() {
   if (gl_VertexID > 2) return vec4(0.0, 0.0, 0.0, 1.0);
-  return vec4(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);
+  vec2 corner = vec2(gl_VertexID == 2 ? 3.0 : -1.0, gl_VertexID == 1 ? 3.0 : -1.0);
+  if (projectionMatrix[0][0] * projectionMatrix[1][1] < 0.0) corner = corner.yx; // mirrored
+  return vec4(corner, farol_depthMode.x > 0.0 ? 0.0 : 1.0, 1.0);
 }

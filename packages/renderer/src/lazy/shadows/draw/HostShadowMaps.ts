@@ -32,7 +32,7 @@ const BLACK = [0, 0, 0, 0];
 interface Watched {
   /** `shadowMap.type` that the map is of. */
   readonly type: number;
-  /** Somebody has asked for the map's texture. */
+  /** Somebody has asked for the map's texture or depths. */
   isWanted: boolean;
   /** The map holds a copy. */
   isFilled: boolean;
@@ -41,11 +41,12 @@ interface Watched {
 const watched = new WeakMap<RenderTarget, Watched>();
 
 /**
- * Notes from now on when somebody asks for the texture of a map: three's ShadowMapViewer, or stock three. The map stays the same
- * object, since others may hold it.
+ * Notes from now on when somebody asks for the texture of a map, or for its depths: three's ShadowMapViewer, or stock three. The
+ * map stays the same object, since others may hold it.
  */
 function watch(map: RenderTarget, type: number): Watched {
   const state = { type, isWanted: false, isFilled: false };
+  const { depthTexture } = map;
   watched.set(map, state);
   Object.defineProperty(map, 'texture', {
     configurable: true,
@@ -57,6 +58,18 @@ function watch(map: RenderTarget, type: number): Watched {
       map.textures[0] = texture;
     },
   });
+  Object.defineProperty(map, 'depthTexture', {
+    configurable: true,
+    get() {
+      state.isWanted = true;
+      return depthTexture;
+    },
+    // stock three makes the map one of another type
+    set(other: DepthTexture | null) {
+      unwatch(map);
+      map.depthTexture = other;
+    },
+  });
   return state;
 }
 
@@ -64,6 +77,7 @@ function watch(map: RenderTarget, type: number): Watched {
 function unwatch(map: RenderTarget): void {
   watched.delete(map);
   delete (map as Partial<RenderTarget>).texture;
+  delete (map as Partial<RenderTarget>).depthTexture;
 }
 
 /** Whether a map made by three is of a type (`shadowMap.type`). */

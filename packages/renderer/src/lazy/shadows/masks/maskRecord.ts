@@ -34,7 +34,8 @@ export function writeMask(
     position.setFromMatrixPosition(slot.matrix).negate().applyMatrix4(camera.matrixWorldInverse);
     table.set4(at + MASK.columnX, position.x, position.y, position.z, 1);
   } else {
-    const e = matrix.multiplyMatrices(slot.matrix, camera.matrixWorld).elements;
+    // not the camera's world matrix: three leaves its scale out of the view
+    const e = matrix.copy(camera.matrixWorldInverse).invert().premultiply(slot.matrix).elements;
     for (let i = 0; i < 16; i += 4) table.set4(at + MASK.columnX + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
   const height = isCube ? faceWidth : faceHeight;

@@ -17,6 +17,8 @@ export interface SlotRelease {
 /** The slots of all lights, and of the images and profiles that they have: those of the frame, and those kept for a while after. */
 export class LightSlots {
   /** Slots of the frame's lights. */
+  /** Of casters, as bits, where a shadow's camera names none. */
+  layersSeen = 1;
   readonly lit: ShadowSlot[] = [];
   /** What the frame needs of the atlas of depths and of that of colours, by `sortOut`. */
   readonly depths: ShadowSlot[] = [];
@@ -83,7 +85,7 @@ export class LightSlots {
     slot.profile = profile === null ? null : this.copyOf(profile, this.profiles);
     const { mask } = light.shadow.camera.layers;
     // as in three: a shadow camera that has layer 0 alone draws the layers of the camera
-    slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : camera.layers.mask);
+    slot.setLayers((mask & 0xfffffffe) !== 0 ? mask : this.layersSeen);
     this.lit.push(slot);
   }
 

@@ -1,0 +1,1 @@
+export { NodeDraws } from '../../three/NodeDraws';

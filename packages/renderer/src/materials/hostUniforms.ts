@@ -1,0 +1,39 @@
+import type { IUniform, Material, WebGLRenderer } from 'three';
+import { compiledUniforms } from '../three/handles';
+
+type Uniforms = Record<string, IUniform>;
+
+/**
+ * The uniforms that the page's callback has added to a material's shader, by material. A page keeps the shader that it was
+ * given last and sets the uniforms of that: three draws the material by them, whatever programs it has, and so do all twins.
+ */
+const added = new WeakMap<Material, Uniforms>();
+/** Those that stock three draws a material with, as far as they are in `added`. */
+const followed = new WeakMap<Material, Uniforms>();
+
+/**
+ * @param before the uniforms of a twin's shader as three has made them
+ * @param after the same once the page's callback was called
+ * @returns those that a twin is drawn with: three's, and as their prototype the page's, of whichever shader it was given last
+ */
+export function withHostUniforms(webgl: WebGLRenderer, source: Material, before: Uniforms, after: Uniforms): Uniforms {
+  // those of a ShaderMaterial are the page's anyway, and may be replaced at any time
+  if ('uniforms' in source) return Object.create(after) as Uniforms;
+  let own = added.get(source);
+  if (own === undefined) added.set(source, (own = {}));
+  const uniforms = Object.create(own) as Uniforms;
+  for (const name in after) {
+    if (after[name] === before[name]) uniforms[name] = after[name];
+    else own[name] = (compiledUniforms(webgl, source) ?? own)[name] = after[name];
+  }
+  return uniforms;
+}
+
+/** Takes over the uniforms of what stock three has compiled of a material since. */
+export function followHostUniforms(webgl: WebGLRenderer, source: Material): void {
+  const stock = compiledUniforms(webgl, source);
+  if (stock === undefined || stock === followed.get(source)) return;
+  followed.set(source, stock);
+  const own = added.get(source);
+  for (const name in own) own[name] = stock[name];
+}
