@@ -1,5 +1,5 @@
 /** What `workSeconds` takes on the reference machine (s): see {@link machineSlowness}. */
-const REFERENCE = 0.2;
+const REFERENCE = 0.17;
 
 const ROUNDS = 3;
 

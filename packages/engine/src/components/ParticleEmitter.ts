@@ -131,7 +131,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.followColliders();
     emitter.set(code.particleSettings(this, this.parts));
     emitter.emitting = this.emitting;
-    for (const name of ['mesh', 'texture'] as const) this.fetchPart(scene, name);
+    for (const name of ['mesh', 'texture'] as const) if (this[name] !== null) this.fetchPart(scene, name);
     this.show();
     const due = scene.time - this.beganAt;
     if (due > 0) emitter.step(due);

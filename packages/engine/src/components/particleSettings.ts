@@ -130,16 +130,17 @@ const rules: { readonly [Name in keyof ParticleSettings]: Rule<Name> } = {
   lightRange: same('lightRange'),
 };
 
+const names = Object.keys(rules) as readonly (keyof ParticleSettings)[];
+
 const settingOf = new Map<string, keyof ParticleSettings>();
-for (const [name, { fields }] of Object.entries(rules)) {
-  for (const field of fields) settingOf.set(field, name as keyof ParticleSettings);
-}
+for (const name of names) for (const field of rules[name].fields) settingOf.set(field, name);
 
 /** All settings that values of fields stand for. */
-export const particleSettings = (values: ParticleValues, parts: ParticleParts): ParticleSettings =>
-  Object.fromEntries(
-    Object.entries(rules).map(([name, rule]) => [name, rule.make(values, parts)]),
-  ) as unknown as ParticleSettings;
+export function particleSettings(values: ParticleValues, parts: ParticleParts): ParticleSettings {
+  const settings: Record<string, unknown> = {};
+  for (const name of names) settings[name] = rules[name].make(values, parts);
+  return settings as unknown as ParticleSettings;
+}
 
 /** The setting that a field is part of, at present; nothing for a field that is part of none. */
 export function changedSetting(field: string, values: ParticleValues, parts: ParticleParts): Partial<ParticleSettings> {
@@ -151,8 +152,9 @@ export function changedSetting(field: string, values: ParticleValues, parts: Par
 export function particleValues(settings: Partial<ParticleSettings>): Partial<ParticleValues> {
   const { bursts, shape, life, speed, size, initialRotation, spin, colliders, flipBook, colorOverLife, lightEvery } =
     settings;
-  const names = Object.keys(rules).filter((name) => rules[name as 'seed'].fields[0] === name) as 'seed'[];
-  const given = names.filter((name) => settings[name] !== undefined && typeof settings[name] !== 'object');
+  const given = names.filter(
+    (name) => rules[name].fields[0] === name && settings[name] !== undefined && typeof settings[name] !== 'object',
+  );
   const plane = colliders?.find(({ kind }) => kind === 'plane');
   return {
     ...Object.fromEntries(given.map((name) => [name, settings[name]])),

@@ -63,8 +63,12 @@ class BaseComponentRegistry implements ComponentRegistryType {
     if (!this.keepsUnknown) return this.create(data.type, data.values);
     // the class of a script may have other fields than when the data were written
     const type = this.get(data.type);
-    const fitting = Object.entries(data.values).filter(([name, value]) => fits(type, name, value, null));
-    return this.create(data.type, Object.fromEntries(fitting));
+    const component = new type();
+    for (const name of Object.keys(data.values)) {
+      const value = data.values[name];
+      if (fits(type, name, value, null)) component.set(name, value);
+    }
+    return component;
   }
 
   create(typeName: string, values: Readonly<Record<string, FieldValue>> = {}): Component {
