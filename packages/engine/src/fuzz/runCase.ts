@@ -26,7 +26,7 @@ export interface FuzzResult {
   /** What is wrong; null when all is well. */
   readonly failure: string | null;
   readonly isTaken: boolean;
-  /** What opening it, saving it and opening what it was saved to took. */
+  /** What opening and saving it took, or opening and saving what it was saved to: the longer of both. */
   readonly seconds: number;
   /** Bytes. */
   readonly memory: number;

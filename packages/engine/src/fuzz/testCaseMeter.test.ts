@@ -19,6 +19,14 @@ test('work and waiting are time; what another process takes of the machine is no
   Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 1000);
   stopped.lap();
   expect(stopped.seconds).toBeLessThan(0.8);
+
+  const twice = await CaseMeter.begin(null);
+  for (let lap = 0; lap < 2; lap++) {
+    await new Promise((resolve) => void setTimeout(resolve, 200));
+    twice.lap();
+  }
+  expect(twice.seconds, 'of the longest lap').toBeGreaterThan(0.15);
+  expect(twice.seconds, 'of the longest lap').toBeLessThan(0.35);
 });
 
 test('memory in use is measured, not garbage; a collection meanwhile is told of', async () => {

@@ -17,7 +17,7 @@ const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(res
  * It is never more than the time on the wall, which threads that work at once would make it.
  */
 export class CaseMeter {
-  /** Of all laps. */
+  /** Of the longest lap. */
   seconds = 0;
   /** Bytes that were taken until the end of the first lap. */
   memory = 0;
@@ -49,7 +49,8 @@ export class CaseMeter {
   lap(): void {
     const { user, system } = process.cpuUsage(this.work);
     const idle = performance.eventLoopUtilization().idle - this.idle;
-    this.seconds += Math.min(performance.now() - this.start, (user + system) / 1e3 + idle) / 1e3;
+    const seconds = Math.min(performance.now() - this.start, (user + system) / 1e3 + idle) / 1e3;
+    this.seconds = Math.max(this.seconds, seconds);
     if (this.isFirst) {
       this.isBlurred = this.collect === null && this.canary.deref() === undefined;
       this.collect?.();
