@@ -46,7 +46,7 @@ class BaseScene implements SceneType {
   readonly settings: SceneSettings;
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
-  readonly baked = new SceneBake(this);
+  readonly baked: SceneBake = new SceneBake(this);
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   readonly childList: GameObject[] = [];

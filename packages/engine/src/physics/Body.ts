@@ -1,9 +1,9 @@
-import type { RigidBody as RapierBody } from '@dimforge/rapier3d-compat';
+import type { Collider as RapierCollider, RigidBody as RapierBody } from '@dimforge/rapier3d-compat';
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
 import type { BodyControl } from './BodyControl';
 import { ObjectWatch } from './ObjectWatch';
-import type { CharacterPart, RigidBodyPart } from './PhysicsParts';
+import type { CharacterPart, ColliderPart, RigidBodyPart } from './PhysicsParts';
 import { mirrored, worldRotation } from './worldRotation';
 
 export type BodyType = 'dynamic' | 'kinematic' | 'fixed' | 'character';
@@ -37,6 +37,15 @@ export function placeOf(object: Object3D, target: Vector3, turned: Quaternion): 
   worldRotation(object, turned, signs).normalize();
 }
 
+/** What a body needs of its colliders. */
+export interface BodyCollider {
+  /** Null for that of a CharacterController. */
+  readonly component: ColliderPart | null;
+  readonly rapier: RapierCollider;
+  /** In m³ times density: its share of the body's mass. */
+  readonly weight: number;
+}
+
 /**
  * A body of Rapier's world and the object that it is of. Places are of the world; of a dynamic body the last two steps
  * are kept, and the object is shown between them.
@@ -45,6 +54,8 @@ export class Body implements BodyControl {
   /** Place among the bodies, by which events are sorted. */
   order = 0;
   hasTarget = false;
+  /** In the order in which they were made. */
+  readonly colliders = new Set<BodyCollider>();
   /** What acts during this frame (N, N·m); null for nothing. */
   force: Vector3 | null = null;
   torque: Vector3 | null = null;

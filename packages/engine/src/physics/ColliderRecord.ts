@@ -1,7 +1,7 @@
 import type { Collider as RapierCollider } from '@dimforge/rapier3d-compat';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
-import { type Body, placeOf } from './Body';
+import { type Body, type BodyCollider, placeOf } from './Body';
 import { collisionMethods } from './CollisionEvent';
 import { colliderShape } from './colliderShape';
 import type { Rapier } from './loadRapier';
@@ -17,18 +17,13 @@ const size = new Vector3();
 const inverse = new Matrix4();
 
 /** A collider of Rapier's world: of a Collider, or of a CharacterController. */
-export interface ColliderRecord {
-  /** Null for that of a CharacterController. */
-  readonly component: ColliderPart | null;
+export interface ColliderRecord extends BodyCollider {
   readonly object: GameObject;
   readonly body: Body;
-  readonly rapier: RapierCollider;
   /** Place among the colliders, by which events are sorted. */
   readonly order: number;
   /** Of an object below the body's: notices that it moved in the body. */
   readonly watch: ObjectWatch | null;
-  /** In m³ times density: its share of the body's mass. */
-  readonly weight: number;
   /** From its object to the body when it was made; null for that of a CharacterController. */
   readonly made: Matrix4 | null;
   /** From the shape as Rapier has it to the body, when it was made. */

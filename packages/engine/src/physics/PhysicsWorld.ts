@@ -1,12 +1,12 @@
 import type { EventQueue, World } from '@dimforge/rapier3d-compat';
 import { shortText } from '@farol/renderer';
-import { Quaternion, Vector3 } from 'three';
 import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
-import { Body, placeOf } from './Body';
+import type { Body } from './Body';
 import { type ColliderRecord, listens, makeCapsule, makeCollider, moveCollider } from './ColliderRecord';
 import { Contacts } from './Contacts';
 import type { Rapier } from './loadRapier';
 import { CharacterMotion } from './CharacterMotion';
+import { applyFields, type BodyPart, makeBody, vectorOf, weigh } from './makeBody';
 import { findParts, isCharacter, type SceneParts } from './findParts';
 import { type JointRecord, makeJoint } from './JointRecord';
 import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './PhysicsParts';
@@ -17,11 +17,6 @@ export const STEP = 1 / 60;
 const MOST_STEPS = 6;
 /** Of a step, within which a frame is long enough for it: frame times are not exact. */
 const TOLERANCE = 1e-6;
-
-const place = new Vector3();
-const turn = new Quaternion();
-
-type BodyPart = RigidBodyPart | CharacterPart | null;
 
 /** What of the system the world reads. */
 interface Changes {
@@ -213,7 +208,7 @@ export class PhysicsWorld {
       const body = component.scene === this.scene ? this.bodies.get(component.gameObject) : undefined;
       if (body) unweighed.add(body);
     }
-    for (const body of unweighed) this.weigh(body);
+    for (const body of unweighed) weigh(body);
     for (const [component, owner] of parts.joints) {
       if (!this.joints.has(component)) this.attempt(component, () => this.addJoint(component, owner));
     }
@@ -266,36 +261,18 @@ export class PhysicsWorld {
       this.attempt(component ?? object.transform, () => this.addBody(object, component));
     } else if (component && changed.has(component)) {
       if (isCharacter(component)) this.changeCharacter(there, component);
-      else this.applyFields(there, component);
+      else applyFields(this.rapier, there, component);
     }
   }
 
   private addBody(object: GameObject, component: BodyPart): void {
-    placeOf(object.object3D, place, turn);
-    if (![...place, ...turn].every(Number.isFinite)) {
-      throw new Error(
-        `The RigidBody of '${shortText(object.name)}' has no place: its object, or one above it, has a scale of 0 or a number that is none.`,
-      );
-    }
-    const { RigidBodyDesc } = this.rapier;
-    const type = component === null ? 'fixed' : isCharacter(component) ? 'character' : component.type;
-    const makers = {
-      dynamic: RigidBodyDesc.dynamic,
-      kinematic: RigidBodyDesc.kinematicPositionBased,
-      character: RigidBodyDesc.kinematicPositionBased,
-      fixed: RigidBodyDesc.fixed,
-    };
-    const desc = makers[type]().setTranslation(place.x, place.y, place.z).setRotation(turn);
-    if (component && !isCharacter(component) && type === 'dynamic') {
-      desc.setLinvel(...component.initialVelocity).setAngvel(vectorOf(component.initialAngularVelocity));
-    }
-    const body = new Body(object, component, type, this.world.createRigidBody(desc));
+    const body = makeBody(this.rapier, this.world, object, component);
     body.order = this.made++;
     this.bodies.set(object, body);
     this.bodyList.push(body);
     if (!component) return;
     if (isCharacter(component)) this.addCharacter(body, component);
-    else this.applyFields(body, component);
+    else applyFields(this.rapier, body, component);
   }
 
   private addCharacter(body: Body, component: CharacterPart): void {
@@ -347,33 +324,12 @@ export class PhysicsWorld {
     return null;
   }
 
-  private applyFields(body: Body, component: RigidBodyPart): void {
-    const { rapier } = body;
-    const { RigidBodyType } = this.rapier;
-    const { type } = component;
-    if (type !== body.type) {
-      const types = {
-        dynamic: RigidBodyType.Dynamic,
-        kinematic: RigidBodyType.KinematicPositionBased,
-        fixed: RigidBodyType.Fixed,
-      };
-      body.type = type;
-      body.objectMoved();
-      rapier.setBodyType(types[type], true);
-    }
-    rapier.setGravityScale(component.gravityScale, true);
-    rapier.setLinearDamping(component.linearDamping);
-    rapier.setAngularDamping(component.angularDamping);
-    rapier.enableCcd(component.continuous);
-    rapier.setEnabledTranslations(!component.lockPositionX, !component.lockPositionY, !component.lockPositionZ, true);
-    rapier.setEnabledRotations(!component.lockRotationX, !component.lockRotationY, !component.lockRotationZ, true);
-  }
-
   private addCollider(component: ColliderPart, body: Body): void {
     const record = makeCollider(this.rapier, component, body, this.made++, (desc) =>
       this.world.createCollider(desc, body.rapier),
     );
     this.colliders.set(component, record);
+    body.colliders.add(record);
     if (record.watch) this.watched.add(record);
     this.byHandle.set(record.rapier.handle, record);
   }
@@ -383,6 +339,7 @@ export class PhysicsWorld {
     this.byHandle.delete(record.rapier.handle);
     this.watched.delete(record);
     if (record.component) this.colliders.delete(record.component);
+    record.body.colliders.delete(record);
     this.world.removeCollider(record.rapier, true);
   }
 
@@ -393,26 +350,8 @@ export class PhysicsWorld {
     rapier.setActiveEvents(heard ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
   }
 
-  /** Gives the colliders of a body their shares of its mass. */
-  private weigh(body: Body): void {
-    const { component } = body;
-    if (!component || isCharacter(component) || body.type !== 'dynamic') return;
-    const own = [...this.colliders.values()].filter((record) => record.body === body);
-    const weight = own.reduce((sum, record) => sum + record.weight, 0);
-    // one without a shape falls too
-    const isBare = weight === 0;
-    body.rapier.setAdditionalMass(isBare ? component.mass : 0, true);
-    for (const record of own) {
-      if (record.weight === 0) continue;
-      record.rapier.setMass(component.massFrom === 'mass' ? (component.mass * record.weight) / weight : record.weight);
-    }
-    body.rapier.recomputeMassPropertiesFromColliders();
-  }
-
   private sizeChanged(body: Body): void {
-    for (const record of this.colliders.values()) {
-      if (record.body === body && record.component) this.changes.componentChanged(record.component);
-    }
+    for (const { component } of body.colliders) if (component) this.changes.componentChanged(component);
     if (body.type === 'character' && body.component) this.changes.componentChanged(body.component);
   }
 
@@ -440,5 +379,3 @@ function refuseDouble(component: RigidBodyPart): never {
     `'${shortText(component.gameObject.name)}' has a CharacterController, which is a body of its own: remove the RigidBody.`,
   );
 }
-
-const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: number; y: number; z: number } => ({ x, y, z });

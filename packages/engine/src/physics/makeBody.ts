@@ -1,0 +1,83 @@
+import type { World } from '@dimforge/rapier3d-compat';
+import { shortText } from '@farol/renderer';
+import { Quaternion, Vector3 } from 'three';
+import type { GameObject } from '../core/SceneGraph';
+import { Body, placeOf } from './Body';
+import { isCharacter } from './findParts';
+import type { Rapier } from './loadRapier';
+import type { CharacterPart, RigidBodyPart } from './PhysicsParts';
+
+/** What a body is of; null for colliders without a RigidBody. */
+export type BodyPart = RigidBodyPart | CharacterPart | null;
+
+const place = new Vector3();
+const turn = new Quaternion();
+
+export const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: number; y: number; z: number } => ({
+  x,
+  y,
+  z,
+});
+
+/**
+ * Makes the body of an object where the object is, without the fields of a RigidBody that may change later.
+ * @throws Error naming the object where it has no place
+ */
+export function makeBody(rapier: Rapier, world: World, object: GameObject, component: BodyPart): Body {
+  placeOf(object.object3D, place, turn);
+  if (![...place, ...turn].every(Number.isFinite)) {
+    throw new Error(
+      `The RigidBody of '${shortText(object.name)}' has no place: its object, or one above it, has a scale of 0 or a number that is none.`,
+    );
+  }
+  const { RigidBodyDesc } = rapier;
+  const type = component === null ? 'fixed' : isCharacter(component) ? 'character' : component.type;
+  const makers = {
+    dynamic: RigidBodyDesc.dynamic,
+    kinematic: RigidBodyDesc.kinematicPositionBased,
+    character: RigidBodyDesc.kinematicPositionBased,
+    fixed: RigidBodyDesc.fixed,
+  };
+  const desc = makers[type]().setTranslation(place.x, place.y, place.z).setRotation(turn);
+  if (component && !isCharacter(component) && type === 'dynamic') {
+    desc.setLinvel(...component.initialVelocity).setAngvel(vectorOf(component.initialAngularVelocity));
+  }
+  return new Body(object, component, type, world.createRigidBody(desc));
+}
+
+/** Gives a body the fields of its RigidBody. */
+export function applyFields({ RigidBodyType }: Rapier, body: Body, component: RigidBodyPart): void {
+  const { rapier } = body;
+  const { type } = component;
+  if (type !== body.type) {
+    const types = {
+      dynamic: RigidBodyType.Dynamic,
+      kinematic: RigidBodyType.KinematicPositionBased,
+      fixed: RigidBodyType.Fixed,
+    };
+    body.type = type;
+    body.objectMoved();
+    rapier.setBodyType(types[type], true);
+  }
+  rapier.setGravityScale(component.gravityScale, true);
+  rapier.setLinearDamping(component.linearDamping);
+  rapier.setAngularDamping(component.angularDamping);
+  rapier.enableCcd(component.continuous);
+  rapier.setEnabledTranslations(!component.lockPositionX, !component.lockPositionY, !component.lockPositionZ, true);
+  rapier.setEnabledRotations(!component.lockRotationX, !component.lockRotationY, !component.lockRotationZ, true);
+}
+
+/** Gives the colliders of a body their shares of its mass. */
+export function weigh({ component, type, rapier, colliders }: Body): void {
+  if (!component || isCharacter(component) || type !== 'dynamic') return;
+  let weight = 0;
+  for (const record of colliders) weight += record.weight;
+  // one without a shape falls too
+  const isBare = weight === 0;
+  rapier.setAdditionalMass(isBare ? component.mass : 0, true);
+  for (const record of colliders) {
+    if (record.weight === 0) continue;
+    record.rapier.setMass(component.massFrom === 'mass' ? (component.mass * record.weight) / weight : record.weight);
+  }
+  rapier.recomputeMassPropertiesFromColliders();
+}
