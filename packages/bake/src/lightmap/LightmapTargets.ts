@@ -1,0 +1,93 @@
+import { FloatType, HalfFloatType, type Texture, type WebGLArrayRenderTarget, type WebGLRenderer } from 'three';
+import { type Grid, gridTargets } from './grid';
+import { layersTarget, maskTarget, pictureTarget, texelTarget } from './targets';
+
+export interface LightmapTargetsOptions {
+  /** Of each lightmap: texels along a side. */
+  readonly size: number;
+  /** Of the coarse grid, in texels of the lightmap: 1, 2 or 4. */
+  readonly block: number;
+  /** Lightmaps. */
+  readonly layers: number;
+  /** Whether surfaces shine by themselves. */
+  readonly shines: boolean;
+  readonly hasProbes: boolean;
+}
+
+/**
+ * What lightmaps are traced into. One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where
+ * its texels were moved to and two layers of radiance.
+ */
+export class LightmapTargets {
+  /** What materials may show while light is traced, one a lightmap. */
+  readonly pictures;
+  readonly totals;
+  /** Light of the coarser grid so far, with its variance; none where all is gathered at the fine one. */
+  readonly indirect;
+  readonly moves;
+  readonly agreements;
+  readonly fine: Grid;
+  /** The fine one itself, where all is gathered there. */
+  readonly coarse: Grid;
+  readonly albedo;
+  readonly emission;
+  /** What gathers see, and what the next one will. */
+  radiance;
+  nextRadiance;
+  /** Radiance of all that is reflected once less than may be, for probes. */
+  readonly reflected;
+
+  constructor({ size, block, layers, shines, hasProbes }: LightmapTargetsOptions) {
+    const each = <T>(make: () => T): T[] => Array.from({ length: layers }, make);
+    this.pictures = each(() => pictureTarget(size));
+    this.totals = each(() => texelTarget(size, FloatType));
+    this.moves = each(() => texelTarget(size, HalfFloatType));
+    this.agreements = maskTarget(size);
+    this.fine = { ...gridTargets(size), settled: texelTarget(size, FloatType) };
+    this.coarse = block === 1 ? this.fine : { ...gridTargets(size / block), settled: null };
+    this.indirect = block === 1 ? [] : each(() => texelTarget(size / block, FloatType));
+    this.albedo = texelTarget(size, HalfFloatType);
+    this.emission = layersTarget(shines ? size : 1, layers);
+    this.radiance = layersTarget(size, layers);
+    this.nextRadiance = layersTarget(size, layers);
+    this.reflected = hasProbes ? layersTarget(size, layers) : null;
+  }
+
+  /** What the next gather was to see, this one sees. @returns its texture */
+  swapRadiance(): Texture {
+    [this.radiance, this.nextRadiance] = [this.nextRadiance, this.radiance];
+    return this.radiance.texture;
+  }
+
+  /** All that light is added to in the course of a run. */
+  clearTotals(renderer: WebGLRenderer): void {
+    for (const target of [...this.totals, ...this.indirect, ...this.pictures]) {
+      renderer.setRenderTarget(target);
+      renderer.clear();
+    }
+    for (let lightmap = 0; this.reflected && lightmap < this.totals.length; lightmap++) {
+      clearLayer(renderer, this.reflected, lightmap);
+    }
+  }
+
+  clearNextRadiance(renderer: WebGLRenderer, lightmap: number): void {
+    clearLayer(renderer, this.nextRadiance, lightmap);
+  }
+
+  dispose(): void {
+    const { fine, coarse, totals, indirect, moves, pictures } = this;
+    for (const grid of new Set([fine, coarse])) {
+      for (const target of [grid.places, grid.sums, ...grid.light]) target.dispose();
+      grid.settled?.dispose();
+    }
+    const single = [this.agreements, this.albedo, this.emission, this.radiance, this.nextRadiance];
+    for (const target of [...single, ...totals, ...indirect, ...moves, ...pictures]) target.dispose();
+    this.reflected?.dispose();
+  }
+}
+
+function clearLayer(renderer: WebGLRenderer, target: WebGLArrayRenderTarget, layer: number): void {
+  target.scissorTest = false;
+  renderer.setRenderTarget(target, layer);
+  renderer.clear();
+}
