@@ -14,7 +14,7 @@ test('rectangle lights cost a few times what point lights of the same reach cost
   test.setTimeout(300_000);
   const size = onGpu
     ? { lights: 1000, width: 1280, height: 720, rounds: 15, frames: 8, gpuTimes: true }
-    : { lights: 300, width: 128, height: 72, rounds: 3, frames: 1 };
+    : { lights: 300, width: 128, height: 72, rounds: 8, frames: 1 };
   const techniques = ['clustered-forward', 'clustered-deferred', 'forward-plus', 'deferred'] as const;
   const rows = await page.evaluate(areaLightCost, { techniques, ...size });
   const figures = rows.map(({ technique, isGpuTime, dark, ...kinds }) => {
