@@ -12,6 +12,7 @@ import * as lightProfiles from '@farol/renderer/light-profiles';
 import * as surfaces from '@farol/renderer/surfaces';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
+import { alphaBench, alphaScene } from './alphaScene';
 import { DistanceFade } from './authoring/DistanceFade';
 import { nearFirst } from './authoring/nearFirst';
 import { Bench } from './Bench';
@@ -46,6 +47,8 @@ export interface TestPage {
   addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
   /** A technique and an effect as somebody outside writes them. */
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
+  alphaScene: typeof alphaScene;
+  alphaBench: typeof alphaBench;
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
@@ -98,6 +101,8 @@ window.testPage = {
   lightFields,
   addons: { CSM, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
+  alphaScene,
+  alphaBench,
   materialScene,
   chunkScene,
   edgeScene,
