@@ -25,6 +25,7 @@ import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
+import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
 import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
@@ -49,6 +50,7 @@ export interface TestPage {
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
   alphaScene: typeof alphaScene;
   alphaBench: typeof alphaBench;
+  privateScene: typeof privateScene;
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
@@ -103,6 +105,7 @@ window.testPage = {
   outside: { nearFirst, DistanceFade },
   alphaScene,
   alphaBench,
+  privateScene,
   materialScene,
   chunkScene,
   edgeScene,

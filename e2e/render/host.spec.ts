@@ -1,3 +1,4 @@
+import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
 test('the host finds its scene, renderer, device and three as they were, and stock three draws the same after Farol', async ({
@@ -82,4 +83,35 @@ test('what a callback of the host draws inside a frame, by Farol or by stock thr
     });
   });
   for (const { name, psnr } of results) expect.soft(psnr, name).toBeGreaterThan(60);
+});
+
+test('classes of the host with accessors over private fields are drawn as stock three draws them, by each technique', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, drawn, effects, isFlat, privateScene } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    bench.farol.inferredScale = 1;
+    const { scene, camera, material } = privateScene(96, 64);
+    const stock = bench.stock(scene, camera);
+    const results = drawn.map((technique) => ({
+      technique,
+      difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
+    }));
+    bench.farol.effects = [new effects.TAA()];
+    const first = bench.byTechnique('deferred', scene, camera);
+    bench.farol.effects = [];
+    // live, and let go of with its source
+    material.roughness = 0.9;
+    const changed = bench.stock(scene, camera);
+    const difference = compareImages(changed, bench.byTechnique('forward-plus', scene, camera));
+    material.dispose();
+    return { results, difference, flat: isFlat(stock), smoothed: compareImages(stock, first).psnr };
+  });
+  expect(results.flat).toBe(false);
+  for (const { technique, difference } of results.results) checkAgreement(technique, difference, 'private fields');
+  checkAgreement('forward-plus', results.difference, 'private fields, changed');
+  // the first frame of it, moved by part of a pixel
+  expect(results.smoothed, 'TAA').toBeGreaterThan(20);
 });
