@@ -60,9 +60,15 @@ export class MultipassLightsPass implements Pass {
 
   render(frame: Frame): void {
     this.fogged = frame.target !== null;
-    this.prepareTarget(frame);
     this.items.length = 0;
-    this.drawLights(frame);
+    // of the frame that this one is drawn inside of, by a callback
+    const mark = lightMark.value;
+    try {
+      this.prepareTarget(frame);
+      this.drawLights(frame);
+    } finally {
+      lightMark.value = mark;
+    }
     const { texture, depthTexture, samples } = this.target!;
     if (samples > 0) frame.resolve(this.target!);
     if (this.result?.texture !== texture || this.result.hasFog !== this.fogged)
