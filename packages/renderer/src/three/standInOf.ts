@@ -6,13 +6,12 @@
 export function standInOf<T extends object>(source: T, base: object): T {
   const standIn = Object.create(source) as T;
   for (let one: object | null = source; one && one !== base; one = Object.getPrototypeOf(one) as object | null) {
-    const properties = Object.getOwnPropertyDescriptors(one);
-    for (const name in properties) {
-      const { get, set } = properties[name as keyof typeof properties] as PropertyDescriptor;
+    for (const [name, { get }] of Object.entries(Object.getOwnPropertyDescriptors(one))) {
       if (!get) continue;
+      const key = name as keyof T;
       Object.defineProperty(standIn, name, {
-        get: () => source[name as keyof T],
-        set: set && ((value) => (source[name as keyof T] = value)),
+        get: () => source[key],
+        set: (value) => (source[key] = value),
         configurable: true,
       });
     }
