@@ -64,6 +64,8 @@ export interface TestPage {
   messageOf: typeof messageOf;
   /** Fetched by the tests that need it: it brings three's other renderer. */
   nodeScene(): Promise<typeof import('./nodeScene')>;
+  /** The same. */
+  nodeCases(): Promise<typeof import('./nodeCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it: it brings the engine. */
@@ -118,6 +120,7 @@ window.testPage = {
   breakFrames,
   messageOf,
   nodeScene: () => import('./nodeScene'),
+  nodeCases: () => import('./nodeCases'),
   bake: () => import('@farol/bake'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
