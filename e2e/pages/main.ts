@@ -12,6 +12,7 @@ import * as lightProfiles from '@farol/renderer/light-profiles';
 import * as surfaces from '@farol/renderer/surfaces';
 import * as transparency from '@farol/renderer/transparency';
 import { compareImages, isFlat } from '../support/images';
+import { alphaBench, alphaScene } from './alphaScene';
 import { DistanceFade } from './authoring/DistanceFade';
 import { nearFirst } from './authoring/nearFirst';
 import { Bench } from './Bench';
@@ -24,6 +25,7 @@ import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { materialScene } from './materialScene';
+import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
 import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
@@ -46,6 +48,9 @@ export interface TestPage {
   addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
   /** A technique and an effect as somebody outside writes them. */
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
+  alphaScene: typeof alphaScene;
+  alphaBench: typeof alphaBench;
+  privateScene: typeof privateScene;
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
@@ -59,6 +64,8 @@ export interface TestPage {
   messageOf: typeof messageOf;
   /** Fetched by the tests that need it: it brings three's other renderer. */
   nodeScene(): Promise<typeof import('./nodeScene')>;
+  /** The same. */
+  nodeCases(): Promise<typeof import('./nodeCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it: it brings the engine. */
@@ -98,6 +105,9 @@ window.testPage = {
   lightFields,
   addons: { CSM, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
+  alphaScene,
+  alphaBench,
+  privateScene,
   materialScene,
   chunkScene,
   edgeScene,
@@ -110,6 +120,7 @@ window.testPage = {
   breakFrames,
   messageOf,
   nodeScene: () => import('./nodeScene'),
+  nodeCases: () => import('./nodeCases'),
   bake: () => import('@farol/bake'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,

@@ -258,6 +258,19 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
         ball.onBeforeRender = (webgl) => webgl.clearDepth();
         return { scene };
       },
+      'an overlay without an order that clears depth first': () => {
+        const { scene, ball } = stage(standard());
+        ball.material = standard(); // the last that was made
+        ball.position.z = -3;
+        ball.onBeforeRender = (webgl) => webgl.clear(false, true, false);
+        return { scene };
+      },
+      'a backdrop without an order that clears depth afterwards': () => {
+        const { scene, ball } = stage(standard());
+        ball.position.set(-1.2, 0, 2);
+        ball.onAfterRender = (webgl) => webgl.clearDepth();
+        return { scene };
+      },
       'overlays in a group, of which the first clears depth': () => {
         const { scene } = stage(standard());
         const group = new three.Group();

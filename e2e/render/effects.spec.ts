@@ -39,7 +39,7 @@ test('an effect that takes the picture over gives it back as it would have been:
       }
       return { most, drawn: colours / without.length };
     };
-    const both = (technique: 'deferred' | 'clustered-forward') => {
+    const all = (technique: (typeof techniques)[number]) => {
       renderer.technique = technique;
       return {
         whole: apart(() => renderer.render(scene, camera)),
@@ -66,9 +66,10 @@ test('an effect that takes the picture over gives it back as it would have been:
         }),
       };
     };
-    return { deferred: both('deferred'), 'clustered-forward': both('clustered-forward') };
+    const techniques = ['deferred', 'clustered-forward', 'forward', 'light-prepass', 'tiled-deferred'] as const;
+    return techniques.map((technique) => [technique, all(technique)] as const);
   });
-  for (const [technique, results] of Object.entries(cases)) {
+  for (const [technique, results] of cases) {
     for (const [name, { most, drawn }] of Object.entries(results)) {
       expect(drawn, `${technique}, ${name}: something is drawn`).toBeGreaterThan(0.02);
       // half floats of encoded colour

@@ -1,3 +1,4 @@
+import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
 test('the host finds its scene, renderer, device and three as they were, and stock three draws the same after Farol', async ({
@@ -55,7 +56,10 @@ test('what a callback of the host draws inside a frame, by Farol or by stock thr
     const board = new three.Mesh(new three.PlaneGeometry(3, 2), new three.MeshBasicMaterial({ map: mirrored.texture }));
     board.position.set(1.2, 0.6, -1); // its middle shows the ball
     const ball = new three.Mesh(new three.SphereGeometry(0.7), new three.MeshStandardMaterial());
-    scene.add(new three.Group().add(lamp), board, ball, new three.AmbientLight(0xffffff, 0.2));
+    const floor = new three.Mesh(new three.PlaneGeometry(9, 9), new three.MeshLambertMaterial());
+    floor.position.z = -2;
+    const lamps = [0, 1, 2].map((i) => new three.PointLight(0x44ff66, 9, 6).translateX(i - 1).translateZ(2));
+    scene.add(new three.Group().add(lamp), ...lamps, board, ball, floor, new three.AmbientLight(0xffffff, 0.2));
     let by: { render(scene: unknown, camera: unknown): void } = webgl;
     const callback = () => {
       if (!board.visible) return;
@@ -66,15 +70,19 @@ test('what a callback of the host draws inside a frame, by Farol or by stock thr
       webgl.setRenderTarget(target);
       board.visible = true;
     };
-    return [scene, board].flatMap((place) => {
+    const others = (['forward', 'deferred'] as const).map(
+      (technique) => new window.testPage.farol.FarolRenderer(webgl, { technique }),
+    );
+    return [scene, board, ball].flatMap((place) => {
       place.onBeforeRender = callback;
       by = webgl;
       const wanted = bench.stock(scene, camera);
-      const found = [webgl, farol].flatMap((one) =>
-        (['forward-single-pass', 'deferred'] as const).map((technique) => {
+      const found = [webgl, farol, ...others].flatMap((one, i) =>
+        (['forward-single-pass', 'forward', 'deferred'] as const).map((technique) => {
           by = one;
           const { psnr } = compareImages(wanted, bench.byTechnique(technique, scene, camera));
-          return { name: `${place.type}, ${one === farol ? 'Farol' : 'three'} inside ${technique}`, psnr };
+          const inner = ['three', 'the same', 'another, forward', 'another, deferred'][i];
+          return { name: `${place.type}, ${inner} inside ${technique}`, psnr };
         }),
       );
       place.onBeforeRender = () => {};
@@ -82,4 +90,35 @@ test('what a callback of the host draws inside a frame, by Farol or by stock thr
     });
   });
   for (const { name, psnr } of results) expect.soft(psnr, name).toBeGreaterThan(60);
+});
+
+test('classes of the host with accessors over private fields are drawn as stock three draws them, by each technique', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, drawn, effects, isFlat, privateScene } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    bench.farol.inferredScale = 1;
+    const { scene, camera, material } = privateScene(96, 64);
+    const stock = bench.stock(scene, camera);
+    const results = drawn.map((technique) => ({
+      technique,
+      difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
+    }));
+    bench.farol.effects = [new effects.TAA()];
+    const first = bench.byTechnique('deferred', scene, camera);
+    bench.farol.effects = [];
+    // live, and let go of with its source
+    material.roughness = 0.9;
+    const changed = bench.stock(scene, camera);
+    const difference = compareImages(changed, bench.byTechnique('forward-plus', scene, camera));
+    material.dispose();
+    return { results, difference, flat: isFlat(stock), smoothed: compareImages(stock, first).psnr };
+  });
+  expect(results.flat).toBe(false);
+  for (const { technique, difference } of results.results) checkAgreement(technique, difference, 'private fields');
+  checkAgreement('forward-plus', results.difference, 'private fields, changed');
+  // the first frame of it, moved by part of a pixel
+  expect(results.smoothed, 'TAA').toBeGreaterThan(20);
 });

@@ -1,5 +1,6 @@
 import type { CaseResult } from '../pages/matrix/runSheet';
 import { isException } from './matrixExceptions';
+import { figuresOf } from '../support/images';
 import { recordComparison } from '../support/comparison';
 import { inTurn, parts } from '../support/parts';
 import { expect, test } from '../support/test';
@@ -19,17 +20,17 @@ const SHARE = 0.001;
 /** Cases that are not to be seen. */
 const HIDDEN = new Set(['shadow', 'material that is not visible', 'layers that the camera does not see']);
 
-function failure({ sheet, case: name, technique, largest, psnr, share }: CaseResult): string | null {
+function failure({ sheet, case: name, technique, ...difference }: CaseResult): string | null {
+  const { largest, psnr, share, alpha } = difference;
   // of 8 bits, a value on the edge of rounding may go either way: a step is 48 dB
   const eight = sheet.endsWith('8 bits');
   const most = eight ? STEP : LARGEST;
-  const within = FORWARD.has(technique) ? largest <= most : (eight || psnr >= PSNR) && share <= SHARE;
-  const exception = !within && isException(technique, `${sheet}: ${name}`);
+  const near = FORWARD.has(technique) ? largest <= most : (eight || psnr >= PSNR) && share <= SHARE;
+  const within = near && alpha <= LARGEST;
+  const exception = !near && alpha <= LARGEST && isException(technique, `${sheet}: ${name}`);
   const good = within || exception;
-  recordComparison({ suite: sheet, technique, name, good, exception, largest, psnr, share });
-  return good
-    ? null
-    : `${sheet}: ${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(2)}% off by more than 2/255`;
+  recordComparison({ suite: sheet, technique, name, good, exception, ...difference });
+  return good ? null : `${sheet}: ${name}, ${technique}: ${figuresOf(difference)}`;
 }
 
 // a hundred and sixty cases by ten techniques, on a software rasteriser that other tests share

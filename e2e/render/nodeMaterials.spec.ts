@@ -49,6 +49,74 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
   expect(results.again, 'stock three afterwards').toBe(0);
 });
 
+test('each kind of node material on each kind of object, under area lights and shadows, in fog, by techniques in turn', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(async () => {
+    const { Bench, compareImages, drawn, isFlat, nodeCases } = window.testPage;
+    const { nodeCase, nodeCases: cases, nodesHandler } = await nodeCases();
+    const bench = new Bench(64, 48);
+    const { webgl, farol } = bench;
+    webgl.setNodesHandler(nodesHandler());
+    webgl.shadowMap.enabled = webgl.localClippingEnabled = true;
+    farol.inferredScale = 1;
+    const results = [];
+    for (const [i, [name, make]] of Object.entries(cases).entries()) {
+      const { scene, camera } = nodeCase(make(), 64, 48);
+      bench.stock(scene, camera);
+      await Promise.resolve();
+      const stock = bench.stock(scene, camera);
+      for (const turn of [0, 1]) {
+        const technique = drawn[(i * 2 + turn) % drawn.length];
+        bench.byTechnique(technique, scene, camera);
+        await Promise.resolve();
+        const difference = compareImages(stock, bench.byTechnique(technique, scene, camera));
+        results.push({ name, technique, difference, flat: isFlat(stock) });
+      }
+    }
+    return results;
+  });
+  expect(results.length).toBeGreaterThan(60);
+  for (const { name, technique, difference, flat } of results) {
+    expect(flat, `${name}: stock picture is flat`).toBe(false);
+    checkAgreement(technique, difference, `node material, ${name}`);
+  }
+});
+
+test('glass of nodes is drawn as stock three draws it, which knows no transmission of nodes', async ({
+  benchPage: page,
+  watch,
+}) => {
+  const results = await page.evaluate(async () => {
+    const { alphaBench, compareImages, drawn, nodeCases } = window.testPage;
+    const { nodeCase, nodeGlass, nodesHandler } = await nodeCases();
+    const { bench, toCanvas } = alphaBench(64, 48);
+    bench.webgl.setNodesHandler(nodesHandler());
+    bench.webgl.shadowMap.enabled = true;
+    bench.farol.inferredScale = 1;
+    const { scene, camera } = nodeCase(nodeGlass(), 64, 48);
+    const draw = async (render: () => void) => {
+      render();
+      await Promise.resolve();
+      return toCanvas(render);
+    };
+    const stock = await draw(() => bench.webgl.render(scene, camera));
+    const results = [];
+    for (const technique of drawn) {
+      bench.farol.technique = technique;
+      const difference = compareImages(stock, await draw(() => bench.farol.render(scene, camera)));
+      results.push({ technique, difference });
+    }
+    return results;
+  });
+  // three's copy of what is behind, which it has no size of
+  watch.forgive(/glTexStorage2D: One or more image dimensions are not positive/);
+  for (const { technique, difference } of results) {
+    expect.soft(difference.psnr, technique).toBeGreaterThan(60);
+    expect.soft(difference.alpha, technique).toBe(0);
+  }
+});
+
 test('until the code of node materials is there three draws the scene, then Farol does: the same picture', async ({
   page,
   pagesURL,

@@ -2,6 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { stripVTControlCharacters } from 'node:util';
 import type { FullResult, Reporter, TestCase, TestError, TestResult } from '@playwright/test/reporter';
 import { COMPARISON, type Comparison, readComparison } from './comparison';
+import { figuresOf } from './images';
 
 interface Row {
   count: number;
@@ -10,6 +11,7 @@ interface Row {
   largest: number;
   psnr: number;
   share: number;
+  alpha: number;
 }
 
 /**
@@ -38,9 +40,9 @@ export default class AgreementReporter implements Reporter {
     if (file) writeFileSync(file, `${this.comparisons.join('\n')}\n`);
     const lines = [...this.rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, row]) => tableLine(key, row));
     console.log(
-      '\n| suite | technique | pictures | within limits | named exceptions | largest error | least PSNR (dB) | most pixels off |',
+      '\n| suite | technique | pictures | within limits | named exceptions | largest error | least PSNR (dB) | most pixels off | largest error of alpha |',
     );
-    console.log('| --- | --- | --- | --- | --- | --- | --- | --- |');
+    console.log('| --- | --- | --- | --- | --- | --- | --- | --- | --- |');
     for (const line of lines) console.log(line);
     const rows = [...this.rows.values()];
     const count = rows.reduce((sum, row) => sum + row.count, 0);
@@ -52,18 +54,28 @@ export default class AgreementReporter implements Reporter {
     console.log(`${this.passed} passed, ${this.failed.length} failed`);
   }
 
-  private add({ suite, technique, name, good, exception, largest, psnr, share }: Comparison): void {
+  private add(comparison: Comparison): void {
+    const { suite, technique, name, good, exception, largest, psnr, share, alpha } = comparison;
     const key = `${suite} | ${technique}`;
-    const row = this.rows.get(key) ?? { count: 0, good: 0, exceptions: 0, largest: 0, psnr: Infinity, share: 0 };
+    const row = this.rows.get(key) ?? {
+      count: 0,
+      good: 0,
+      exceptions: 0,
+      largest: 0,
+      psnr: Infinity,
+      share: 0,
+      alpha: 0,
+    };
     row.count++;
     if (exception) row.exceptions++;
     else if (good) row.good++;
-    else this.off.push(`${suite}: ${name}, ${technique}: ${figures({ largest, psnr, share })}`);
+    else this.off.push(`${suite}: ${name}, ${technique}: ${figuresOf(comparison)}`);
     this.rows.set(key, row);
     if (exception) return;
     row.largest = Math.max(row.largest, largest);
     row.psnr = Math.min(row.psnr, psnr);
     row.share = Math.max(row.share, share);
+    row.alpha = Math.max(row.alpha, alpha);
   }
 }
 
@@ -72,10 +84,6 @@ function said({ message = '' }: TestError): string {
   return stripVTControlCharacters(message).split('\n').slice(0, 12).join('\n  ');
 }
 
-function tableLine(key: string, { count, good, exceptions, largest, psnr, share }: Row): string {
-  return `| ${key} | ${count} | ${good} | ${exceptions} | ${largest.toExponential(1)} | ${psnr.toFixed(1)} | ${(share * 100).toFixed(3)}% |`;
-}
-
-function figures({ largest, psnr, share }: { largest: number; psnr: number; share: number }): string {
-  return `largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
+function tableLine(key: string, { count, good, exceptions, largest, psnr, share, alpha }: Row): string {
+  return `| ${key} | ${count} | ${good} | ${exceptions} | ${largest.toExponential(1)} | ${psnr.toFixed(1)} | ${(share * 100).toFixed(3)}% | ${alpha.toExponential(1)} |`;
 }

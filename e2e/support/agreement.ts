@@ -1,4 +1,4 @@
-import type { Difference } from './images';
+import { type Difference, figuresOf } from './images';
 import { recordComparison } from './comparison';
 import { expect } from './test';
 
@@ -10,6 +10,8 @@ export interface Limits {
   readonly psnr?: number;
   /** Share of pixels off by more than 2/255, at most. */
   readonly share?: number;
+  /** Largest difference of alpha, at most. */
+  readonly alpha?: number;
 }
 
 /**
@@ -21,6 +23,8 @@ export interface Limits {
  * quarter of the pixels: what changes from pixel to pixel (normal maps of noise, small highlights, edges of light) is
  * smoothed; measured 35.8 to 41.8 dB and 5 to 10% of pixels, 31 dB and 12% with hard edges.
  */
+/** Nothing that a buffer rounds is alpha: every technique writes three's. */
+const ALPHA = 1e-4;
 const FORWARD: Limits = { largest: 1e-4 };
 const DEFERRED: Limits = { psnr: 60, share: 0.001 };
 const limits: Record<string, Limits | undefined> = {
@@ -43,13 +47,14 @@ export function hardEdgeLimits(technique: string): Limits {
 
 /** Fails unless a technique's picture is as near to stock three's as its family is to be. */
 export function checkAgreement(technique: string, difference: Difference, name: string, exception: Limits = {}): void {
-  const { largest, psnr, share } = difference;
-  const seen = `${name}, ${technique}: largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${(share * 100).toFixed(3)}% off by more than 2/255`;
+  const { largest, psnr, share, alpha } = difference;
+  const seen = `${name}, ${technique}: ${figuresOf(difference)}`;
   const limit = limits[technique] ?? DEFERRED;
-  const asked = { largest: Infinity, psnr: 0, share: 1, ...limit, ...exception };
-  const good = largest <= asked.largest && psnr >= asked.psnr && share <= asked.share;
+  const asked = { largest: Infinity, psnr: 0, share: 1, alpha: ALPHA, ...limit, ...exception };
+  const good = largest <= asked.largest && psnr >= asked.psnr && share <= asked.share && alpha <= asked.alpha;
   recordComparison({ suite: 'scenes', technique, name, good, ...difference });
   expect.soft(largest, seen).toBeLessThanOrEqual(asked.largest);
   expect.soft(psnr, seen).toBeGreaterThanOrEqual(asked.psnr);
   expect.soft(share, seen).toBeLessThanOrEqual(asked.share);
+  expect.soft(alpha, seen).toBeLessThanOrEqual(asked.alpha);
 }

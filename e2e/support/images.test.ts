@@ -8,10 +8,17 @@ const grey = (...values: number[]): FloatImage => ({
 });
 
 describe('compareImages', () => {
-  it('finds equal images equal, whatever their alpha', () => {
+  it('finds equal images equal', () => {
+    const equal = { largest: 0, psnr: Infinity, share: 0, alpha: 0 };
+    expect(compareImages(grey(0.2, 0.5), grey(0.2, 0.5))).toEqual(equal);
+  });
+
+  it('tells of alpha apart from colour, and counts its pixels', () => {
     const other = grey(0.2, 0.5);
-    other.data = [0.2, 0.2, 0.2, 0, 0.5, 0.5, 0.5, 0.5];
-    expect(compareImages(grey(0.2, 0.5), other)).toEqual({ largest: 0, psnr: Infinity, share: 0 });
+    other.data = [0.2, 0.2, 0.2, 1 - 1e-3, 0.5, 0.5, 0.5, 0.5];
+    expect(compareImages(grey(0.2, 0.5), other)).toEqual({ largest: 0, psnr: Infinity, share: 0.5, alpha: 0.5 });
+    other.data = [0.2, 0.2, 0.2, 1, 0.5, 0.5, 0.5, Number.NaN];
+    expect(compareImages(grey(0.2, 0.5), other)).toMatchObject({ psnr: Infinity, share: 0.5, alpha: Infinity });
   });
 
   it('gives the PSNR of a known error', () => {
@@ -30,7 +37,11 @@ describe('compareImages', () => {
   });
 
   it('takes light that is infinite in both for equal, in one for the largest error', () => {
-    expect(compareImages(grey(0.5, Infinity), grey(0.5, Infinity))).toEqual({ largest: 0, psnr: Infinity, share: 0 });
+    expect(compareImages(grey(0.5, Infinity), grey(0.5, Infinity))).toMatchObject({
+      largest: 0,
+      psnr: Infinity,
+      share: 0,
+    });
     expect(compareImages(grey(0.5, Infinity), grey(0.5, 0.7))).toMatchObject({ largest: Infinity, share: 0.5 });
     expect(compareImages(grey(Number.NaN), grey(Number.NaN))).toMatchObject({ largest: Infinity, share: 1 });
   });

@@ -12,8 +12,16 @@ export interface Difference {
   largest: number;
   /** Peak signal-to-noise ratio after sRGB encoding, peak 1 (dB); Infinity when equal. */
   psnr: number;
-  /** Share of pixels, 0 to 1, with a channel off by more than `steps`/255 after sRGB encoding. */
+  /** Share of pixels, 0 to 1, with a channel off by more than `steps`/255 after sRGB encoding, or alpha by as much. */
   share: number;
+  /** Largest absolute difference of alpha. Infinity as in `largest`. */
+  alpha: number;
+}
+
+/** A difference in words, for messages. */
+export function figuresOf({ largest, psnr, share, alpha }: Difference): string {
+  const off = `${(share * 100).toFixed(3)}% off by more than 2/255`;
+  return `largest ${largest.toExponential(2)}, ${psnr.toFixed(1)} dB, ${off}, alpha ${alpha.toExponential(2)}`;
 }
 
 /** The sRGB transfer function, input clamped to 0..1. @see IEC 61966-2-1 */
@@ -24,7 +32,7 @@ export function encodeSRGB(linear: number): number {
 }
 
 /**
- * Compares red, green and blue of two images; alpha is left out.
+ * Compares red, green and blue of two images, and alpha by figures of its own.
  *
  * @param steps how many 1/255 a pixel may be off before it counts in `share`; default 2
  * @throws RangeError when the sizes differ
@@ -34,23 +42,33 @@ export function compareImages(a: FloatImage, b: FloatImage, steps = 2): Differen
     throw new RangeError(`Images of ${a.width}×${a.height} and ${b.width}×${b.height} cannot be compared.`);
   }
   let largest = 0;
+  let alpha = 0;
   let squares = 0;
   let off = 0;
   for (let pixel = 0; pixel < a.data.length; pixel += 4) {
     let worst = 0;
     for (let channel = pixel; channel < pixel + 3; channel++) {
-      // infinite in both: light beyond what the shader or target can hold, in stock three's picture too
-      if (a.data[channel] === b.data[channel]) continue;
-      const linear = Math.abs(a.data[channel] - b.data[channel]);
-      largest = Math.max(largest, Number.isNaN(linear) ? Infinity : linear);
+      const linear = distance(a.data[channel], b.data[channel]);
+      if (linear === 0) continue;
+      largest = Math.max(largest, linear);
       const encoded = Math.abs(encodeSRGB(a.data[channel]) - encodeSRGB(b.data[channel]));
       squares += encoded * encoded;
-      worst = Math.max(worst, Number.isNaN(linear) ? Infinity : encoded);
+      worst = Math.max(worst, linear === Infinity ? Infinity : encoded);
     }
-    if (worst > (steps + 1e-6) / 255) off++;
+    const difference = distance(a.data[pixel + 3], b.data[pixel + 3]);
+    alpha = Math.max(alpha, difference);
+    if (Math.max(worst, difference) > (steps + 1e-6) / 255) off++;
   }
   const pixels = a.data.length / 4;
-  return { largest, psnr: squares === 0 ? Infinity : -10 * Math.log10(squares / (pixels * 3)), share: off / pixels };
+  const psnr = squares === 0 ? Infinity : -10 * Math.log10(squares / (pixels * 3));
+  return { largest, psnr, share: off / pixels, alpha };
+}
+
+/** Infinite in both is no difference: light beyond what the shader or target can hold, in stock three's picture too. */
+function distance(a: number, b: number): number {
+  if (a === b) return 0;
+  const difference = Math.abs(a - b);
+  return Number.isNaN(difference) ? Infinity : difference;
 }
 
 /**

@@ -35,7 +35,13 @@ export function addSheetLights(scene: THREE.Scene, width: number, height: number
   }
 }
 
-/** Many cases in one picture, each in its cell before a wall, so that a renderer is asked once for all of them. */
+/** What the sheet's target is to be cleared to: the upper part of each cell is seen through. */
+export const CLEAR = { color: 0x203040, alpha: 0.5 } as const;
+
+/**
+ * Many cases in one picture, each in its cell, so that a renderer is asked once for all of them: before a wall in its lower
+ * part, before nothing above.
+ */
 export class Sheet {
   readonly scene = new THREE.Scene();
   readonly camera: THREE.PerspectiveCamera;
@@ -49,17 +55,16 @@ export class Sheet {
     this.width = width;
     this.height = height;
     const { scene } = this;
-    scene.background = new THREE.Color(0x203040);
     scene.environment = kit.environment;
     scene.environmentIntensity = 0.4;
     scene.environmentRotation.set(0.2, 0.7, 0);
-    const wall = new THREE.Mesh(
-      new THREE.PlaneGeometry(columns * SIDE * 1.2, rows * SIDE * 1.2),
-      new THREE.MeshStandardMaterial({ color: 0x777777, roughness: 0.8 }),
-    );
-    wall.position.z = -1;
-    wall.name = 'wall';
-    scene.add(wall);
+    const geometry = new THREE.PlaneGeometry(columns * SIDE * 1.2, SIDE * 0.65);
+    const grey = new THREE.MeshStandardMaterial({ color: 0x777777, roughness: 0.8 });
+    for (let row = 0; row < rows; row++) {
+      const wall = new THREE.Mesh(geometry, grey);
+      wall.position.set(0, rows - (row + 0.65) * SIDE, -1);
+      scene.add(wall);
+    }
     this.names.forEach((name, i) => {
       const cell = new THREE.Group();
       cell.position.set(((i % columns) + 0.5) * SIDE - columns, rows - (Math.floor(i / columns) + 0.5) * SIDE, 0);

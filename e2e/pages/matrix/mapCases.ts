@@ -1,6 +1,6 @@
 import * as THREE from 'three';
 import type { Cases } from './Case';
-import { colourMap, greyMap, holes, normalMap, objectNormalMap } from './textures';
+import { brightMap, colourMap, greyMap, holes, normalMap, objectNormalMap } from './textures';
 
 const { MeshStandardMaterial: Standard } = THREE;
 const sphere = new THREE.SphereGeometry(0.65, 32, 24);
@@ -57,6 +57,7 @@ export const mapCases: Cases = {
   'specular map': () => on(new THREE.MeshPhongMaterial({ specularMap: greyMap(), specular: 0xffffff, shininess: 25 })),
   'emissive map': () =>
     on(new Standard({ emissiveMap: colourMap(), emissive: 0x884400, emissiveIntensity: 2, roughness: 0.5 })),
+  'map of values above 1': () => on(new Standard({ map: brightMap(), roughness: 0.8 })),
   'map, shifted and turned': () => {
     const map = colourMap();
     map.repeat.set(2, 3);

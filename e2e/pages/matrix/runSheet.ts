@@ -10,7 +10,7 @@ import { mapCases } from './mapCases';
 import { materialCases } from './materialCases';
 import { orderCases } from './orderCases';
 import { lightShaderCases, shaderCases } from './shaderCases';
-import { Sheet, sheetSize } from './Sheet';
+import { CLEAR, Sheet, sheetSize } from './Sheet';
 
 export const sheets = {
   materials: materialCases,
@@ -44,6 +44,7 @@ let sharedBench: Bench | null = null;
 function makeBench(): Bench {
   const made = new Bench(1, 1, { target: { stencilBuffer: true }, renderer: { stencil: true } });
   made.webgl.localClippingEnabled = true;
+  made.webgl.setClearColor(CLEAR.color, CLEAR.alpha);
   made.farol.inferredScale = 1;
   return made;
 }

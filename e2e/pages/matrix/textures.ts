@@ -28,6 +28,14 @@ const wave = (t: number) => 0.5 + 0.5 * Math.sin(t * Math.PI * 4);
 
 export const colourMap = () =>
   smoothTexture((u, v) => [0.4 + 0.6 * wave(u), 0.5 + 0.5 * wave(v), 0.7, 1], THREE.SRGBColorSpace);
+/** Half floats from 0 to 3. */
+export const brightMap = () => {
+  const values = [0.2, 3, 1.5, 0.7].flatMap((value) => [value, 3 - value, 0.5, 1].map(THREE.DataUtils.toHalfFloat));
+  const texture = new THREE.DataTexture(Uint16Array.from(values), 2, 2, THREE.RGBAFormat, THREE.HalfFloatType);
+  texture.magFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+};
 export const greyMap = () =>
   smoothTexture((u, v) => [0.4 + 0.5 * wave(u), 0.4 + 0.5 * wave(v), 0.3 + 0.6 * wave(u + v), 1]);
 /** Alpha and green from 0 to 1, for alpha maps and tests. */

@@ -9,5 +9,5 @@ layout(location = 0) out highp vec4 farol_color;
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 farol_color = texelFetch(farol_picture, pixel, 0);
-if (farol_encode) farol_color.rgb = farol_toDisplay(farol_color.rgb);
+if (farol_encode) farol_color = farol_toDisplay(farol_color);
 gl_FragDepth = texelFetch(farol_pictureDepth, pixel, 0).r;

@@ -1,4 +1,12 @@
-import { type BufferGeometry, type Camera, Material, Object3D, type ShaderMaterial, Sphere } from 'three';
+import {
+  type BatchedMesh,
+  type BufferGeometry,
+  type Camera,
+  Material,
+  Object3D,
+  type ShaderMaterial,
+  Sphere,
+} from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -39,10 +47,23 @@ export function hasOwnShader(material: Material): boolean {
 const reach = new Sphere();
 const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
-/** Whether the host's code runs when an object is drawn: it may clear depth, for what has a place in the order of draws. */
-function isStepOfHost(object: Object3D): boolean {
-  if ((object as Object3D & { isBatchedMesh?: boolean }).isBatchedMesh) return false; // three's own
-  return object.onBeforeRender !== onBeforeRender || object.onAfterRender !== onAfterRender;
+const clearing = new WeakMap<object, boolean>();
+
+/** Whether a callback's own text clears depth, and not colour. */
+function clears(callback: (...all: never[]) => void): boolean {
+  let known = clearing.get(callback);
+  if (known === undefined) clearing.set(callback, (known = /clear(Depth\(|\((false|!1),)/.test(String(callback))));
+  return known;
+}
+
+/**
+ * Whether the host's code, run when an object is drawn, may clear depth: by its text, and that of whatever has a place in the
+ * order of draws.
+ */
+function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
+  const { onBeforeRender: before, onAfterRender: after } = object;
+  if ((before === onBeforeRender && after === onAfterRender) || (object as BatchedMesh).isBatchedMesh) return false; // three's own
+  return hasPlace || clears(before) || clears(after);
 }
 
 /** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
@@ -135,7 +156,7 @@ export class RenderQueue {
     item.ownShader = ownShader;
     if (ownShader && !item.lit && !item.nodes && (material as ShaderMaterial).lights === true)
       this.refused.look(material as ShaderMaterial);
-    const isStep = (groupOrder !== 0 || object.renderOrder !== 0) && isStepOfHost(object);
+    const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
     item.plain = list === this.opaque && isPlainOpaque(material) && !isStep;
     item.ordered = list === this.opaque && !item.plain && (isStep || isOrderSensitive(material));
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;

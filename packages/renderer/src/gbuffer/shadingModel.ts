@@ -1,5 +1,5 @@
-import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial } from 'three';
-import { LessEqualDepth, NoBlending, NormalBlending } from 'three';
+import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial, Texture } from 'three';
+import { FloatType, HalfFloatType, LessEqualDepth, NoBlending, NormalBlending } from 'three';
 import { type ShadingModel, shadingModels, surfaceFlags } from './surfaceFlags';
 
 type AnyMaterial = Material & {
@@ -9,6 +9,7 @@ type AnyMaterial = Material & {
   isMeshPhongMaterial?: boolean;
   fog?: boolean;
   color?: Color;
+  map?: Texture | null;
   combine?: number;
   envMap?: unknown;
 };
@@ -49,7 +50,7 @@ export function isOrderSensitive(material: Material): boolean {
  */
 export function shadingModelOf(material: Material): ShadingModel | null {
   const m = material as AnyMaterial;
-  if (m.color !== undefined && exceedsOne(m.color)) return null;
+  if ((m.color !== undefined && exceedsOne(m.color)) || isOfFloats(m.map)) return null;
   if (m.isMeshStandardMaterial)
     return m.isMeshPhysicalMaterial && !isPlainPhysical(m as MeshPhysicalMaterial) ? null : 'standard';
   if (m.isMeshPhongMaterial) return m.envMap || exceedsOne((m as MeshPhongMaterial).specular) ? null : 'phong';
@@ -64,6 +65,11 @@ export function flagsOf(material: Material, model: ShadingModel): number {
     ((material as AnyMaterial).fog === false ? 0 : surfaceFlags.hasFog) +
     (material.toneMapped ? surfaceFlags.isToneMapped : 0)
   );
+}
+
+/** Such a map may give more than 1, as that of a mirror's target. */
+function isOfFloats(map?: Texture | null): boolean {
+  return map?.type === HalfFloatType || map?.type === FloatType;
 }
 
 function exceedsOne(color: Color): boolean {

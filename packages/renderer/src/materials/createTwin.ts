@@ -10,6 +10,7 @@ import { withHostUniforms } from './hostUniforms';
 import type { MicroShaderRegistry } from '../microshaders';
 import { shadingOf } from './shadingOf';
 import { inFullPrecision } from '../three/inFullPrecision';
+import { standInOf } from '../three/standInOf';
 import { surfacesOf } from './surfacesOf';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
@@ -38,7 +39,7 @@ const NOTHING = () => undefined;
  * A twin inherits every property of its source, live, and has programs of its own. Nothing is written to the source.
  */
 export function createTwin(source: Material, kind: TwinKind, context: TwinContext): Material {
-  const twin = Object.create(source) as Material;
+  const twin = standInOf(source, BaseMaterial.prototype);
   const chunks = kind.chunks(source);
   const registry = context.microshaders as MicroShaderRegistry;
   const version = () =>
@@ -78,6 +79,8 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     }),
     flatShading: { get: () => shadingOf(source) === 'flat' || (source as MeshPhongMaterial).flatShading },
     _listeners: { value: undefined, writable: true },
+    // the source lets go of what is its own
+    dispose: { value: BaseMaterial.prototype.dispose },
     customProgramCacheKey: { value: customProgramCacheKey },
     onBeforeCompile: { value: onBeforeCompile },
     // what a kind computes, it computes at each draw

@@ -4,6 +4,7 @@ import { hasNodes } from './hasNodes';
 import type { RenderItem } from '../frame/RenderItem';
 import type { RenderList, RenderLists } from './RenderList';
 import type { RenderQueue } from '../frame/RenderQueue';
+import { standInOf } from './standInOf';
 
 /** What is drawn: a `Frame`. */
 interface DrawnFrame {
@@ -76,7 +77,7 @@ export class NodeDraws {
     let known = this.views.get(source);
     if (known?.lists === lists) return known;
     const isScene = source.isScene === true;
-    const view = isScene ? (Object.create(source) as Scene) : new Object3D();
+    const view = isScene ? standInOf(source, Object3D.prototype) : new Object3D();
     const own = {
       matrixWorldAutoUpdate: false,
       onBeforeRender: NOTHING,

@@ -14,6 +14,7 @@ import type { RenderList, RenderLists } from './RenderList';
 import type { RenderQueue } from '../frame/RenderQueue';
 import type { Fills } from '../frame/Fills';
 import type { ShadowMapCalls } from '../lazy/shadows/draw/ShadowMapCalls';
+import { standInOf } from './standInOf';
 import { TechniqueChooser } from '../techniques/TechniqueChooser';
 
 /** Maps to be drawn inside three's `render`, and proxies of casters that the camera may not see. */
@@ -73,7 +74,7 @@ export class SceneView {
   ) {
     const scene = source as Scene;
     if (scene.isScene === true) {
-      this.view = Object.create(scene) as Scene;
+      this.view = standInOf(scene, Object3D.prototype);
       // called by FarolRenderer, before lights are collected
       this.own('onBeforeRender', NOTHING);
       this.own('onAfterRender', NOTHING);

@@ -1,4 +1,4 @@
-import { type Camera, Matrix4, type Object3D, type PerspectiveCamera, type Texture, Vector2, Vector4 } from 'three';
+import { Camera, Matrix4, type Object3D, type PerspectiveCamera, type Texture, Vector2, Vector4 } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import displayTransfer from '../displayTransfer.glsl?raw';
@@ -16,6 +16,7 @@ import taaDepth from './taaDepth.glsl?raw';
 import taaNear from './taaNear.glsl?raw';
 import taaPicture from './taaPicture.glsl?raw';
 import taaResolve from './taaResolve.glsl?raw';
+import { standInOf } from '../../three/standInOf';
 import { TemporalHistory } from './TemporalHistory';
 import { contextLists } from '../../three/contextLists';
 
@@ -298,7 +299,7 @@ export class TAA implements FarolEffect {
   private viewOf(camera: Camera): Camera {
     let view = this.views.get(camera);
     if (view === undefined) {
-      view = Object.create(camera) as Camera;
+      view = standInOf(camera, Camera.prototype);
       for (const name of ['projectionMatrix', 'projectionMatrixInverse'] as const) {
         Object.defineProperty(view, name, { value: new Matrix4(), writable: true, configurable: true });
       }

@@ -4,7 +4,8 @@
 //? farol_lanczos(1.0) == 0.0
 //? farol_lanczos(-1.5) == -0.135094912
 float farol_lanczos(const in float x) {
-  float a = 3.14159265 * max(abs(x), 1e-4);
+  float a = 3.14159265 * abs(x);
+  if (a < 0.1) return 1.0 - a * a * (5.0 / 27.0); // sines of so little are of few digits
   return 3.0 * sin(a) * sin(a / 3.0) / (a * a);
 }
 

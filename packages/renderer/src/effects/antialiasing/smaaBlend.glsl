@@ -8,8 +8,7 @@ layout(location = 0) out highp vec4 farol_color;
 
 vec4 farol_linearAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), textureSize(farol_picture, 0) - 1), 0);
-  if (farol_encoded) color.rgb = farol_toLinear(color.rgb);
-  return color;
+  return farol_encoded ? farol_toLinear(color) : color;
 }
 
 vec4 farol_weightsAt(const in ivec2 pixel) {

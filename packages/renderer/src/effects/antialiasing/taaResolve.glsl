@@ -40,39 +40,38 @@ float farol_reactiveAt(const in highp sampler2D mask, const in ivec2 pixel) {
 
 vec4 farol_pictureAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, farol_inPicture(pixel), 0);
-  if (farol_encoded) color.rgb = farol_toLinear(color.rgb);
-  return color;
+  return farol_encoded ? farol_toLinear(color) : color;
 }
 
-vec3 farol_toYCoCg(const in vec3 c) {
-  return vec3(0.25 * (c.r + c.b) + 0.5 * c.g, 0.5 * (c.r - c.b), 0.5 * c.g - 0.25 * (c.r + c.b));
+vec4 farol_toYCoCg(const in vec4 c) {
+  return vec4(0.25 * (c.r + c.b) + 0.5 * c.g, 0.5 * (c.r - c.b), 0.5 * c.g - 0.25 * (c.r + c.b), c.a);
 }
 
-vec3 farol_fromYCoCg(const in vec3 c) {
+vec4 farol_fromYCoCg(const in vec4 c) {
   float t = c.x - c.z;
-  return vec3(t + c.y, c.x + c.z, t - c.y);
+  return vec4(t + c.y, c.x + c.z, t - c.y, c.a);
 }
 
 // clipped to so many standard deviations of a sample and the four beside it
-vec3 farol_likeNow(const in vec3 past, const in ivec2 pixel, const in float gamma) {
-  vec3 sum = vec3(0.0);
-  vec3 squares = vec3(0.0);
+vec4 farol_likeNow(const in vec4 past, const in ivec2 pixel, const in float gamma) {
+  vec4 sum = vec4(0.0);
+  vec4 squares = vec4(0.0);
   for (int i = 0; i < 5; i++) {
     ivec2 off = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
-    vec3 c = farol_toYCoCg(farol_pictureAt(pixel + off).rgb);
+    vec4 c = farol_toYCoCg(farol_pictureAt(pixel + off));
     sum += c;
     squares += c * c;
   }
-  vec3 mean = sum / 5.0;
-  vec3 reach = gamma * sqrt(max(squares / 5.0 - mean * mean, 0.0));
-  vec3 off = farol_toYCoCg(past) - mean;
-  vec3 ratio = abs(off) / max(reach, 1e-5);
-  return farol_fromYCoCg(mean + off / max(max(ratio.x, max(ratio.y, ratio.z)), 1.0));
+  vec4 mean = sum / 5.0;
+  vec4 reach = gamma * sqrt(max(squares / 5.0 - mean * mean, 0.0));
+  vec4 off = farol_toYCoCg(past) - mean;
+  vec4 ratio = abs(off) / max(reach, 1e-5);
+  return farol_fromYCoCg(mean + off / max(max(max(ratio.x, ratio.y), max(ratio.z, ratio.w)), 1.0));
 }
 
 // nearer to the mixtures of two colours, which are all that an edge between them can show
-vec3 farol_between(const in vec3 past, const in vec3 one, const in vec3 other) {
-  vec3 way = other - one;
+vec4 farol_between(const in vec4 past, const in vec4 one, const in vec4 other) {
+  vec4 way = other - one;
   return mix(past, one + way * clamp(dot(past - one, way) / max(dot(way, way), 1e-6), 0.0, 1.0), 0.5);
 }
 
@@ -126,7 +125,7 @@ else if (farol_hasPast) {
       && length((farol_wayAt(place / size, before) - way.xy) * size) < FAROL_ALONG;
     bool believed = stays || missed || (farol_belief > 0 && edge && same);
     if (!believed || farol_belief < 2)
-      past.rgb = farol_likeNow(past.rgb, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
+      past = farol_likeNow(past, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float reactive = farol_isReactive.x > 0 ? farol_reactiveAt(farol_reactive, own) : 0.0;
     if (farol_isReactive.y > 0) reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * size)));
     float share = weight * (still ? farol_share.y : farol_share.x);
@@ -134,7 +133,7 @@ else if (farol_hasPast) {
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));
     if (beside) {
       float passes = length((way.xy - ownWay.xy) * size);
-      if (passes > FAROL_PASSES) past.rgb = farol_between(past.rgb, farol_color.rgb, farol_pictureAt(shown).rgb);
+      if (passes > FAROL_PASSES) past = farol_between(past, farol_color, farol_pictureAt(shown));
       if (passes > 0.3 * FAROL_PASSES) share = max(share, farol_share.x * pow(weight, 0.7));
     }
     share = max(share, reactive);

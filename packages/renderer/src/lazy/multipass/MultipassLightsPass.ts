@@ -24,6 +24,7 @@ import { projectedSphereBounds } from '../../lights/projectedSphereBounds';
 import { additiveTwin, baseTwin, fieldTwin, lightMark } from './multipassTwins';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { Pass } from '../../frame/Pass';
+import { isDrawnAsCanvas } from '../../three/drawnAsCanvas';
 import { setScissor, testScissor, unmaskStencil } from '../../three/state';
 
 const rectangle = new Float64Array(4);
@@ -59,10 +60,16 @@ export class MultipassLightsPass implements Pass {
   }
 
   render(frame: Frame): void {
-    this.fogged = frame.target !== null;
-    this.prepareTarget(frame);
+    this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
     this.items.length = 0;
-    this.drawLights(frame);
+    // of the frame that this one is drawn inside of, by a callback
+    const mark = lightMark.value;
+    try {
+      this.prepareTarget(frame);
+      this.drawLights(frame);
+    } finally {
+      lightMark.value = mark;
+    }
     const { texture, depthTexture, samples } = this.target!;
     if (samples > 0) frame.resolve(this.target!);
     if (this.result?.texture !== texture || this.result.hasFog !== this.fogged)

@@ -1,4 +1,5 @@
-import { Layers, type Object3D } from 'three';
+import { Layers, Object3D } from 'three';
+import { standInOf } from '../../../three/standInOf';
 
 const allLayers = new Layers();
 allLayers.enableAll();
@@ -8,7 +9,7 @@ allLayers.enableAll();
  * not see the caster. `isFarolProxy` marks the proxy, so that it is not drawn.
  */
 export function casterProxy(object: Object3D): Object3D {
-  const proxy = Object.create(object) as Object3D;
+  const proxy = standInOf(object, Object3D.prototype);
   const own = (name: string, value: unknown) =>
     Object.defineProperty(proxy, name, { value, writable: true, configurable: true });
   own('children', []);

@@ -2,7 +2,7 @@ import {
   type Camera,
   Frustum,
   type LightShadow,
-  type Object3D,
+  Object3D,
   Matrix4,
   OrthographicCamera,
   type PointLight,
@@ -24,6 +24,7 @@ import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
 import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
 import { MATTERING_RANGE } from './sufficientDetail';
 import { setReversedDepth } from '../../../three/reversedDepth';
+import { standInOf } from '../../../three/standInOf';
 import { SHADOW_FRUSTUM } from '../../../three/shadowFrustum';
 
 /** How far across a face a sample of the filter lies at most (radii): the disk is slanted at the face's corners. */
@@ -117,8 +118,8 @@ export class ShadowSlot implements AtlasTenant {
     this.isCube = light.isPointLight === true;
     const shadow = light.shadow as unknown as PrivateLightShadow;
     this.shadow = shadow;
-    this.own = Object.create(shadow) as PrivateLightShadow;
-    this.endless = Object.create(light, { distance: { value: 0 } }) as ShadowLight;
+    this.own = standInOf(shadow, Object.prototype);
+    this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
     const camera = shadow.camera.clone();
     // the host need not have done so: three does it with the first map
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
