@@ -40,6 +40,8 @@ export const engine: MessageTable = {
   'it needs {file}: choose both files together.': 'necesita {file}: hay que elegir los dos archivos juntos.',
   'it cannot be decoded: convert it to MP3, Ogg or WAV.':
     'no se puede decodificar: hay que convertirlo a MP3, Ogg o WAV.',
+  'it would take {memory} MB once it is decoded ({minutes} minutes), and {limit} MB is the limit: make it shorter.':
+    'ocuparía {memory} MB una vez decodificado ({minutes} minutos), y {limit} MB es el límite: hay que acortarlo.',
   'it has no vertices: it is no OBJ file, or an empty one. Export it again.':
     'no tiene vértices: no es un archivo OBJ, o está vacío. Hay que exportarlo de nuevo.',
   'it has no triangles: it is no STL file, or an empty one.':
