@@ -35,6 +35,7 @@ const damaged = (reason: string, cause?: unknown): never =>
 /** The list at the end of a ZIP. */
 function readEntries(view: DataView<ArrayBuffer>): Entry[] {
   const size = view.byteLength;
+  if (size < END_SIZE) damaged('its end is not there');
   const first = Math.max(0, size - END_SIZE - LONGEST_COMMENT);
   let end = size - END_SIZE;
   while (end >= first && view.getUint32(end, true) !== END) end--;
@@ -77,7 +78,6 @@ export async function readZip(
   bytes: Uint8Array<ArrayBuffer>,
   mayUnpack?: MayUnpack,
 ): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
-  if (bytes.length < END_SIZE) damaged('its end is not there');
   const entries = readEntries(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength));
   const files = new Map<string, Uint8Array<ArrayBuffer>>();
   let packed = 0;
@@ -108,4 +108,16 @@ export async function readZip(
     files.set(name, data);
   }
   return files;
+}
+
+/** Whether bytes are a ZIP with a file of this path; it is not unpacked. */
+export function isInZip(bytes: Uint8Array<ArrayBuffer>, path: string): boolean {
+  try {
+    return readEntries(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)).some(
+      ({ name }) => name === path,
+    );
+  } catch {
+    // what is wrong with it is told by who unpacks it
+    return false;
+  }
 }

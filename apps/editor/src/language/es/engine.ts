@@ -21,6 +21,8 @@ export const engine: MessageTable = {
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
   'its bytes are no PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',
+  'its bytes are {format}, not {wanted}: was another file renamed?':
+    'sus bytes son {format}, no {wanted}: ¿se cambió el nombre de otro archivo?',
   'it begins as {format}, and is damaged or cut short': 'empieza como {format}, y está dañado o cortado',
   'its glTF data are damaged or cut short ({reason}): export it again.':
     'sus datos glTF están dañados o cortados ({reason}): hay que exportarlo de nuevo.',
