@@ -1,17 +1,27 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
-import type { FileMap } from '@farol/engine/files';
+import { t } from '@farol/editing';
+import { type FileMap, isContainer } from '@farol/engine/files';
+import { shortText } from '@farol/renderer';
 import type { DraggedAsset } from './dragAsset';
 import { importFiles, importOnly, isImportable } from './importFiles';
 import { pointInPicture } from './landInPicture';
 import { type DropPlace, placeAsset } from './placeAsset';
 
-/** The scene among files: a `.farol`, or a `.json` beside nothing that can be imported, as many models have one. */
-export function sceneAmong(files: FileMap): File | null {
+/**
+ * The scene among files: a `.farol`, one that is called `.zip`, as some programs do, or a `.json` beside nothing that can be
+ * imported, as many models have one.
+ */
+export async function sceneAmong(files: FileMap): Promise<File | null> {
   const paths = [...files.keys()];
   const isPlain = !paths.some((path) => isImportable(path));
   const path = paths.find((each) => /\.farol$/i.test(each)) ?? paths.find((each) => isPlain && /\.json$/i.test(each));
-  return path === undefined ? null : files.get(path)!;
+  if (path !== undefined) return files.get(path)!;
+  for (const [each, file] of files) {
+    if (/\.zip$/i.test(each) && isContainer(new Uint8Array(await file.arrayBuffer())))
+      return new File([file], file.name.replace(/\.zip$/i, '.farol'));
+  }
+  return null;
 }
 
 /** What was dropped: an asset of the editor's, or files. */
@@ -40,9 +50,10 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
     if (target.kind !== 'elsewhere') await placeAsset(editor, asset, placeOf(editor, target));
     return;
   }
-  const scene = sceneAmong(files);
+  const scene = await sceneAmong(files);
   if (scene) {
-    await editor.openFileBytes(new Uint8Array(await scene.arrayBuffer()), { name: scene.name, handle: null });
+    const bytes = new Uint8Array(await scene.arrayBuffer());
+    if (await editor.openFileBytes(bytes, { name: scene.name, handle: null })) tellLeftOut(editor, scene, files);
     return;
   }
   const place = placeOf(editor, target);
@@ -52,4 +63,19 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
   }
   const { names } = await importFiles(editor, files);
   for (const name of names) await placeAsset(editor, { kind: editor.document.assets.typeOf(name)!, name }, place);
+}
+
+/** Names what came with a scene and was not taken. */
+function tellLeftOut(editor: EditorApi, scene: File, files: FileMap): void {
+  const left = [...files.values()]
+    .map(({ name }) => name)
+    .filter((name) => name !== scene.name && name.replace(/\.zip$/i, '.farol') !== scene.name)
+    .map((name) => shortText(name, 80));
+  if (left.length === 0) return;
+  const names = left.slice(0, 4).join(', ') + (left.length > 4 ? ', …' : '');
+  const text = t('{scene} was opened by itself, without {names}: drop these again.', {
+    scene: shortText(scene.name, 80),
+    names,
+  });
+  editor.notices.show('warning', text);
 }

@@ -95,3 +95,49 @@ test('many files of one size, of which none is there, and of one name are taken 
   expect(read.mock.calls.length).toBeLessThan(count * 4);
   read.mockRestore();
 });
+
+/** What is said of files that are imported. */
+async function saidOf(files: Record<string, BlobPart>): Promise<string[]> {
+  const { editor, document, notices } = editorOf();
+  document.onAssetFailed = ({ message }) => notices.show('error', message);
+  const map = new Map(Object.entries(files).map(([path, content]) => [path, new File([content], path)]));
+  const error = await importFiles(editor, map).then(
+    () => [],
+    ({ message }: Error) => [message],
+  );
+  return [...notices.current.map(({ text }) => text), ...error];
+}
+
+test.each(['glb', 'gltf', 'fbx', 'obj', 'stl', 'ply', 'png', 'hdr', 'exr', 'ktx2', 'wav', 'ies', 'cube', 'bake'])(
+  'an empty .%s is told once, as that',
+  async (ending) => {
+    const name = `a.${ending}`;
+    expect(await saidOf({ [name]: '' })).toEqual([`${name} cannot be imported: the file is empty: choose it again.`]);
+  },
+);
+
+test('pictures of another ending are told as what they are', async () => {
+  const png = new Uint8Array([0x89, ...new TextEncoder().encode('PNG\r\n\x1a\nand more')]);
+  for (const name of ['a.glb', 'a.gltf'])
+    expect(await saidOf({ [name]: png })).toEqual([
+      `${name} cannot be imported: its bytes are PNG, not glTF: was another file renamed?`,
+    ]);
+  expect(await saidOf({ 'a.fbx': png })).toEqual([
+    'a.fbx cannot be imported: its bytes are PNG, not FBX: was another file renamed?',
+  ]);
+  expect(await saidOf({ 'a.png': 'glTF' })).toEqual([
+    'a.png cannot be imported: its bytes are no PNG, JPEG or WebP: was another file renamed?',
+  ]);
+});
+
+test('nothing to import is told, and so is what was left out', async () => {
+  const nothing = ['There is nothing to import: the folder or ZIP is empty.'];
+  expect(await saidOf({})).toEqual(nothing);
+  const end = new Uint8Array(22);
+  end.set([0x50, 0x4b, 5, 6]);
+  expect(await saidOf({ 'empty.zip': end })).toEqual(nothing);
+  const [left] = await saidOf({ 'a.ply': ply, 'photo.psd': 'x', 'film.mp4': 'x' });
+  expect(left).toMatch(/^photo\.psd, film\.mp4 were left out: only \.glb/);
+  // what lies in a folder beside models is none of anybody's business
+  expect(await saidOf({ 'rock/a.ply': ply, 'rock/license.txt': 'x' })).toEqual([]);
+});

@@ -103,7 +103,7 @@ export interface ImportResult {
  * nothing has changed
  */
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
-  const [first] = files.keys();
+  const [first = ''] = files.keys();
   const title =
     files.size === 1
       ? t('Reading {name}', { name: told(nameIn(first)) })
@@ -111,6 +111,7 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
   const problems: string[] = [];
   return withProgress(editor.dialogs, title, async (signal) => {
     const all = await expandZips(files, editor.mayUnpack, (problem) => problems.push(problem));
+    if (all.size + problems.length === 0) throw new Error(t('There is nothing to import: the folder or ZIP is empty.'));
     return importAll(editor, all, problems, signal);
   });
 }
@@ -155,6 +156,7 @@ async function importAll(
     }
     const name = freeName(fileName);
     assets.registerFile(name, blob);
+    editor.document.toldElsewhere.add(name);
     try {
       await assets.load(name, signal);
       if (assets.typeOf(name) === 'sound') await assets.sound(name).decode();
@@ -172,6 +174,8 @@ async function importAll(
           reason: error instanceof AssetError && cause instanceof Error ? cause.message : (error as Error).message,
         }),
       );
+    } finally {
+      editor.document.toldElsewhere.delete(name);
     }
   };
   const takeAll = async (): Promise<void> => {
@@ -221,6 +225,10 @@ async function importAll(
       ),
     );
   }
+  const scene = unknown.find((path) => /\.farol$/i.test(path));
+  if (scene !== undefined) {
+    problems.push(t('{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.', { path: told(scene) }));
+  }
   if (unknown.length > 0 && names.length + problems.length === 0) {
     throw new Error(
       t('{names} cannot be imported: only {importable} can.', {
@@ -229,6 +237,15 @@ async function importAll(
       }),
     );
   }
+  // what lies in folders beside models, licences and the like, is left out without a word
+  const leftOut = unknown.filter((path) => path !== scene && !path.includes('/'));
+  if (leftOut.length > 0)
+    notes.push(
+      t('{names} were left out: only {importable} can be imported.', {
+        names: leftOut.slice(0, 4).map(told).join(', '),
+        importable,
+      }),
+    );
   for (const problem of problems) editor.notices.show('error', problem);
   if (notes.length > 0) editor.notices.show('warning', notes.join('\n'));
   return { names, known: knownOnes };

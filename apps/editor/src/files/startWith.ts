@@ -5,7 +5,7 @@ import { dropOn, sceneAmong } from './dropOn';
 
 /** Opens a scene among files; else begins an empty scene with what the files hold, in the middle of the picture. */
 export async function startWith(editor: EditorApi, files: FileMap): Promise<void> {
-  const hasScene = sceneAmong(files) !== null;
+  const hasScene = (await sceneAmong(files)) !== null;
   if (!hasScene) {
     if (!(await editor.mayLoseChanges())) return;
     editor.show(makeEmptyScene(editor.libraryForNext()), { name: null, handle: null });

@@ -38,6 +38,8 @@ export class EditorDocument {
   readonly prefabs = new Signal();
   /** Takes what went wrong while an asset was loaded. */
   onAssetFailed: (error: Error) => void = () => {};
+  /** Assets of which who loads them tells when they fail. */
+  readonly toldElsewhere = new Set<string>();
   /** Hears of every edit of the scene as it is made, previews included. */
   onSceneChange: (change: SceneChange) => void = () => {};
 
@@ -171,7 +173,8 @@ export class EditorDocument {
   private watchAssets(): void {
     this.endAssets();
     this.endAssets = this.assets.onChange((change) => {
-      if (change.kind === 'failed' && change.error) this.onAssetFailed(change.error);
+      if (change.kind === 'failed' && change.error && !this.toldElsewhere.has(change.name))
+        this.onAssetFailed(change.error);
       // of a value of a material the scene tells
       if (change.kind !== 'changed') this.assetsChanged.emit();
       if (change.kind === 'removed') this.dropLostAssets();

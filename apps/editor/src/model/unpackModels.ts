@@ -8,8 +8,8 @@ import {
   type ModelRenderer,
   objectOfPart,
   objectsOfModel,
-  partsText,
   type Scene,
+  subtreeOf,
   type TakenAsset,
   type UnpackOptions,
 } from '@farol/engine';
@@ -36,7 +36,8 @@ const inWords = (found: string): string =>
 export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): string | null {
   const model = assets.model(name);
   const kept = keptTogether(model);
-  const part = parts === '' ? kept[0] : (kept.find(({ nodes }) => partsText(model.scene, nodes) === parts) ?? kept[0]);
+  const [first] = subtreeOf(model.scene, parts)?.nodes ?? [];
+  const part = kept.find(({ nodes }) => nodes.includes(first)) ?? kept[0];
   if (parts === '' && isUnpackable(model, kept)) return null;
   if (parts !== '') name = `${name} (${parts})`;
   const what = part ? inWords(part.reason) : t('parts of a model');

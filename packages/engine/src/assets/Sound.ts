@@ -9,7 +9,7 @@ export class Sound {
   private decoding: Promise<AudioBuffer | null> | null = null;
   private decoded: AudioBuffer | null = null;
 
-  /** @param bytes - MP3, Ogg, WAV, M4A, FLAC, or whatever else the browser decodes */
+  /** @param bytes - MP3, Ogg, WAV, M4A or FLAC, where the browser decodes it */
   constructor(readonly bytes: ArrayBuffer) {}
 
   /** The samples; null before they are decoded. */
@@ -20,7 +20,7 @@ export class Sound {
   /**
    * Decodes the bytes, once.
    * @returns the samples; null where there is no Web Audio, such as in Node
-   * @throws Error (as a rejection) when the browser cannot
+   * @throws Error (as a rejection) when the browser cannot, or when they would take absurd memory
    */
   decode(): Promise<AudioBuffer | null> {
     this.decoding ??= this.read();
@@ -35,6 +35,8 @@ export class Sound {
   private async read(): Promise<AudioBuffer | null> {
     // decodes without a device, and so without a gesture of the user's
     if (typeof OfflineAudioContext === 'undefined') return null;
+    const { checkSound } = await import('./sounds/checkSound');
+    checkSound(this.bytes, RATE);
     const context = new OfflineAudioContext(1, 1, RATE);
     try {
       // what is decoded is taken away: the bytes stay

@@ -6,6 +6,10 @@ export interface ModelSubtree {
   readonly root: Object3D;
   /** The nodes; none is below another one. */
   readonly nodes: readonly Object3D[];
+  /** The same nodes. */
+  readonly tops: ReadonlySet<Object3D>;
+  /** Nodes from the root down to them, with those of their children that lead there. */
+  readonly between: ReadonlyMap<Object3D, readonly Object3D[]>;
 }
 
 const nameOf = (node: Object3D): string => encode(node.name || node.type);
@@ -14,39 +18,78 @@ const nameOf = (node: Object3D): string => encode(node.name || node.type);
 const encode = (name: string): string =>
   name.replaceAll(/[%/;#]/g, (letter) => `%${letter.charCodeAt(0).toString(16)}`);
 
+/** The children of a node by name, and the step that leads to each. */
+interface ChildIndex {
+  readonly names: readonly string[];
+  readonly byName: ReadonlyMap<string, readonly Object3D[]>;
+  readonly steps: ReadonlyMap<Object3D, string>;
+}
+
+/** Of nodes that were asked for: a model stays as it was read, and its parts are many. */
+const indices = new WeakMap<Object3D, ChildIndex>();
+
+function indexOf(parent: Object3D): ChildIndex {
+  const known = indices.get(parent);
+  const { children } = parent;
+  if (known?.names.length === children.length) return known;
+  const names = children.map(nameOf);
+  const byName = new Map<string, Object3D[]>();
+  const steps = new Map<Object3D, string>();
+  children.forEach((child, i) => {
+    const alike = byName.get(names[i]) ?? [];
+    byName.set(names[i], alike);
+    alike.push(child);
+    steps.set(child, alike.length === 1 ? names[i] : `${names[i]}#${alike.length}`);
+  });
+  const index = { names, byName, steps };
+  indices.set(parent, index);
+  return index;
+}
+
 /** A node of a model by names from the top down, 'Arm/Hand'; the second child of a name is 'Hand#2'. */
 export function pathOfNode(scene: Object3D, node: Object3D): string {
   const names: string[] = [];
-  for (let each = node; each !== scene && each.parent; each = each.parent) {
-    const name = nameOf(each);
-    const alike = each.parent.children.filter((other) => nameOf(other) === name);
-    const place = alike.indexOf(each) + 1;
-    names.unshift(place === 1 ? name : `${name}#${place}`);
-  }
-  return names.join('/');
+  for (let each = node; each !== scene && each.parent; each = each.parent)
+    names.push(indexOf(each.parent).steps.get(each)!);
+  return names.toReversed().join('/');
 }
 
 function nodeAt(scene: Object3D, path: string): Object3D | null {
   let node: Object3D = scene;
   for (const step of path.split('/')) {
     const [name, place = '1'] = step.split('#');
-    const found = node.children.filter((each) => nameOf(each) === name).at(Number(place) - 1);
+    const found = indexOf(node)
+      .byName.get(name)
+      ?.at(Number(place) - 1);
     if (!found) return null;
     node = found;
   }
   return node;
 }
 
-export function isWithin(node: Object3D, above: Object3D): boolean {
-  for (let each: Object3D | null = node; each; each = each.parent) if (each === above) return true;
-  return false;
+/** The nearest of a node and those above it that is one of some; null when none is. */
+export function nearestOf(node: Object3D, some: ReadonlySet<Object3D>): Object3D | null {
+  for (let each: Object3D | null = node; each; each = each.parent) if (some.has(each)) return each;
+  return null;
+}
+
+/** Those of some nodes that are below none of the others. */
+export function topsOf(nodes: ReadonlySet<Object3D>): Object3D[] {
+  return [...nodes].filter((node) => !node.parent || nearestOf(node.parent, nodes) === null);
 }
 
 /** The nearest node that is, or is above, all of some. @param nodes - at least one, of one tree */
 export function commonAncestor(nodes: readonly Object3D[]): Object3D {
-  let above = nodes[0];
-  while (!nodes.every((each) => isWithin(each, above))) above = above.parent!;
-  return above;
+  const chain: Object3D[] = [];
+  for (let each: Object3D | null = nodes[0]; each; each = each.parent) chain.push(each);
+  const heights = new Map(chain.map((node, i) => [node, i]));
+  let height = 0;
+  for (const node of nodes) {
+    let each = node;
+    while (!heights.has(each)) each = each.parent!;
+    height = Math.max(height, heights.get(each)!);
+  }
+  return chain[height];
 }
 
 /** Paths of nodes as one text, 'Arm/Hand;Head'. */
@@ -63,10 +106,26 @@ export function subtreeOf(scene: Object3D, parts: string): ModelSubtree | null {
     const node = path === '' ? null : nodeAt(scene, path);
     if (node && node !== scene) found.add(node);
   }
-  const nodes = [...found].filter((node) => ![...found].some((other) => other !== node && isWithin(node, other)));
-  return nodes.length === 0 ? null : { root: commonAncestor(nodes), nodes };
+  const nodes = topsOf(found);
+  if (nodes.length === 0) return null;
+  const root = commonAncestor(nodes);
+  const between = new Map<Object3D, Object3D[]>();
+  for (const node of nodes) {
+    for (let each = node; each !== root; each = each.parent!) {
+      const known = between.get(each.parent!);
+      if (known) {
+        known.push(each);
+        break;
+      }
+      between.set(each.parent!, [each]);
+    }
+  }
+  return { root, nodes, tops: new Set(nodes), between };
 }
 
+/** Whether a node is one of a subtree's, or below one. */
+export const isDrawnBy = (node: Object3D, { tops }: ModelSubtree): boolean => nearestOf(node, tops) !== null;
+
 /** Whether a node is drawn with a subtree: it is below one of its nodes, or between them and its root. */
-export const isOfSubtree = (node: Object3D, { root, nodes }: ModelSubtree): boolean =>
-  isWithin(node, root) && nodes.some((each) => isWithin(node, each) || isWithin(each, node));
+export const isOfSubtree = (node: Object3D, subtree: ModelSubtree): boolean =>
+  subtree.between.has(node) || isDrawnBy(node, subtree);

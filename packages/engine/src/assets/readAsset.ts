@@ -9,20 +9,8 @@ import { readCube } from './readCube';
 import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
+import { signatureOf } from './signature';
 import { Sound } from './Sound';
-
-/** What the first bytes of a file say it is; null when they say nothing. */
-function signatureOf(bytes: ArrayBuffer): string | null {
-  const head = [...new Uint8Array(bytes, 0, Math.min(16, bytes.byteLength))];
-  const text = String.fromCharCode(...head);
-  if (text.startsWith('\x89PNG')) return 'PNG';
-  if (text.startsWith('\xff\xd8\xff')) return 'JPEG';
-  if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'WebP';
-  if (text.startsWith('#?')) return 'HDR';
-  if (text.startsWith('v/1\x01')) return 'EXR';
-  if (text.startsWith('\xabKTX 20\xbb')) return 'KTX2';
-  return null;
-}
 
 async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
   checkImageSize(new Uint8Array(bytes));
@@ -31,10 +19,12 @@ async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
     image = await createImageBitmap(new Blob([bytes]), { imageOrientation: 'flipY' });
   } catch (cause) {
     const said = signatureOf(bytes);
-    const reason = said
-      ? `it begins as ${said}, and is damaged or cut short`
-      : 'its bytes are no PNG, JPEG or WebP: was another file renamed?';
-    throw new Error(`${reason}. Export it again from where it was made.`, { cause });
+    throw new Error(
+      said
+        ? `it begins as ${said}, and is damaged or cut short. Export it again from where it was made.`
+        : 'its bytes are no PNG, JPEG or WebP: was another file renamed?',
+      { cause },
+    );
   }
   const texture = new Texture(image);
   texture.flipY = false;

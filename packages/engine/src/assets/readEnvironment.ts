@@ -1,6 +1,6 @@
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
 import { shortText } from '@farol/renderer';
-import { checkExr } from './checkExr';
+import { checkExr } from './exr/checkExr';
 import { checkPixels, imageSize, PixelsError } from './imageSize';
 
 /**
@@ -16,7 +16,7 @@ export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR')
   const size = imageSize(new Uint8Array(bytes));
   if (size) checkPixels(size.width, size.height);
   try {
-    if (format === 'EXR') checkExr(bytes);
+    if (format === 'EXR') await checkExr(bytes);
     else if (!size) throw new Error('its header says no size');
     texture = loader.createDataTexture(bytes);
   } catch (cause) {

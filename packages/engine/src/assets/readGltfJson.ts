@@ -1,4 +1,5 @@
 import { shortText } from '@farol/renderer';
+import { checkSignature } from './signature';
 
 /** The extension by which nodes have lights with photometric profiles. */
 export const LIGHTS_IES = 'EXT_lights_ies';
@@ -39,6 +40,7 @@ const jsonChunk = 0x4e4f534a;
  * @see glTF 2.0, 4.4: header of 12 bytes, then chunks of length, type and data
  */
 export function readGltfJson(bytes: ArrayBuffer): GltfJson {
+  checkSignature(bytes, 'glTF');
   const view = new DataView(bytes);
   const isBinary = bytes.byteLength >= 4 && view.getUint32(0, true) === glbMagic;
   const json = parseJson(isBinary ? binaryJson(view) : bytes);

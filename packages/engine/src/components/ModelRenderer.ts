@@ -1,9 +1,16 @@
 import { setLightProfile } from '@farol/renderer';
-import { type Light as ThreeLight, type Material, type Mesh, Object3D, type PointLight } from 'three';
-import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import {
+  type Bone,
+  type Light as ThreeLight,
+  type Material,
+  type Mesh,
+  Object3D,
+  type PointLight,
+  type SkinnedMesh,
+} from 'three';
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
-import { isOfSubtree, isWithin, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
+import { type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { Scene } from '../core/SceneGraph';
 import { MorphTargets, morphTargetFields } from './MorphTargets';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
@@ -16,51 +23,49 @@ type Light = ThreeLight & { target?: Object3D };
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
 /**
- * A copy of a model's tree, by what it is a copy of. Lights aim at the copies of what they aim at and keep their profiles,
- * which three's own copies do not.
+ * Copies of a model's nodes, by what each is a copy of: of all of them, or of those that a subtree draws, whose root is at
+ * the origin, since the object is where it was. Bones, and lights that aim at something or have a profile, have the copies
+ * of theirs.
  */
-function copiesOf(model: Model): Map<Object3D, Object3D> {
-  const { scene: source } = model;
-  const copy = clone(source);
+function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Object3D> {
   const copies = new Map<Object3D, Object3D>();
-  const lights: [Light, Light][] = [];
-  const visit = (from: Object3D, to: Object3D): void => {
+  const copy = (from: Object3D, isDrawn: boolean): Object3D => {
+    const draws = isDrawn || subtree!.tops.has(from);
+    // what only stands between the root and its parts draws nothing itself
+    const to = draws ? copyAlone(from) : new Object3D().copy(from, false);
     copies.set(from, to);
-    if ('isLight' in from) lights.push([from as Light, to as Light]);
-    from.children.forEach((child, i) => visit(child, to.children[i]));
+    for (const child of draws ? from.children : subtree!.between.get(from)!) to.add(copy(child, draws));
+    return to;
   };
-  visit(source, copy);
-  for (const [from, to] of lights) {
-    const target = from.target && copies.get(from.target);
-    if (target) to.target = target;
-    const profile = model.profileOf(from);
-    if (profile) setLightProfile(to as PointLight, profile.texture);
+  const top = copy(subtree?.root ?? model.scene, !subtree);
+  if (subtree) {
+    top.position.set(0, 0, 0);
+    top.quaternion.identity();
+    top.scale.set(1, 1, 1);
+  }
+  for (const [from, to] of copies) {
+    if ('isSkinnedMesh' in from) bindCopy(from as SkinnedMesh, to as SkinnedMesh, copies);
+    if ('isLight' in from) aimCopy(model, from as Light, to as Light, copies);
   }
   return copies;
 }
 
-/** Leaves of a copy what a subtree draws; its root goes to the origin, since the object is where the root was. */
-function prune(copies: ReadonlyMap<Object3D, Object3D>, subtree: ModelSubtree): Map<Object3D, Object3D> {
-  const left = new Map<Object3D, Object3D>();
-  for (const [from, to] of copies) {
-    if (isOfSubtree(from, subtree)) left.set(from, to);
-    else to.removeFromParent();
-  }
-  const root = left.get(subtree.root)!;
-  root.removeFromParent();
-  root.position.set(0, 0, 0);
-  root.quaternion.identity();
-  root.scale.set(1, 1, 1);
-  // what only stands between the root and its parts draws nothing itself
-  for (const [from, to] of left) {
-    if (subtree.nodes.some((node) => isWithin(from, node)) || to.type === 'Object3D') continue;
-    const plain = new Object3D().copy(to, false);
-    plain.add(...to.children);
-    to.parent?.add(plain);
-    to.removeFromParent();
-    left.set(from, plain);
-  }
-  return left;
+/** A copy of a node without what is below it: `clone` of some classes takes all of it along. */
+const copyAlone = (node: Object3D): Object3D =>
+  (new (node.constructor as new () => Object3D)() as Object3D).copy(node, false);
+
+/** A skeleton of the copies of the bones. */
+function bindCopy(from: SkinnedMesh, to: SkinnedMesh, copies: ReadonlyMap<Object3D, Object3D>): void {
+  const skeleton = from.skeleton.clone();
+  skeleton.bones = from.skeleton.bones.map((bone) => copies.get(bone) as Bone);
+  to.bind(skeleton, to.bindMatrix.copy(from.bindMatrix));
+}
+
+function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Object3D, Object3D>): void {
+  const target = from.target && copies.get(from.target);
+  if (target) to.target = target;
+  const profile = model.profileOf(from);
+  if (profile) setLightProfile(to as PointLight, profile.texture);
 }
 
 /**
@@ -193,8 +198,7 @@ export class ModelRenderer extends component({
     scene.assets.uses.acquire(this.inUse);
     const { scene: source } = this.inUse;
     this.subtree = subtreeOf(source, this.parts);
-    const copies = copiesOf(this.inUse);
-    this.copies = this.subtree ? prune(copies, this.subtree) : copies;
+    this.copies = copiesOf(this.inUse, this.subtree);
     this.copy = this.copies.get(this.subtree?.root ?? source)!;
     this.gameObject.object3D.add(this.copy);
     this.morphs = new MorphTargets(this, this.inUse, this.parts, this.copies);

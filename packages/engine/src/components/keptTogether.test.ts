@@ -1,8 +1,6 @@
 import {
   AnimationClip,
-  Bone,
   BoxGeometry,
-  BufferAttribute,
   Color,
   Group,
   InstancedMesh,
@@ -14,8 +12,6 @@ import {
   PointLight,
   Quaternion,
   QuaternionKeyframeTrack,
-  Skeleton,
-  SkinnedMesh,
   Vector3,
   VectorKeyframeTrack,
 } from 'three';
@@ -33,32 +29,11 @@ import { isUnpackable, keptTogether } from './keptTogether';
 import { ModelRenderer } from './ModelRenderer';
 import { ObjectRenderer } from './ObjectRenderer';
 import { objectsOfModel } from './objectsOfModel';
+import { armature, skinnedBox } from './testing/skinnedBox';
 
 const named = <T extends Object3D>(object: T, name: string): T => Object.assign(object, { name });
 
 const material = new MeshStandardMaterial({ name: 'Plain' });
-
-/** A box whose upper vertices follow the second of two bones. */
-function skinnedBox(name: string, bones: Bone[]): SkinnedMesh {
-  const geometry = new BoxGeometry();
-  const { count } = geometry.getAttribute('position');
-  const indices = Array.from({ length: count * 4 }, (_, i) => (i % 4 === 0 ? 1 : 0));
-  const weights = Array.from({ length: count * 4 }, (_, i) => (i % 4 === 0 ? 1 : 0));
-  geometry.setAttribute('skinIndex', new BufferAttribute(new Uint16Array(indices), 4));
-  geometry.setAttribute('skinWeight', new BufferAttribute(new Float32Array(weights), 4));
-  const mesh = named(new SkinnedMesh(geometry, material), name);
-  mesh.bind(new Skeleton(bones));
-  return mesh;
-}
-
-function armature(name: string): { top: Group; bones: Bone[] } {
-  const top = named(new Group(), name);
-  const bones = [named(new Bone(), `${name}-hip`), named(new Bone(), `${name}-head`)];
-  bones[1].position.set(0, 1, 0);
-  bones[0].add(bones[1]);
-  top.add(bones[0]);
-  return { top, bones };
-}
 
 /** A turned hall: a table, a lamp with a morphing shade, instanced chairs, a man whose mesh is beside his bones, a dog whose mesh is within. */
 function hall(): Model {

@@ -1,6 +1,6 @@
 import type { InstancedMesh, Object3D, SkinnedMesh } from 'three';
 import type { Model } from '../assets/Model';
-import { commonAncestor, isWithin } from '../assets/modelNodes';
+import { commonAncestor, nearestOf, topsOf } from '../assets/modelNodes';
 
 /** Why a part of a model stays one object. */
 export type KeptFor = 'a skeleton' | 'morph targets' | 'instances of a mesh' | 'points or lines';
@@ -37,48 +37,108 @@ function reasonOf(node: Flags): KeptFor | null {
   return node.isPoints || node.isLine || node.isSprite ? 'points or lines' : null;
 }
 
-/** Those of some nodes that are below none of the others. */
-const topsOf = (nodes: Iterable<Object3D>): Object3D[] => {
-  const all = [...new Set(nodes)];
-  return all.filter((node) => !all.some((other) => other !== node && isWithin(node, other)));
-};
-
-const touch = (a: readonly Object3D[], b: readonly Object3D[]): boolean =>
-  a.some((one) => b.some((other) => isWithin(one, other) || isWithin(other, one)));
-
 const isSeen = (node: Flags): boolean =>
   Boolean(node.isMesh || node.isPoints || node.isLine || node.isSprite || node.isLight || node.isCamera);
 
-/** Whether all that a node has below it, and is, belongs to some nodes. */
-function holdsNothingElse(node: Object3D, nodes: readonly Object3D[]): boolean {
-  let holds = true;
-  node.traverse((each) => (holds &&= !isSeen(each) || nodes.some((kept) => isWithin(each, kept))));
-  return holds;
+/** Nodes in the order in which they are traversed: all that is below one comes next after it. */
+class Order {
+  readonly places = new Map<Object3D, number>();
+  /** By place: the first place that is not below the node. */
+  private readonly ends: number[] = [];
+  /** By place: how many nodes before it draw, light or look. */
+  private readonly seen = [0];
+
+  constructor(root: Object3D) {
+    const visit = (node: Object3D): void => {
+      const place = this.places.size;
+      this.places.set(node, place);
+      this.seen.push(this.seen[place] + Number(isSeen(node)));
+      for (const child of node.children) visit(child);
+      this.ends[place] = this.places.size;
+    };
+    visit(root);
+  }
+
+  endOf(node: Object3D): number {
+    return this.ends[this.places.get(node)!];
+  }
+
+  /** How many nodes draw, light or look of one and all below it. */
+  seenIn(node: Object3D): number {
+    return this.seen[this.endOf(node)] - this.seen[this.places.get(node)!];
+  }
+
+  /** Whether all that a node has below it, and is, belongs to some nodes of which none is below another one. */
+  holdsNothingElse(node: Object3D, nodes: readonly Object3D[]): boolean {
+    return this.seenIn(node) === nodes.reduce((sum, each) => sum + this.seenIn(each), 0);
+  }
+}
+
+/** Sets of things that grow together. @see Tarjan 1975, Efficiency of a good but not linear set union algorithm */
+class Groups {
+  private readonly parents: number[] = [];
+
+  add(): number {
+    return this.parents.push(this.parents.length) - 1;
+  }
+
+  of(one: number): number {
+    while (this.parents[one] !== one) one = this.parents[one] = this.parents[this.parents[one]];
+    return one;
+  }
+
+  join(one: number, other: number): void {
+    this.parents[Math.max(this.of(one), this.of(other))] = Math.min(this.of(one), this.of(other));
+  }
 }
 
 /** The parts of a model that stay together: what a skeleton moves, meshes with morph targets, points and lines. */
 export function keptTogether({ scene }: Model): KeptPart[] {
-  let parts: KeptPart[] = [];
-  scene.traverse((node) => {
+  const order = new Order(scene);
+  const groups = new Groups();
+  /** By group, why its first one is kept. */
+  const reasons: KeptFor[] = [];
+  const groupOf = new Map<Object3D, number>();
+  for (const node of order.places.keys()) {
     const reason = reasonOf(node);
-    if (!reason) return;
+    if (!reason) continue;
+    const group = groups.add();
+    reasons.push(reason);
     const bones = reason === 'a skeleton' ? ((node as SkinnedMesh).skeleton?.bones ?? []) : [];
-    let added: KeptPart = { nodes: topsOf([node, ...bones.filter((bone) => isWithin(bone, scene))]), reason };
-    for (const other of parts.filter((each) => touch(each.nodes, added.nodes))) {
-      parts = parts.filter((each) => each !== other);
-      added = { nodes: topsOf([...other.nodes, ...added.nodes]), reason: other.reason };
+    for (const each of [node, ...bones]) {
+      if (!order.places.has(each)) continue;
+      const known = groupOf.get(each);
+      if (known === undefined) groupOf.set(each, group);
+      else groups.join(known, group);
     }
-    parts.push(added);
-  });
-  return parts.map(({ nodes, reason }) => {
+  }
+  const kept = new Set(groupOf.keys());
+  for (const node of kept) {
+    const above = node.parent && nearestOf(node.parent, kept);
+    if (above) groups.join(groupOf.get(node)!, groupOf.get(above)!);
+  }
+  const tops = topsOf(kept);
+  const nodesOf = new Map<number, Object3D[]>();
+  for (const node of tops) {
+    const group = groups.of(groupOf.get(node)!);
+    const nodes = nodesOf.get(group);
+    if (nodes) nodes.push(node);
+    else nodesOf.set(group, [node]);
+  }
+  /** By place, how many of these nodes come before it. */
+  const before = [0];
+  const isTop = new Set(tops);
+  for (const node of order.places.keys()) before.push(before.at(-1)! + Number(isTop.has(node)));
+  return [...nodesOf].map(([group, nodes]) => {
     const above = commonAncestor(nodes);
-    const isFree = parts.every((each) => each.nodes === nodes || !touch(each.nodes, [above]));
-    return { nodes: above !== scene && isFree && holdsNothingElse(above, nodes) ? [above] : nodes, reason };
+    const topsIn = before[order.endOf(above)] - before[order.places.get(above)!];
+    const isOne = above !== scene && topsIn === nodes.length && order.holdsNothingElse(above, nodes);
+    return { nodes: isOne ? [above] : nodes, reason: reasons[group] };
   });
 }
 
 /** Whether anything of a model can be an object beside its parts that stay together. */
 export function isUnpackable(model: Model, kept = keptTogether(model)): boolean {
   if (kept.length !== 1) return true;
-  return !holdsNothingElse(model.scene, kept[0].nodes);
+  return !new Order(model.scene).holdsNothingElse(model.scene, kept[0].nodes);
 }

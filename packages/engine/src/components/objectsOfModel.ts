@@ -89,7 +89,21 @@ export function objectsOfModel(
 ): ObjectsOfModel {
   const parts = modelParts(model, name);
   const kept = keptTogether(model);
-  const several = kept.filter(({ nodes }) => nodes.length > 1);
+  const alone = new Map<Object3D, KeptPart>();
+  /** What stays together though it has several places, by the node above them, and these places. */
+  const several = new Map<Object3D, KeptPart[]>();
+  const placesOfSeveral = new Set<Object3D>();
+  for (const part of kept) {
+    if (part.nodes.length === 1) {
+      alone.set(part.nodes[0], part);
+      continue;
+    }
+    const above = commonAncestor(part.nodes);
+    const parts = several.get(above);
+    if (parts) parts.push(part);
+    else several.set(above, [part]);
+    for (const node of part.nodes) placesOfSeveral.add(node);
+  }
   const made = new Map<Material, string | null>();
   const materials: { name: string; values: Values }[] = [];
 
@@ -135,9 +149,9 @@ export function objectsOfModel(
     transform.setQuaternion(object.quaternion);
     transform.scale = object.scale.toArray();
     gameObject.active = object.visible;
-    const alone = kept.find(({ nodes }) => nodes.length === 1 && nodes[0] === object);
-    if (alone) {
-      addParts(gameObject, alone);
+    const part = alone.get(object);
+    if (part) {
+      addParts(gameObject, part);
       return gameObject;
     }
     if (object.isInstancedMesh) addInstances(gameObject, object as unknown as InstancedMesh);
@@ -160,14 +174,11 @@ export function objectsOfModel(
   };
   const childrenOf = (object: Object3D): GameObject[] => {
     const children = object.children.filter(
-      (child) =>
-        child !== (object as unknown as DirectionalLight).target && !several.some(({ nodes }) => nodes.includes(child)),
+      (child) => child !== (object as unknown as DirectionalLight).target && !placesOfSeveral.has(child),
     );
-    // what stays together though it has several places stands at the node above them
-    const here = several.filter(({ nodes }) => commonAncestor(nodes) === object);
     return [
       ...children.map(convert),
-      ...here.map((part) => {
+      ...(several.get(object) ?? []).map((part) => {
         const gameObject = new GameObject(objectOfPart(part.nodes));
         addParts(gameObject, part);
         return gameObject;

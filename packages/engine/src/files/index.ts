@@ -11,7 +11,7 @@ export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
 export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
-export { readSceneFile, type SceneFile } from './readSceneFile';
+export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 

@@ -1,6 +1,6 @@
 import { SCENE_ENTRY } from './container';
 import { FileError } from './FileError';
-import { readZip } from './readZip';
+import { isInZip, readZip } from './readZip';
 import type { MayUnpack } from './unpack';
 
 /** A scene file that was read: the scene as text, and the files that came with it. */
@@ -15,6 +15,9 @@ const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
 const fail = (problem: string, cause?: unknown): never => {
   throw new FileError([{ path: '', problem }], { cause });
 };
+
+/** Whether bytes are a container of a scene, whatever its name says; it is not read. */
+export const isContainer = (bytes: Uint8Array<ArrayBuffer>): boolean => isInZip(bytes, SCENE_ENTRY);
 
 /**
  * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`, with

@@ -1,5 +1,7 @@
-import { FileError } from './FileError';
+import { shortText } from '@farol/renderer';
 import { counted } from '../core/counted';
+import { crc32 } from './crc32';
+import { FileError } from './FileError';
 import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
 
 const END = 0x06054b50;
@@ -16,6 +18,8 @@ const IS_ENCRYPTED = 1;
 interface Entry {
   readonly name: string;
   readonly method: number;
+  /** CRC-32 of its content. */
+  readonly checksum: number;
   readonly packed: number;
   readonly unpacked: number;
   readonly at: number;
@@ -31,6 +35,7 @@ const damaged = (reason: string, cause?: unknown): never =>
 /** The list at the end of a ZIP. */
 function readEntries(view: DataView<ArrayBuffer>): Entry[] {
   const size = view.byteLength;
+  if (size < END_SIZE) damaged('its end is not there');
   const first = Math.max(0, size - END_SIZE - LONGEST_COMMENT);
   let end = size - END_SIZE;
   while (end >= first && view.getUint32(end, true) !== END) end--;
@@ -53,6 +58,7 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
     entries.push({
       name: new TextDecoder().decode(new Uint8Array(view.buffer, view.byteOffset + at + ENTRY_SIZE, nameLength)),
       method: view.getUint16(at + 10, true),
+      checksum: view.getUint32(at + 16, true),
       packed: view.getUint32(at + 20, true),
       unpacked: view.getUint32(at + 24, true),
       at: local + LOCAL_SIZE + view.getUint16(local + 26, true) + view.getUint16(local + 28, true),
@@ -64,7 +70,7 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
 
 /**
  * Reads the files of a ZIP, deflated or stored. What they come to is checked, and asked about, before any is unpacked, and
- * counted while it is.
+ * counted while it is; what comes out is checked against its checksum.
  * @throws FileError when it is damaged or beyond `unpackLimits`, AbortError when the answer was no
  * @see PKWARE APPNOTE.TXT
  */
@@ -72,7 +78,6 @@ export async function readZip(
   bytes: Uint8Array<ArrayBuffer>,
   mayUnpack?: MayUnpack,
 ): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
-  if (bytes.length < END_SIZE) damaged('its end is not there');
   const entries = readEntries(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength));
   const files = new Map<string, Uint8Array<ArrayBuffer>>();
   let packed = 0;
@@ -90,13 +95,29 @@ export async function readZip(
   // files that share bytes come to any size
   if (packed > bytes.length) damaged('its files overlap');
   await checkUnpacking({ packed: bytes.length, unpacked }, mayUnpack);
-  for (const { name, method, at, packed: length, unpacked: exact } of entries) {
-    const data = bytes.subarray(at, at + length);
+  for (const { name, method, checksum, at, packed: length, unpacked: exact } of entries) {
+    let data = bytes.subarray(at, at + length);
     try {
-      files.set(name, method === STORED ? data : await unpack(data, 'deflate-raw', { exact }));
+      if (method === DEFLATED) data = await unpack(data, 'deflate-raw', { exact });
     } catch (cause) {
-      damaged('a file cannot be unpacked', cause);
+      damaged(`${shortText(name, 80)} in it cannot be unpacked`, cause);
     }
+    if (crc32(data) !== checksum) {
+      fail(`The file is damaged (${shortText(name, 80)} in it is not what was packed): open another copy of it.`);
+    }
+    files.set(name, data);
   }
   return files;
+}
+
+/** Whether bytes are a ZIP with a file of this path; it is not unpacked. */
+export function isInZip(bytes: Uint8Array<ArrayBuffer>, path: string): boolean {
+  try {
+    return readEntries(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)).some(
+      ({ name }) => name === path,
+    );
+  } catch {
+    // what is wrong with it is told by who unpacks it
+    return false;
+  }
 }

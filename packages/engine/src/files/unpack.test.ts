@@ -1,7 +1,8 @@
-import { deflateRawSync, gzipSync } from 'node:zlib';
+import { crc32, deflateRawSync, gzipSync, inflateRawSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
 import { parsePly } from '../geometry/parsePly';
 import { readSceneFile } from './readSceneFile';
+import { crc32 as checksumOf } from './crc32';
 import { FileError } from './FileError';
 import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
@@ -14,6 +15,18 @@ interface Part {
   flags?: number;
   /** Where the list says that it is, in place of the truth. */
   at?: number;
+  /** What the list says of the checksum of the content, in place of the truth. */
+  checksum?: number;
+}
+
+/** What is in a part; '' where it cannot be unpacked. */
+function contentOf({ data, method = 8 }: Part): Uint8Array | string {
+  if (method === 0) return data;
+  try {
+    return inflateRawSync(data);
+  } catch {
+    return '';
+  }
 }
 
 /** A ZIP of parts that are packed already. */
@@ -21,7 +34,8 @@ function zip(parts: Part[], count = parts.length): Uint8Array<ArrayBuffer> {
   const chunks: Buffer[] = [];
   const list: Buffer[] = [];
   let at = 0;
-  for (const { name, data, says = data.length, method = 8, flags = 0, at: place = at } of parts) {
+  for (const part of parts) {
+    const { name, data, says = data.length, method = 8, flags = 0, at: place = at } = part;
     const title = Buffer.from(name);
     const local = Buffer.alloc(30);
     local.writeUInt32LE(0x04034b50, 0);
@@ -31,6 +45,7 @@ function zip(parts: Part[], count = parts.length): Uint8Array<ArrayBuffer> {
     entry.writeUInt32LE(0x02014b50, 0);
     entry.writeUInt16LE(flags, 8);
     entry.writeUInt16LE(method, 10);
+    entry.writeUInt32LE(part.checksum ?? crc32(contentOf(part)), 16);
     entry.writeUInt32LE(data.length, 20);
     entry.writeUInt32LE(says, 24);
     entry.writeUInt16LE(title.length, 28);
@@ -65,7 +80,7 @@ describe('a ZIP', () => {
 
   test('that says less than it becomes is not unpacked to its end', async () => {
     await expect(readSceneFile(zip([scene, { name: 'a', data: zeros(100), says: 10 }]))).rejects.toThrow(
-      /damaged \(a file cannot be unpacked\)/,
+      /damaged \(a in it cannot be unpacked\)/,
     );
     await expect(readSceneFile(zip([{ ...scene, says: 3 }]))).rejects.toThrow(/cannot be unpacked/);
   });
@@ -100,6 +115,23 @@ describe('a ZIP', () => {
   ])('with %s', async (_, bytes, message) => {
     await expect(readSceneFile(bytes)).rejects.toThrow(message);
     await expect(readSceneFile(bytes)).rejects.toBeInstanceOf(FileError);
+  });
+
+  test('with a file that is not what was packed says which, stored or deflated', async () => {
+    const stored = { name: 'assets/robot.glb', data: Buffer.from('mesh'), method: 0 };
+    const deflated = { name: 'assets/wall.png', data: small('wall'), says: 4 };
+    await expect(readSceneFile(zip([scene, stored, deflated]))).resolves.toMatchObject({ text: '{}' });
+    for (const part of [stored, deflated]) {
+      const reading = readSceneFile(
+        zip([scene, stored, deflated].map((each) => (each === part ? { ...each, checksum: 7 } : each))),
+      );
+      await expect(reading).rejects.toThrow(
+        `The file is damaged (${part.name} in it is not what was packed): open another copy of it.`,
+      );
+      await expect(reading).rejects.toBeInstanceOf(FileError);
+    }
+    const long = zip([scene, { ...stored, name: 'x'.repeat(5000), checksum: 7 }]);
+    await expect(readSceneFile(long)).rejects.toThrow(/damaged \(x{79}… in it/);
   });
 
   test('with files of odd names changes no prototype', async () => {
@@ -142,3 +174,12 @@ test('a header of a PLY without an end', async () => {
     /no whole header/,
   );
 });
+
+test.each([0, 1, 7, 8, 9, 1000, 1003])(
+  'the checksum of %i bytes is that of ZIP, PNG and gzip, wherever they begin',
+  (length) => {
+    const bytes = Uint8Array.from({ length: length + 5 }, (_, i) => (i * i * 31 + 7) & 0xff);
+    for (const from of [0, 3, 5])
+      expect(checksumOf(bytes.subarray(from, from + length))).toBe(crc32(bytes.subarray(from, from + length)));
+  },
+);

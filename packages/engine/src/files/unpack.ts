@@ -50,12 +50,14 @@ export async function checkUnpacking(sizes: UnpackQuestion, mayUnpack?: MayUnpac
 /**
  * Unpacks bytes, and counts what comes out while it does.
  * @param exact - bytes that must come out; any number within the limits when absent
- * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short
+ * @param most - bytes that may come out, in place of the limits
+ * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short, or
+ * more comes out
  */
 export async function unpack(
   bytes: Uint8Array<ArrayBuffer>,
   format: CompressionFormat,
-  { mayUnpack, exact }: { mayUnpack?: MayUnpack; exact?: number } = {},
+  { mayUnpack, exact, most = exact }: { mayUnpack?: MayUnpack; exact?: number; most?: number } = {},
 ): Promise<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format)).getReader();
   const parts: Uint8Array[] = [];
@@ -67,8 +69,8 @@ export async function unpack(
       if (done) break;
       parts.push(value);
       length += value.length;
-      if (exact !== undefined) {
-        if (length > exact) throw new TypeError('more comes out than was said');
+      if (most !== undefined) {
+        if (length > most) throw new TypeError('more comes out than may');
         continue;
       }
       const sizes = { packed: bytes.length, unpacked: length };

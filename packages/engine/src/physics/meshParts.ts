@@ -1,6 +1,6 @@
 import { type BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { Model } from '../assets/Model';
-import { isOfSubtree, isWithin, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
+import { isDrawnBy, isOfSubtree, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { GameObject, Scene } from '../core/SceneGraph';
 
 /** A mesh that an object is drawn with. */
@@ -46,7 +46,7 @@ export function drawnObjects(object: GameObject): GameObject[] {
 function addModelParts(node: Object3D, matrix: Matrix4, parts: MeshPart[], subtree: ModelSubtree | null): void {
   node.updateMatrix();
   const own = node === subtree?.root ? matrix : new Matrix4().multiplyMatrices(matrix, node.matrix);
-  const isDrawn = !subtree || subtree.nodes.some((each) => isWithin(node, each));
+  const isDrawn = !subtree || isDrawnBy(node, subtree);
   if (isDrawn && node instanceof Mesh) parts.push({ geometry: node.geometry as BufferGeometry, matrix: own });
   for (const child of node.children) {
     if (!subtree || isOfSubtree(child, subtree)) addModelParts(child, own, parts, subtree);

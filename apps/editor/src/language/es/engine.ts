@@ -21,6 +21,8 @@ export const engine: MessageTable = {
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
   'its bytes are no PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',
+  'its bytes are {format}, not {wanted}: was another file renamed?':
+    'sus bytes son {format}, no {wanted}: ¿se cambió el nombre de otro archivo?',
   'it begins as {format}, and is damaged or cut short': 'empieza como {format}, y está dañado o cortado',
   'its glTF data are damaged or cut short ({reason}): export it again.':
     'sus datos glTF están dañados o cortados ({reason}): hay que exportarlo de nuevo.',
@@ -40,6 +42,8 @@ export const engine: MessageTable = {
   'it needs {file}: choose both files together.': 'necesita {file}: hay que elegir los dos archivos juntos.',
   'it cannot be decoded: convert it to MP3, Ogg or WAV.':
     'no se puede decodificar: hay que convertirlo a MP3, Ogg o WAV.',
+  'it would take {memory} MB once it is decoded ({minutes} minutes), and {limit} MB is the limit: make it shorter.':
+    'ocuparía {memory} MB una vez decodificado ({minutes} minutos), y {limit} MB es el límite: hay que acortarlo.',
   'it has no vertices: it is no OBJ file, or an empty one. Export it again.':
     'no tiene vértices: no es un archivo OBJ, o está vacío. Hay que exportarlo de nuevo.',
   'it has no triangles: it is no STL file, or an empty one.':

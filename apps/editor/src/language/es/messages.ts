@@ -57,6 +57,14 @@ export const messages: Texts = {
   'Reading {count} files': 'Leyendo {count} archivos',
   '{path} cannot be imported: {reason}': 'No se puede importar {path}: {reason}',
   '{names} cannot be imported: only {importable} can.': 'No se puede importar {names}: solo {importable}.',
+  '{names} were left out: only {importable} can be imported.':
+    'Se dejaron fuera {names}: solo se pueden importar {importable}.',
+  '{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.':
+    '{path} es una escena dentro de un ZIP: hay que descomprimir el ZIP y abrirla aparte.',
+  '{scene} was opened by itself, without {names}: drop these again.':
+    '{scene} se abrió sola, sin {names}: hay que soltarlos de nuevo.',
+  'There is nothing to import: the folder or ZIP is empty.':
+    'No hay nada que importar: la carpeta o el ZIP están vacíos.',
   'a chunk': 'un fragmento',
   '{file} is not imported, and nothing has changed: {reason}':
     '{file} no se ha importado y no ha cambiado nada: {reason}',

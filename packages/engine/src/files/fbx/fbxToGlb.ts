@@ -14,6 +14,7 @@ import {
 import type { FBXLoader } from 'three/addons/loaders/FBXLoader.js';
 import type { FileMap } from '../../assets/collectFiles';
 import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
+import { checkSignature } from '../../assets/signature';
 import { GltfBuffer } from '../obj/GltfBuffer';
 import { gltfOfMtl } from '../obj/gltfOfMtl';
 import { ObjFolder } from '../obj/ObjFolder';
@@ -147,6 +148,7 @@ export async function fbxToGlb(files: FileMap, path: string, signal?: AbortSigna
     given.arrayBuffer(),
   ]);
   signal?.throwIfAborted();
+  checkSignature(bytes, 'FBX');
   try {
     await checkFbx(bytes, signal);
   } catch (cause) {

@@ -1,5 +1,6 @@
 import { shortText } from '@farol/renderer';
 import type { FileMap } from '../../assets/collectFiles';
+import { checkSignature } from '../../assets/signature';
 import { Slices } from '../../core/Slices';
 import { padded, writeGlb } from '../writeGlb';
 import { GltfBuffer } from './GltfBuffer';
@@ -42,6 +43,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
   if (given.size > LARGEST)
     throw new Error('it has more than 2 GB, which no browser reads at once: export it in parts.');
   const bytes = new Uint8Array(await given.arrayBuffer());
+  checkSignature(bytes.buffer, path.slice(path.lastIndexOf('.') + 1).toUpperCase());
   const { read, hasMaterials } = readerOf(path);
   const file = await read(bytes, signal);
   const meshes = await objMeshes(file, signal);

@@ -1,0 +1,67 @@
+import { inflateBlock } from './inflateBlock';
+import { runLengthSize } from './runLengthSize';
+
+/** Numbers of 8 bytes at the beginning of a block. */
+const NUMBERS = 11;
+const DEFLATE = 1;
+
+const damaged = (): never => {
+  throw new Error('a block of it is damaged');
+};
+
+/** Codes of a table of lengths that stand for so many zeros, and more by the next eight bits. */
+const ZEROS = 59;
+const MANY_ZEROS = 63;
+const CODES = 65_537;
+
+/** The byte after Huffman codes that begin at a byte, as three reads them. */
+function endOfCodes(bytes: Uint8Array<ArrayBuffer>, from: number): number {
+  if (from + 20 > bytes.length) damaged();
+  const view = new DataView(bytes.buffer, bytes.byteOffset + from);
+  const [first, last, bits] = [0, 4, 12].map((offset) => view.getUint32(offset, true));
+  if (last >= CODES) damaged();
+  let at = (from + 20) * 8;
+  const read = (count: number): number => {
+    let value = 0;
+    for (const end = at + count; at < end; at++) value = (value << 1) | ((bytes[at >> 3] >> (7 - (at & 7))) & 1);
+    return value;
+  };
+  for (let code = first; code <= last && at < bytes.length * 8;) {
+    const length = read(6);
+    code += length === MANY_ZEROS ? read(8) + 6 : length >= ZEROS ? length - ZEROS + 2 : 1;
+  }
+  return Math.ceil(at / 8) + Math.ceil(bits / 8);
+}
+
+/**
+ * Checks a block of the compression DWA: rules of channels, then coefficients that do not or do vary, and bytes as run lengths.
+ * @param size - bytes that it must become
+ * @see OpenEXR, ImfDwaCompressor.cpp
+ */
+export async function checkDwa(bytes: Uint8Array<ArrayBuffer>, size: number): Promise<void> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < NUMBERS * 8 + 2) damaged();
+  const numbers = Array.from({ length: NUMBERS }, (_, i) => Number(view.getBigUint64(i * 8, true)));
+  const [, , , ac, dc, runs, runsUnpacked, raw, acCount, , acKind] = numbers;
+  if (Math.max(runsUnpacked, raw, acCount) > size) damaged();
+  let at = NUMBERS * 8;
+  const rules = at + view.getUint16(at, true);
+  if (rules > bytes.length) damaged();
+  for (at += 2; at < rules;) {
+    const end = bytes.indexOf(0, at);
+    if (end < 0 || end + 3 > rules) damaged();
+    at = end + 3;
+  }
+  const take = (length: number): Uint8Array<ArrayBuffer> => {
+    if (length > bytes.length - at) damaged();
+    return bytes.subarray(at, (at += length));
+  };
+  // three takes so many bytes as there are coefficients
+  if (ac > 0) {
+    const packed = take(acKind === DEFLATE ? acCount : ac);
+    if (acKind !== DEFLATE && endOfCodes(bytes, at - ac) !== at) damaged();
+    if (acKind === DEFLATE) await inflateBlock(packed, { most: size });
+  }
+  if (dc > 0) await inflateBlock(take(dc), { most: size });
+  if (raw > 0 && runLengthSize(await inflateBlock(take(runs), { most: size })) > size) damaged();
+}

@@ -1,0 +1,17 @@
+import { unpack } from '../../files/unpack';
+
+/**
+ * Unpacks a block, or a part of one.
+ * @param size - bytes that must come out, or may at most
+ * @throws Error (as a rejection) when it is damaged, or becomes something else
+ */
+export async function inflateBlock(
+  bytes: Uint8Array<ArrayBuffer>,
+  size: { readonly exact: number } | { readonly most: number },
+): Promise<Uint8Array<ArrayBuffer>> {
+  try {
+    return await unpack(bytes, 'deflate', size);
+  } catch (cause) {
+    throw new Error('a block of it is damaged, or becomes more than it may', { cause });
+  }
+}
