@@ -14,6 +14,9 @@ export interface Limits {
   readonly alpha?: number;
 }
 
+/** Nothing that a buffer rounds is alpha: every technique writes three's. */
+const ALPHA = 1e-4;
+
 /**
  * Every technique draws every lit material of three, on every kind of mesh, as stock three does, in linear float.
  *
@@ -23,8 +26,6 @@ export interface Limits {
  * quarter of the pixels: what changes from pixel to pixel (normal maps of noise, small highlights, edges of light) is
  * smoothed; measured 35.8 to 41.8 dB and 5 to 10% of pixels, 31 dB and 12% with hard edges.
  */
-/** Nothing that a buffer rounds is alpha: every technique writes three's. */
-const ALPHA = 1e-4;
 const FORWARD: Limits = { largest: 1e-4 };
 const DEFERRED: Limits = { psnr: 60, share: 0.001 };
 const limits: Record<string, Limits | undefined> = {
