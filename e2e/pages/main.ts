@@ -64,6 +64,8 @@ export interface TestPage {
   messageOf: typeof messageOf;
   /** Fetched by the tests that need it: it brings three's other renderer. */
   nodeScene(): Promise<typeof import('./nodeScene')>;
+  /** Fetched by the tests that need it. */
+  addonCases(): Promise<typeof import('./addonCases')>;
   /** The same. */
   nodeCases(): Promise<typeof import('./nodeCases')>;
   /** Fetched by the tests that need it. */
@@ -121,6 +123,7 @@ window.testPage = {
   messageOf,
   nodeScene: () => import('./nodeScene'),
   nodeCases: () => import('./nodeCases'),
+  addonCases: () => import('./addonCases'),
   bake: () => import('@farol/bake'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,

@@ -11,7 +11,9 @@ export function standInOf<T extends object>(source: T, base: object): T {
       const key = name as keyof T;
       Object.defineProperty(standIn, name, {
         get: () => source[key],
-        set: (value) => (source[key] = value),
+        set(value) {
+          source[key] = value;
+        },
         configurable: true,
       });
     }
