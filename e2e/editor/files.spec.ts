@@ -323,6 +323,41 @@ test('a second save goes to the same file, through its handle; a failed one leav
   await expect(notices).not.toContainText('aborted');
 });
 
+test('a save that ends once another scene is open is not that one’s: it keeps no file of the other', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const writes: string[] = [];
+    const handle = (name: string): object => ({
+      name,
+      getFile: async () => new File([], name),
+      createWritable: async () => {
+        // a slow disk
+        if (name === 'first.farol') await new Promise((resolve) => Reflect.set(window, 'goOn', resolve));
+        return new WritableStream({ close: () => void writes.push(name) });
+      },
+    });
+    const names = ['first.farol', 'second.farol'];
+    Object.assign(window, { writes, showSaveFilePicker: async () => handle(names.shift()!) });
+  });
+  await page.goto('./?scene=empty');
+  await waitUntilReady(page);
+  await addObject(page, 'Mesh', 'Torus');
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => 'goOn' in window);
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New empty scene' }).click();
+  await page.getByRole('button', { name: 'Don’t save' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Torus' })).toHaveCount(0);
+  await addObject(page, 'Mesh', 'Cone');
+  await page.evaluate(() => (Reflect.get(window, 'goOn') as () => void)());
+  await expect(page.locator('.notices')).toContainText('Saved first.farol');
+  expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+  await page.keyboard.press('Control+s');
+  await expect(page.locator('.notices')).toContainText('Saved second.farol');
+  expect(await page.evaluate(() => Reflect.get(window, 'writes') as string[])).toEqual(['first.farol', 'second.farol']);
+});
+
 test('a page that is left with nothing unsaved offers nothing to recover', async ({ page }) => {
   await openEmpty(page);
   await addObject(page, 'Mesh', 'Torus');
