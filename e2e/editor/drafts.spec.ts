@@ -109,6 +109,28 @@ test('two tabs of one minute are two different lines in the dialog, and each com
   await next.close({ runBeforeUnload: false });
 });
 
+test('a draft that another tab has taken is said to be, by its name', async ({ page, context }) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Torus');
+  await page.waitForFunction(() => window.editor.autosave!.isUpToDate);
+  await page.close();
+  const tabs = [await context.newPage(), await context.newPage()];
+  for (const tab of tabs) {
+    await tab.goto('./');
+    await waitUntilReady(tab);
+    await expect(tab.getByRole('button', { name: 'Recover' })).toBeVisible();
+  }
+  const [first, second] = tabs;
+  await first.getByRole('button', { name: 'Recover' }).click();
+  await expect(first.getByRole('treeitem', { name: 'Torus' })).toBeVisible();
+  await first.waitForFunction(() => window.editor.autosave!.isUpToDate);
+  await second.getByRole('button', { name: 'Recover' }).click();
+  await expect(second.locator('.notices')).toContainText(
+    'Untitled is not here any more: another tab has recovered or discarded it.',
+  );
+  await expect(second.getByRole('treeitem', { name: 'Torus' })).toHaveCount(0);
+});
+
 test('what is dragged and typed is stored while that goes on', async ({ page }) => {
   await openEditor(page, 'empty');
   await waitUntilReady(page);

@@ -2,7 +2,8 @@ import type { Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
-import { addObject, fieldOf, history, inspectorFollows, serialized, waitUntilReady } from './editor';
+import { addObject, fieldOf, history, inspectorFollows, openEditor, serialized, waitUntilReady } from './editor';
+import { dropFiles, type TestFile } from './models';
 
 test.use({ viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' });
 
@@ -321,6 +322,82 @@ test('a second save goes to the same file, through its handle; a failed one leav
   expect(before).not.toContain('aborted');
   await expect(notices).not.toContainText('refused the file');
   await expect(notices).not.toContainText('aborted');
+});
+
+test('a save that ends once another scene is open is not that one’s: it keeps no file of the other', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const writes: string[] = [];
+    const handle = (name: string): object => ({
+      name,
+      getFile: async () => new File([], name),
+      createWritable: async () => {
+        // a slow disk
+        if (name === 'first.farol') await new Promise((resolve) => Reflect.set(window, 'goOn', resolve));
+        return new WritableStream({ close: () => void writes.push(name) });
+      },
+    });
+    const names = ['first.farol', 'second.farol'];
+    Object.assign(window, { writes, showSaveFilePicker: async () => handle(names.shift()!) });
+  });
+  await page.goto('./?scene=empty');
+  await waitUntilReady(page);
+  await addObject(page, 'Mesh', 'Torus');
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => 'goOn' in window);
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New empty scene' }).click();
+  await page.getByRole('button', { name: 'Don’t save' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Torus' })).toHaveCount(0);
+  await addObject(page, 'Mesh', 'Cone');
+  await page.evaluate(() => (Reflect.get(window, 'goOn') as () => void)());
+  await expect(page.locator('.notices')).toContainText('Saved first.farol');
+  expect(await page.evaluate(() => window.editor.commands.isDirty)).toBe(true);
+  await page.keyboard.press('Control+s');
+  await expect(page.locator('.notices')).toContainText('Saved second.farol');
+  expect(await page.evaluate(() => Reflect.get(window, 'writes') as string[])).toEqual(['first.farol', 'second.farol']);
+});
+
+test('of two files that are dropped while the first is still read, the second is there, with its own assets', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  const empty = JSON.parse(await serialized(page)) as { objects: { components: object[] }[] };
+  const picture = '.viewport-place canvas';
+  const sceneOf = (name: string, corner: number): TestFile => {
+    const url = `data:application/octet-stream;base64,${Buffer.from(TRIANGLE.replace('1 0 0', `${corner} 0 0`)).toString('base64')}`;
+    const scene = structuredClone(empty);
+    Object.assign(scene, { name, assets: [{ name: 'same.ply', type: 'mesh', url }] });
+    scene.objects[0].components.push({ type: 'ObjectRenderer', version: 1, id: 'own', values: { mesh: 'same.ply' } });
+    return { name: `${name}.farol`, bytes: Buffer.from(JSON.stringify(scene)) };
+  };
+  // the first one is read last
+  await page.evaluate((size) => {
+    const { arrayBuffer } = Blob.prototype;
+    let isFirst = true;
+    Blob.prototype.arrayBuffer = async function () {
+      const bytes = await arrayBuffer.call(this);
+      if (isFirst && this.size === size) {
+        isFirst = false;
+        await new Promise((resolve) => Reflect.set(window, 'goOn', resolve));
+      }
+      return bytes;
+    };
+  }, TRIANGLE.length);
+  await dropFiles(page, picture, [sceneOf('First', 1)]);
+  await page.waitForFunction(() => 'goOn' in window);
+  await dropFiles(page, picture, [sceneOf('Second', 2)]);
+  await page.waitForFunction(() => window.editor.document.scene.name === 'Second');
+  await expect(page.getByRole('dialog', { name: 'Opening First.farol' })).toBeVisible();
+  await page.evaluate(() => (Reflect.get(window, 'goOn') as () => void)());
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  expect(
+    await page.evaluate(() => {
+      const { scene } = window.editor.document;
+      return [scene.name, scene.assets.mesh('same.ply').getAttribute('position').getX(1)];
+    }),
+  ).toEqual(['Second', 2]);
 });
 
 test('a page that is left with nothing unsaved offers nothing to recover', async ({ page }) => {

@@ -1,12 +1,5 @@
 import { type Command, type CommandStack, Signal, t } from '@farol/editing';
-import {
-  AssetLibrary,
-  audioOutput,
-  type AssetLibraryOptions,
-  builtinComponents,
-  ComponentRegistry,
-  type Scene,
-} from '@farol/engine';
+import { type AssetLibrary, audioOutput, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
 import { type SceneParameters, scenes } from '@farol/engine/scenes';
 import { MathUtils } from 'three';
@@ -40,6 +33,7 @@ import { Viewport } from './viewport/Viewport';
 import { guardScripts } from './scripts/guardScripts';
 import { Plugins } from './plugins/Plugins';
 import { unknownTypes } from './model/unknownTypes';
+import { makeLibrary } from './files/makeLibrary';
 import { withProgress } from './files/withProgress';
 import { watchErrors } from './watchErrors';
 
@@ -48,15 +42,6 @@ const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
 /** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
 const RECOVERED = 1000;
-
-/** A library that loads from no other host but those that the user was asked about. */
-function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
-  const library = new AssetLibrary(options);
-  library.allowedOrigins = new Set();
-  // the meshes of the samples are offered in every scene; a sample, or a file that names some, brings its own by itself
-  void import('./files/sampleMeshes').then(({ registerSceneAssets }) => registerSceneAssets(library));
-  return library;
-}
 
 export interface EditorOptions {
   /** Addresses of assets that are files, by name. */
@@ -112,6 +97,9 @@ export class Editor implements EditorApi {
   worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };
+  /** How many scenes are being read, and which of all was begun last. */
+  private reading = 0;
+  private turn = 0;
   private readonly urls: Record<string, string>;
 
   /** @param canvas - what the picture is drawn to @throws Error when the browser has no WebGL 2 */
@@ -176,20 +164,44 @@ export class Editor implements EditorApi {
   }
 
   async openScene(name: string, parameters: SceneParameters = {}): Promise<void> {
-    this.show(await scenes[name].build(parameters, this.libraryForNext()), { name: null, handle: null });
+    const scene = await this.readNext((assets) => scenes[name].build(parameters, assets));
+    if (scene) this.show(scene, { name: null, handle: null });
   }
 
   async openSample(name: string): Promise<void> {
     const { file, scene } = this.samples[name];
     if (file === null) return this.openScene(name, scene?.sample);
     const { readSample } = await import('./files/readSample');
-    this.show(await readSample(this, file), { name: null, handle: null });
+    const read = await this.readNext((assets) => readSample(this, file, assets));
+    if (read) this.show(read, { name: null, handle: null });
+  }
+
+  /** @returns null when another scene was begun or shown while this one was read */
+  private async readNext(read: (assets: AssetLibrary) => Promise<Scene>): Promise<Scene | null> {
+    const turn = ++this.turn;
+    const assets = this.libraryForNext();
+    this.reading++;
+    let scene: Scene | null = null;
+    try {
+      scene = await read(assets);
+      return turn === this.turn ? scene : null;
+    } catch (error) {
+      // the library went with the scene that was there
+      if (turn !== this.turn) return null;
+      throw error;
+    } finally {
+      this.reading--;
+      if (!scene || turn !== this.turn) {
+        scene?.dispose();
+        if (assets !== this.document.assets) assets.dispose();
+      }
+    }
   }
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
     // a file that is turned down leaves nothing in the library of a scene that stays
-    if (!assets.hasOwn && !this.commands.isDirty) return assets;
+    if (!assets.hasOwn && !this.commands.isDirty && this.reading === 0) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
 
@@ -198,7 +210,6 @@ export class Editor implements EditorApi {
     file: OpenFile,
     fileOf?: (path: string) => Blob | null,
   ): Promise<boolean> {
-    const assets = this.libraryForNext();
     try {
       const { deserialize, readSceneFile } = await import('./files/readScene');
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
@@ -206,10 +217,9 @@ export class Editor implements EditorApi {
         const { askForHosts } = await import('./files/askForHosts');
         return askForHosts(this.dialogs, file.name ?? t('The scene'), addresses);
       };
-      const scene = await withProgress(
-        this.dialogs,
-        t('Opening {file}', { file: file.name ?? t('the scene') }),
-        (signal) =>
+      const title = t('Opening {file}', { file: file.name ?? t('the scene') });
+      const scene = await this.readNext((assets) =>
+        withProgress(this.dialogs, title, (signal) =>
           deserialize(content.text, {
             assets,
             registry: this.document.scripts.withoutScripts(this.components),
@@ -217,9 +227,12 @@ export class Editor implements EditorApi {
             mayFetch,
             signal,
           }),
+        ),
       );
+      if (!scene) return false;
       // asked only now that the file is known to be good
       if (!(await this.mayLoseChanges())) {
+        const { assets } = scene;
         scene.dispose();
         if (assets !== this.document.assets) assets.dispose();
         return false;
@@ -228,7 +241,6 @@ export class Editor implements EditorApi {
       if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {
-      if (assets !== this.document.assets) assets.dispose();
       if (error instanceof DOMException && error.name === 'AbortError') return false;
       if (!(error instanceof FileError)) throw error;
       const title = t('{file} cannot be opened', { file: file.name ?? t('The file') });
@@ -301,6 +313,7 @@ export class Editor implements EditorApi {
 
   show(scene: Scene, file: OpenFile, runsScripts = true): void {
     this.tools.end();
+    this.turn++;
     this.document.open(scene, runsScripts);
     this.openFile = file;
     this.fileChanged.emit();

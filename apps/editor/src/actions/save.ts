@@ -1,4 +1,5 @@
 import { t } from '@farol/editing';
+import type { Scene } from '@farol/engine';
 import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 import { fileNameOf } from '../files/fileNameOf';
@@ -18,10 +19,10 @@ export const fileType = {
  * The scene as a file: JSON with all assets inside where the name ends so, else a container.
  * @throws Error that names the file and says why it was not saved
  */
-async function bytesFor(editor: EditorApi, name: string): Promise<Blob> {
+async function bytesFor(scene: Scene, name: string): Promise<Blob> {
   const { notSaved } = await import('../files/saveFile');
   try {
-    const content = containerContent(editor.document.scene);
+    const content = containerContent(scene);
     const isJson = name.toLowerCase().endsWith('.json');
     const part = isJson ? `${JSON.stringify(await inlineAssets(content), null, 1)}\n` : await writeContainer(content);
     return new Blob([part], { type: isJson ? 'application/json' : fileType.mimeTypes[0] });
@@ -36,30 +37,36 @@ const failures = new WeakMap<EditorApi, number>();
 async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
   const { notices } = editor;
   try {
-    await writeTo(editor, handle);
+    const name = await writeTo(editor, handle);
     notices.remove(failures.get(editor) ?? 0);
-    notices.show('info', t('Saved {name}', { name: editor.file.name ?? '' }));
+    notices.show('info', t('Saved {name}', { name }));
   } catch (error) {
     if (!(error instanceof Error) || error.name === 'AbortError') throw error;
     failures.set(editor, notices.show('error', error.message, 'file', { lasts: true }));
   }
 }
 
-async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
-  const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(editor.document.scene.name)}.farol`;
+/** @returns the name of the file */
+async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<string> {
+  const { scene } = editor.document;
+  const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
   const { saveFile } = await import('../files/saveFile');
   const step = editor.commands.last;
   // the picker gives the file; a browser without one downloads, and gives none
-  let content = await bytesFor(editor, fileName);
+  let content = await bytesFor(scene, fileName);
   let saved = await saveFile(content, { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
     // another kind was chosen in the picker than the name stood for
-    content = await bytesFor(editor, saved.name);
+    content = await bytesFor(scene, saved.name);
     saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
   }
-  editor.saved({ name: saved?.name ?? fileName, handle: saved }, step);
+  const name = saved?.name ?? fileName;
+  // another scene that was opened meanwhile is in no file yet, and would be written over this one
+  if (editor.document.scene !== scene) return name;
+  editor.saved({ name, handle: saved }, step);
   const { noteRecent } = await import('../files/recent/noteRecent');
   void noteRecent(editor, content, true);
+  return name;
 }
 
 export const save: Action = {

@@ -1,10 +1,10 @@
 import { t } from '@farol/editing';
-import type { Scene } from '@farol/engine';
+import type { AssetLibrary, Scene } from '@farol/engine';
 import { deserialize, readSceneFile } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 
-/** Opens a sample's file, which lies beside the page. @throws Error (as a rejection) when it cannot be read */
-export async function readSample(editor: EditorApi, file: string): Promise<Scene> {
+/** Reads a sample's file, which lies beside the page. @param assets - takes its assets @throws Error (as a rejection) when it cannot be read */
+export async function readSample(editor: EditorApi, file: string, assets: AssetLibrary): Promise<Scene> {
   const response = await fetch(new URL(`scenes/${file}`, document.baseURI));
   if (!response.ok) {
     const { status } = response;
@@ -12,5 +12,5 @@ export async function readSample(editor: EditorApi, file: string): Promise<Scene
   }
   const { text, fileOf } = await readSceneFile(new Uint8Array(await response.arrayBuffer()), editor.mayUnpack);
   const registry = editor.document.scripts.withoutScripts(editor.components);
-  return deserialize(text, { assets: editor.libraryForNext(), registry, fileOf });
+  return deserialize(text, { assets, registry, fileOf });
 }

@@ -28,7 +28,7 @@ describe('readGltfJson', () => {
 
   it.each([
     [bytes('hello'), /JSON cannot be read/],
-    [bytes(''), /JSON cannot be read/],
+    [bytes(''), /the file is empty: choose it again/],
     [bytes('[1]'), /no glTF/],
     [bytes('{"asset":{"version":"1.0"}}'), /glTF 1\.0/],
     [glb(json, { cut: 16 }), /cut short: 16 bytes/],

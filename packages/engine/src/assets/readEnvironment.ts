@@ -1,6 +1,6 @@
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
 import { shortText } from '@farol/renderer';
-import { checkExr } from './exr/checkExr';
+import { checkExr } from '../exr/checkExr';
 import { checkPixels, imageSize, PixelsError } from './imageSize';
 
 /**

@@ -115,10 +115,13 @@ export class Autosave implements DraftKeeper {
     if (this.changedAt !== null) this.schedule(RETRIES[Math.min(this.refusals, RETRIES.length) - 1]);
   }
 
-  /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. */
+  /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. @throws Error when another tab has taken it */
   private async recover({ id, name, fileName, handle }: SessionInfo): Promise<void> {
     const { editor } = this;
     await this.opened;
+    if (!(await this.store.lost()).some((each) => each.id === id)) {
+      throw new Error(t('{name} is not here any more: another tab has recovered or discarded it.', { name }));
+    }
     const { text, files } = await this.store.read(id);
     if (!(await editor.openFileBytes(text, { name: fileName, handle }, (path) => files.get(path) ?? null))) return;
     editor.commands.markUnsaved();

@@ -56,7 +56,7 @@ export class AutosaveStore {
       const asked = this.waiting.get(data.id);
       this.waiting.delete(data.id);
       if (data.error === undefined) asked?.resolve(data.result);
-      else asked?.reject(data.error);
+      else asked?.reject(Object.assign(new Error(data.error.message), { name: data.error.name }));
     });
     worker.addEventListener('error', () => {
       worker.terminate();

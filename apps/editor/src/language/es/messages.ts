@@ -115,6 +115,8 @@ export const messages: Texts = {
   'the technique': 'la técnica',
   'the effect': 'el efecto',
   'the microshader': 'el microshader',
+  '{name} is not here any more: another tab has recovered or discarded it.':
+    '{name} ya no está aquí: otra pestaña la recuperó o la descartó.',
   '{name} is as it was. Save it to keep it.': '{name} está como estaba. Hay que guardarla para conservarla.',
   'Drafts are kept again.': 'Se vuelven a guardar borradores.',
   'The autosave could not be loaded: is the server there?':
