@@ -185,6 +185,24 @@ describe('instances', () => {
     expect(gameObjectOf(hit.object, hit.instanceId)).toBe(renderers[2].gameObject);
   });
 
+  test('are culled together, by a sphere around all of them', () => {
+    const renderers = [0, 1, 2].map(() => thing({ instanced: true }));
+    const [near, far] = renderers.map((renderer) => renderer.gameObject.transform);
+    near.position = [-3, 0, 0];
+    far.position = [3, 4, 0];
+    far.scale = [1, 2, 1];
+    const [group] = groups();
+    const { center, radius } = group.boundingSphere!;
+    const size = assets.mesh('box').boundingSphere!.radius;
+    expect(group.frustumCulled).toBe(true);
+    expect(center.distanceTo(new Vector3(-3, 0, 0)) + size).toBeLessThanOrEqual(radius);
+    expect(center.distanceTo(new Vector3(3, 4, 0)) + 2 * size).toBeLessThanOrEqual(radius);
+    expect(radius).toBeLessThan(8);
+    renderers[1].gameObject.active = false;
+    groups();
+    expect(radius).toBeGreaterThan(group.boundingSphere!.radius);
+  });
+
   test('go away one by one, and into meshes of their own', () => {
     const renderers = [0, 1].map(() => thing({ instanced: true }));
     expect(groups()).toHaveLength(1);

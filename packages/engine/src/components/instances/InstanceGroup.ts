@@ -1,4 +1,4 @@
-import { type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material } from 'three';
+import { Box3, type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material, Sphere } from 'three';
 import type { InstanceOwner } from '../../core/gameObjectOf';
 import { IndexedList } from '../../core/IndexedList';
 import type { Component, GameObject } from '../../core/SceneGraph';
@@ -23,6 +23,8 @@ class GroupMesh extends InstancedMesh implements InstanceOwner {
 }
 
 const colour = new Color();
+const one = new Sphere();
+const box = new Box3();
 
 /** ObjectRenderers of one geometry and one material, drawn in one call. */
 export class InstanceGroup {
@@ -46,12 +48,16 @@ export class InstanceGroup {
     const members = this.members.array;
     const mesh = this.meshFor(members.length);
     const colours = mesh.instanceColor!;
+    if (this.geometry.boundingSphere === null) this.geometry.computeBoundingSphere();
+    box.makeEmpty();
     let count = 0;
     let recoloured = false;
     for (let i = 0; i < members.length; i++) {
       const member = members[i];
       if (!member.isActive || !member.render) continue;
-      mesh.setMatrixAt(count, member.gameObject.object3D.matrixWorld);
+      const { matrixWorld } = member.gameObject.object3D;
+      mesh.setMatrixAt(count, matrixWorld);
+      addSphere(one.copy(this.geometry.boundingSphere!).applyMatrix4(matrixWorld));
       const [r, g, b] = member.colour;
       if (
         colours.getX(count) !== Math.fround(r) ||
@@ -68,7 +74,8 @@ export class InstanceGroup {
     mesh.instanceMatrix.needsUpdate = true;
     if (recoloured) colours.needsUpdate = true;
     mesh.boundingBox = null;
-    mesh.boundingSphere = null;
+    // around all of them, so that the group is culled, and told from what reaches the far plane
+    box.getBoundingSphere((mesh.boundingSphere ??= new Sphere()));
     return mesh;
   }
 
@@ -88,10 +95,16 @@ export class InstanceGroup {
     mesh.setColorAt(0, colour.setRGB(1, 1, 1));
     mesh.castShadow = this.shadows.cast;
     mesh.receiveShadow = this.shadows.receive;
-    mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
     parent?.add(mesh);
     this.mesh = mesh;
     return mesh;
   }
+}
+
+/** Extends `box` by a sphere. Numbers that are none make it none: the group is drawn then wherever it is. */
+function addSphere({ center: { x, y, z }, radius }: Sphere): void {
+  const { min, max } = box;
+  min.set(Math.min(min.x, x - radius), Math.min(min.y, y - radius), Math.min(min.z, z - radius));
+  max.set(Math.max(max.x, x + radius), Math.max(max.y, y + radius), Math.max(max.z, z + radius));
 }

@@ -5,7 +5,13 @@
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   int first = farol_lightCounts.x + farol_lightCounts.y;
-  for (int i = first; i < first + farol_lightCounts.z; i++) farol_addLocal(s, i);
+  for (int i = first; i < first + farol_lightCounts.z; i++) {
+    // most lights do not reach the point: of these one texel is fetched, not two
+    vec4 sphere = farol_lightSphere(i);
+    vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
+    float range = farol_lightRange(sphere);
+    if (dot(toLight, toLight) < range * range) farol_addRead(s, i, sphere, farol_lightEmission(i), false);
+  }
 #ifdef FAROL_AREA_LIGHTS
   if (farol_areaCounts.y > 0 && farol_isPhysical(s)) {
     FarolAreaLobe lobe = FAROL_LOBE_OF(s);
