@@ -194,6 +194,14 @@ describe('an object that wears a surface by itself', () => {
     const groups = scene.three.children.filter((each) => 'isInstancedMesh' in each) as unknown as Mesh[];
     expect(groups).toHaveLength(1);
     expect(getSurfaces(groups[0].material as MeshStandardMaterial)[0].surface.name).toBe('Rust');
+    expect(groups[0].frustumCulled).toBe(true);
+  });
+
+  test('instances whose vertices may lie elsewhere are drawn wherever they are', () => {
+    const { scene, box } = made();
+    box('a', { surface: 'Waves', instanced: true });
+    scene.three.updateMatrixWorld();
+    expect(scene.three.children.find((each) => 'isInstancedMesh' in each)!.frustumCulled).toBe(false);
   });
 });
 

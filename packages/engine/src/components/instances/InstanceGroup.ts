@@ -3,6 +3,7 @@ import type { InstanceOwner } from '../../core/gameObjectOf';
 import { IndexedList } from '../../core/IndexedList';
 import type { Component, GameObject } from '../../core/SceneGraph';
 import type { Vector3Tuple } from '../../fields/Field';
+import { fitBounds } from '../ObjectSurface';
 
 /** A component that is drawn as an instance: an ObjectRenderer. */
 export interface InstanceMember extends Component {
@@ -76,6 +77,7 @@ export class InstanceGroup {
     mesh.boundingBox = null;
     // around all of them, so that the group is culled, and told from what reaches the far plane
     box.getBoundingSphere((mesh.boundingSphere ??= new Sphere()));
+    fitBounds(mesh);
     return mesh;
   }
 

@@ -186,11 +186,7 @@ void farol_addOther(inout FarolShading s, const in int record, const in bool isL
     return;
   }
 #endif
-#ifdef FAROL_BOUNDED_MASKS
   if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, isLit);
-#else
-  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, false);
-#endif
 }
 
 // a plain point light; others are left out. Not by farol_addPlain: its emission is fetched while the distance is found
