@@ -1,5 +1,5 @@
-// SMAA, first step: edges of luma and of alpha, without those that a stronger one beside them masks. r: to the left pixel,
-// g: to the one below.
+// SMAA, first step: edges of luma and of alpha, without those that a stronger one beside them masks.
+// r: to the left pixel, g: to the one below.
 // Jimenez et al. 2012, SMAA: Enhanced Subpixel Morphological Antialiasing, 3.1 and 4.1; https://www.iryoku.com/smaa/
 #include "displayTransfer"
 uniform highp sampler2D farol_picture;
