@@ -52,7 +52,7 @@ const clearing = new WeakMap<object, boolean>();
 /** Whether a callback's own text clears depth, and not colour. */
 function clears(callback: (...all: never[]) => void): boolean {
   let known = clearing.get(callback);
-  if (known === undefined) clearing.set(callback, (known = /clear(Depth\(|\((false|!1),)/.test(String(callback))));
+  if (known === undefined) clearing.set(callback, (known = /clear(Depth|\((false|!1))/.test(String(callback))));
   return known;
 }
 

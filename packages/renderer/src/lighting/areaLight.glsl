@@ -8,7 +8,7 @@
 #define FAROL_BEGIN_AREA_SUM
 #define FAROL_AREA_SHADING
 #define FAROL_ADD_AREA(light)
-#define FAROL_ADD_BOUNDED_AREA(record)
+#define FAROL_ADD_BOUNDED_AREA(s, record)
 #define FAROL_AREA_SPECULAR(s, f0, f90, roughness)
 #define FAROL_BEGIN_AREAS
 #define FAROL_SHADE_AREA(light)

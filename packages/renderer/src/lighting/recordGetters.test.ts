@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
+  attenuationKinds,
   EXTENSION,
   FLOATS_PER_RECORD,
   extensionRecord,
@@ -32,6 +33,12 @@ describe('the getters of a record', () => {
       // of two numbers, so that nothing is fetched twice
       'float farol_lightD(vec4 t) { return t.x + t.y; }',
     ]);
+  });
+
+  it('tell the kinds of attenuation by their numbers', () => {
+    const { isNearFar, isPolynomial } = extensionRecord.falloff;
+    const { nearFar, polynomial } = attenuationKinds;
+    expect([isNearFar[1], isPolynomial[1]]).toEqual([`t.w == ${nearFar}.0`, `t.w == ${polynomial}.0`]);
   });
 
   it('go on in the next record', () => {

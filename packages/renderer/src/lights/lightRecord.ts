@@ -83,8 +83,9 @@ export const extensionRecord = {
     far: 'y',
     /** Constant, linear (1/m), quadratic (1/m²). */
     factors: 'xyz',
-    isNearFar: ['bool', `t.w == ${attenuationKinds.nearFar}.0`],
-    isPolynomial: ['bool', `t.w == ${attenuationKinds.polynomial}.0`],
+    // of attenuationKinds, as texts: what is put together here would be part of what a page loads
+    isNearFar: ['bool', 't.w == 1.0'],
+    isPolynomial: ['bool', 't.w == 2.0'],
   },
 } as const satisfies RecordLayout;
 

@@ -48,7 +48,7 @@ uniform highp ivec2 farol_areaCounts;
       farol_addArea(s, FAROL_LOBE_OF(s), -light.extension, light.direction * light.distance, light.color, light.mask); \
     return; \
   }
-#define FAROL_ADD_BOUNDED_AREA(record) \
+#define FAROL_ADD_BOUNDED_AREA(s, record) \
   if (farol_areaCounts.y > 0 && farol_isPhysical(s)) farol_addListedArea(s, FAROL_LOBE_OF(s), record);
 #define FAROL_AREA_SPECULAR(s, f0, f90, roughness) + s.area * farol_areaFresnel(f0, f90, roughness, s.dotNV)
 

@@ -169,12 +169,6 @@ void farol_addLocal(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
 }
 
-// any light with a range
-void farol_addBounded(inout FarolShading s, const in int record) {
-  farol_addLocal(s, record);
-  FAROL_ADD_BOUNDED_AREA(record)
-}
-
 // a light with a range, unless it is a plain point light or an area light; isPlain: it would be the former but for its
 // mask, which lets all through; both texels are fetched before either is looked at
 void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {

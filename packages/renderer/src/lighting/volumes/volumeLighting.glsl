@@ -28,7 +28,8 @@ void farol_addUnboundedToPixel(inout FarolPixel lit) {
 
 // record: of a light with a range
 void farol_addToPixel(inout FarolPixel lit, const in int record) {
-  farol_addBounded(lit, record);
+  farol_addLocal(lit, record);
+  FAROL_ADD_BOUNDED_AREA(lit, record)
 }
 
 void farol_endPixel(const in FarolPixel lit, const in ivec2 pixel) {
