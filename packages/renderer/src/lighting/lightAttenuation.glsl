@@ -21,7 +21,8 @@ float farol_distanceAttenuation(const in float lightDistance, const in float ran
 // farol_distanceAttenuation of a light with a range, from squares: no root, no power for the usual decay of 2
 float farol_boundedAttenuation(const in float distanceSquared, const in float ratioSquared, const in float decay) {
   float window = 1.0 - ratioSquared * ratioSquared;
-  return window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);
+  float falloff = window * window / max(decay == 2.0 ? distanceSquared : pow(distanceSquared, 0.5 * decay), 0.01);
+  return falloff;
 }
 
 float farol_nearFarAttenuation(const in float lightDistance, const in float nearDistance, const in float farDistance) {
