@@ -412,6 +412,20 @@ test('a page that is left with nothing unsaved offers nothing to recover', async
   await expect(page.getByRole('dialog')).toHaveCount(0);
 });
 
+test('where the code of their pictures cannot be fetched, assets have none, and nothing is wrong', async ({
+  page,
+  watch,
+}) => {
+  const code = /\/thumbnails[.-][\w.-]+(\?|$)/;
+  await page.route(code, (route) => route.abort());
+  const failed = page.waitForEvent('requestfailed', (request) => code.test(request.url()));
+  await openEmpty(page);
+  await page.getByRole('tab', { name: 'Assets' }).click();
+  await failed;
+  await expect(page.locator('[data-asset="box"]')).toBeVisible();
+  expect(watch.forgive(/Failed to load resource: net::ERR_FAILED/)).toBeGreaterThan(0);
+});
+
 test('files and samples are opened, and scenes saved, without a network once the editor is there', async ({
   page,
   context,

@@ -24,6 +24,7 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/landInPicture'),
       import('./files/readScene'),
       import('./files/saveFile'),
+      import('./files/thumbnails'),
       import('./panels/dialogs/TextDialog'),
       import('./panels/palette/CommandPalette'),
     ]);

@@ -28,7 +28,8 @@ export function useThumbnail(entry: AssetEntry, isWanted: boolean): string | nul
       const address = await thumbnailsOf(editor).pictureOf(entry);
       if (isCurrent && address) setPicture(address);
     };
-    const timer = setTimeout(() => void draw(), revision > 0 ? CALM : 0);
+    // without its code, such as without a network, an asset has its sign in place of a picture
+    const timer = setTimeout(() => void draw().catch(() => {}), revision > 0 ? CALM : 0);
     return () => {
       isCurrent = false;
       clearTimeout(timer);
