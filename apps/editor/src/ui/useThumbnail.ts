@@ -23,13 +23,13 @@ export function useThumbnail(entry: AssetEntry, isWanted: boolean): string | nul
     if (!isWanted) return;
     let isCurrent = true;
     const draw = async (): Promise<void> => {
-      const { thumbnailsOf } = await import('../files/thumbnails');
-      if (!isCurrent) return;
-      const address = await thumbnailsOf(editor).pictureOf(entry);
+      // without its code, such as without a network, an asset has its sign in place of a picture
+      const code = await import('../files/thumbnails').catch(() => null);
+      if (!isCurrent || !code) return;
+      const address = await code.thumbnailsOf(editor).pictureOf(entry);
       if (isCurrent && address) setPicture(address);
     };
-    // without its code, such as without a network, an asset has its sign in place of a picture
-    const timer = setTimeout(() => void draw().catch(() => {}), revision > 0 ? CALM : 0);
+    const timer = setTimeout(() => void draw(), revision > 0 ? CALM : 0);
     return () => {
       isCurrent = false;
       clearTimeout(timer);
