@@ -6,11 +6,20 @@ export type ConsoleKind = 'error' | 'warning' | 'info';
 
 /** What a message is about. */
 export type ConsoleSource =
-  'editor' | 'shader' | 'file' | 'asset' | 'component' | 'script' | 'picture' | 'plugin' | 'page';
+  | 'editor'
+  | 'shader'
+  | 'file'
+  | 'asset'
+  | 'component'
+  | 'script'
+  | 'picture'
+  | 'plugin'
+  | 'page';
 
 /** A line (from 1) of a microshader or of a script, by its name. */
 export type ConsolePlace =
-  { readonly chunk: string; readonly line: number } | { readonly script: string; readonly line: number };
+  | { readonly chunk: string; readonly line: number }
+  | { readonly script: string; readonly line: number };
 
 export interface ConsoleEntry {
   readonly id: number;

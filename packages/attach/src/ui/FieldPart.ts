@@ -20,7 +20,11 @@ import { element } from './element';
 
 /** A new value, or one made from each owner's own. */
 export type PartUpdate =
-  number | string | boolean | ((before: number) => number) | ((before: Vector3Tuple) => Vector3Tuple);
+  | number
+  | string
+  | boolean
+  | ((before: number) => number)
+  | ((before: Vector3Tuple) => Vector3Tuple);
 
 /** A control of a field: the whole value, one coordinate of three, or screen colour or intensity of a colour. */
 export interface FieldPart {

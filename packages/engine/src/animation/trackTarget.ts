@@ -30,7 +30,8 @@ export function pathBelow(root: GameObject, gameObject: GameObject): string | nu
 
 /** What a track animates below an object; else what is gone, and the mend. */
 export type TrackTarget =
-  { readonly component: Component; readonly problem: null } | { readonly component: null; readonly problem: string };
+  | { readonly component: Component; readonly problem: null }
+  | { readonly component: null; readonly problem: string };
 
 export function trackTarget(root: GameObject, track: ClipTrack): TrackTarget {
   const none = (problem: string): TrackTarget => ({ component: null, problem });

@@ -146,7 +146,17 @@ export interface GradientField extends FieldBase {
 }
 
 export type AssetType =
-  'mesh' | 'texture' | 'material' | 'shader' | 'model' | 'script' | 'clip' | 'sound' | 'profile' | 'surface' | 'bake';
+  | 'mesh'
+  | 'texture'
+  | 'material'
+  | 'shader'
+  | 'model'
+  | 'script'
+  | 'clip'
+  | 'sound'
+  | 'profile'
+  | 'surface'
+  | 'bake';
 
 /** The name of an asset of the scene's AssetLibrary, or null. */
 export interface AssetField extends FieldBase {

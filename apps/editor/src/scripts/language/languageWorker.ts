@@ -13,7 +13,8 @@ export type LanguageRequest =
 
 /** The answer to a question, or why there is none. */
 export type LanguageAnswer =
-  { readonly id: number; readonly answer: unknown } | { readonly id: number; readonly error: string };
+  | { readonly id: number; readonly answer: unknown }
+  | { readonly id: number; readonly error: string };
 
 let service: Promise<ScriptService> | null = null;
 /** Questions are answered in their order. */

@@ -38,7 +38,8 @@ export class CookieSlot implements AtlasTenant {
   follow(): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as
-      (Sized & { image?: Sized }) | undefined;
+      | (Sized & { image?: Sized })
+      | undefined;
     const source = image?.image ?? image;
     const width = source?.videoWidth ?? source?.width ?? 1;
     const height = source?.videoHeight ?? source?.height ?? 1;
