@@ -1,26 +1,39 @@
+import { availableParallelism } from 'node:os';
+import { extent, isWhole } from '@farol/tools/extent';
 import { findBrowser } from '@farol/tools/findBrowser';
 import { gpuFlags, softwareFlags } from '@farol/tools/browserFlags';
 import { defineConfig } from '@playwright/test';
 
 /**
  * Browser tests. The servers start in support/globalSetup.ts on free ports, from source, or from the built apps with
- * FAROL_E2E=built (as `npm test` does). FAROL_GPU=1 leaves the software rasteriser out.
+ * FAROL_E2E=built (as `npm test` does). FAROL_GPU=1 leaves the software rasteriser out. How much of the tests runs is said
+ * by FAROL_TESTS and the tags in titles: see README.md beside this file.
  *
- * A page of the project `editor` resolves `page.goto('./')` to the editor, of `lab` to the Lab, of the others to
- * the viewer.
+ * One project for all folders: a browser keeps the shaders that it has compiled, and another project has another browser.
+ * Which app `page.goto('./')` opens goes by the folder: see support/test.ts.
  */
 const browser = findBrowser();
 if (!browser) throw new Error('No Chromium found: run npm test once, which installs one, or set CHROMIUM_PATH.');
+const gpu = Boolean(process.env.FAROL_GPU);
+
+/** Tags of the tests that this run leaves out. */
+const leftOut = [...(isWhole ? [] : ['@verify']), gpu ? '@software' : '@gpu'];
 
 export default defineConfig({
   testDir: '.',
+  testIgnore: [
+    'packages/**', // by a configuration of its own
+    ...(process.env.FAROL_MODELS ? [] : ['models/**']), // by `npm run agree`: glTF models of a folder
+    ...(process.env.FAROL_RIVALS ? [] : ['rivals/**']), // by `npm run rivals -- --check`, which installs them
+  ],
+  grepInvert: new RegExp(leftOut.map((tag) => `${tag}\\b`).join('|')),
   globalSetup: './support/globalSetup.ts',
-  outputDir: '../.cache/browser-tests',
-  workers: 2,
+  outputDir: process.env.FAROL_TEST_OUTPUT ?? '../.cache/browser-tests',
+  workers: extent === 'slice' ? 2 : Math.max(2, availableParallelism() - 2),
   fullyParallel: true,
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
-  timeout: 240_000,
+  timeout: isWhole ? 480_000 : 240_000,
   expect: { timeout: 30_000 },
   reporter: process.env.PLAYWRIGHT_JSON_OUTPUT_NAME ? [['list'], ['json']] : [['list']],
   use: {
@@ -30,37 +43,7 @@ export default defineConfig({
     screenshot: 'only-on-failure',
     launchOptions: {
       executablePath: browser.path,
-      args: [...(process.env.FAROL_GPU ? gpuFlags : softwareFlags)],
+      args: [...(gpu ? gpuFlags : softwareFlags)],
     },
   },
-  projects: [
-    { name: 'viewer', testDir: './viewer', use: { baseURL: process.env.FAROL_VIEWER_URL } },
-    {
-      name: 'render',
-      testDir: './render',
-      // its figures are of smoothness, against sample positions of the software rasteriser: no agreement with stock three
-      testIgnore: process.env.FAROL_AGREE ? ['**/antialiasing.spec.ts'] : [],
-      use: { baseURL: process.env.FAROL_VIEWER_URL },
-    },
-    {
-      name: 'lab',
-      testDir: './lab',
-      use: { baseURL: process.env.FAROL_LAB_URL, viewport: { width: 1280, height: 720 } },
-    },
-    { name: 'examples', testDir: './examples', use: { baseURL: process.env.FAROL_VIEWER_URL } },
-    { name: 'perf', testDir: './perf', use: { baseURL: process.env.FAROL_VIEWER_URL } },
-    // by hand only: glTF models of a folder of yours
-    ...(process.env.FAROL_MODELS
-      ? [{ name: 'models', testDir: './models', use: { baseURL: process.env.FAROL_VIEWER_URL } }]
-      : []),
-    // by `npm run rivals -- --check` only, which installs them
-    ...(process.env.FAROL_RIVALS
-      ? [{ name: 'rivals', testDir: './rivals', use: { baseURL: process.env.FAROL_LAB_URL } }]
-      : []),
-    {
-      name: 'editor',
-      testDir: './editor',
-      use: { baseURL: process.env.FAROL_EDITOR_URL, viewport: { width: 1280, height: 720 } },
-    },
-  ],
 });

@@ -5,7 +5,7 @@ import { expect, test } from '../support/test';
 
 test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
 
-// all kinds of edits with FAROL_WHOLE=1, many more by hand: FAROL_KILLS=50 npm run soak -- --minutes 0
+// every second kind of edit in the slice; many more by hand: npm run soak -- --minutes 0 --kills 50
 test('a tab that is killed while edits go on loses the last second at most, and the rest is offered', async ({
   context,
 }) => {

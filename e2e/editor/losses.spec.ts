@@ -1,10 +1,11 @@
 import type { Page } from '@playwright/test';
 import type { Material, Mesh } from 'three';
+import { byExtent } from '@farol/tools/extent';
 import { loseContext } from '../support/loseContext';
 import { expect, test } from '../support/test';
 import { addObject, openEditor } from './editor';
 
-const LOSSES = Number(process.env.FAROL_LOSSES ?? 1);
+const LOSSES = byExtent({ slice: 1, verify: 3, long: 100 });
 const LOST = /a WebGL context was lost|Context Lost|Context Restored/i;
 
 test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });

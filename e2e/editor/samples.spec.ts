@@ -7,7 +7,7 @@ test.use({ viewport: { width: 460, height: 340 } });
 /** What a sample may take to open here, on a machine that does other things (ms); see README for what it takes on an idle one. */
 const PATIENCE = 20_000;
 
-// every second one in npm test, since unit tests play them all: FAROL_WHOLE=1 opens each
+// every second one in the slice, since unit tests play them all
 test('samples that are files open, play 20 steps, and are as they were once they are stopped', async ({
   page,
 }, info) => {

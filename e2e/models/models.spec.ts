@@ -12,7 +12,7 @@ import { filesOf, modelFiles } from './modelFiles';
  * glTF models of a folder, opened as a user opens them and drawn under eight lights of mixed kinds by stock three and by
  * each technique, in linear float. The figures asked are those of the matrix. By hand:
  *
- * `FAROL_MODELS=folder npx playwright test -c e2e/playwright.config.ts --project=models --workers=1`
+ * `FAROL_MODELS=folder npx playwright test -c e2e/playwright.config.ts e2e/models --workers=1`
  *
  * prints a line for each model and technique.
  */

@@ -79,8 +79,7 @@ test('many lights cost stock three and a naive multipass many times what they co
   }
 });
 
-// what holds on a graphics card alone
-if (process.env.FAROL_GPU) {
+test.describe('on a graphics card @gpu', () => {
   const lights = [10, 100, 500];
 
   test('forward falls behind deferred as in the thesis', async ({ page }) => {
@@ -120,4 +119,4 @@ if (process.env.FAROL_GPU) {
       }
     });
   }
-}
+});

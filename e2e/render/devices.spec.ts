@@ -8,7 +8,7 @@ import { expect, test } from '../support/test';
  * be refused or left out by one sentence. `npm test` takes a few devices and techniques; `npm run devices` all, with a larger
  * scene and every effect.
  */
-const WHOLE = Boolean(process.env.FAROL_DEVICES);
+
 const FEW: readonly TechniqueName[] = ['auto', 'forward', 'deferred', 'inferred', 'tiled-deferred', 'forward-plus'];
 const OTHERS: readonly TechniqueName[] = [
   ...(['forward-single-pass', 'light-prepass', 'tiled-forward'] as const),
@@ -47,13 +47,13 @@ const WHOLE_SCENE = { psnr: 55, share: 0.006 };
 const SCENE = { psnr: 60, share: 0.001 };
 
 for (const name of Object.keys(LACKS) as DeviceName[]) {
-  if (LACKS[name] === null && !WHOLE) continue;
+  if (LACKS[name] === null && !isWhole) continue;
   test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ benchPage: page, watch }) => {
-    test.setTimeout(WHOLE ? 600_000 : 120_000);
+    test.setTimeout(isWhole ? 600_000 : 120_000);
     const run = {
-      names: WHOLE ? [...FEW, ...OTHERS] : FEW,
-      effectNames: WHOLE ? EFFECTS : LACKS[name]!,
-      whole: WHOLE,
+      names: isWhole ? [...FEW, ...OTHERS] : FEW,
+      effectNames: isWhole ? EFFECTS : LACKS[name]!,
+      whole: isWhole,
     };
     const { results, beyond, stockPSNR } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
       name,
@@ -81,7 +81,7 @@ for (const name of Object.keys(LACKS) as DeviceName[]) {
         expect.soft(wholePSNR, `${said}, stock three ${stockPSNR.toFixed(1)} dB`).toBeGreaterThanOrEqual(least);
         continue;
       }
-      const limits = technique === 'inferred' ? { psnr: 35, share: 0.12 } : WHOLE ? WHOLE_SCENE : SCENE;
+      const limits = technique === 'inferred' ? { psnr: 35, share: 0.12 } : isWhole ? WHOLE_SCENE : SCENE;
       expect.soft(psnr, said).toBeGreaterThanOrEqual(changes ? 25 : limits.psnr);
       expect.soft(share, said).toBeLessThanOrEqual(changes ? 0.1 : limits.share);
     }

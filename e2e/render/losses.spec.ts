@@ -1,13 +1,14 @@
 import type { TechniqueName } from '@farol/renderer';
 import type { EffectName } from '@farol/renderer/effects';
+import { byExtent, isWhole } from '@farol/tools/extent';
 import { expect, test } from '../support/test';
 
 /**
  * Losses of the context: after each the picture is the same to the bit, without a message but of the loss itself, and with
  * no GPU object more. `npm test` loses one by a few techniques; `npm run losses` a hundred by each technique and effect.
  */
-const LOSSES = Number(process.env.FAROL_LOSSES ?? 1);
-const WHOLE = LOSSES > 1;
+const LOSSES = byExtent({ slice: 1, verify: 3, long: 100 });
+
 const LOST = /a WebGL context was lost|Context Lost|Context Restored/i;
 
 const EFFECTS: readonly EffectName[] = ['decals', 'ambient-occlusion', 'order-independent-transparency'];
@@ -28,7 +29,7 @@ const OTHERS: typeof CASES = [
   ['clustered-forward', ['smaa']],
 ];
 
-for (const [technique, effects] of WHOLE ? [...CASES, ...OTHERS] : CASES) {
+for (const [technique, effects] of isWhole ? [...CASES, ...OTHERS] : CASES) {
   test(`${technique}, ${effects.join(', ')}: as before after each loss of the context`, async ({
     benchPage: page,
     watch,

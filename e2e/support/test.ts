@@ -1,6 +1,15 @@
+import { basename, dirname } from 'node:path';
 import { type Page, test as base } from '@playwright/test';
 
 export { expect } from '@playwright/test';
+
+/** App that the tests of a folder open by `page.goto('./')`; the viewer for the others. */
+const apps: Record<string, string | undefined> = { editor: 'EDITOR', lab: 'LAB', rivals: 'LAB' };
+/** Folders whose tests have a window of a desktop's size, unless they ask for another. */
+const desktop = new Set(['editor', 'lab']);
+
+/** Folder of e2e/ that holds a test's file. */
+const folderOf = (file: string): string => basename(dirname(file));
 
 /** The browser's remarks that say nothing about our code. */
 const harmless = [
@@ -30,6 +39,14 @@ export interface Watch {
 export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Page }>({
   // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
   pagesURL: async ({}, use) => use(process.env.FAROL_PAGES_URL ?? ''),
+
+  baseURL: async ({ baseURL }, use, { file }) =>
+    use(baseURL ?? process.env[`FAROL_${apps[folderOf(file)] ?? 'VIEWER'}_URL`]),
+
+  viewport: async ({ viewport }, use, { file, project }) => {
+    const isUsual = viewport === project.use.viewport;
+    return use(isUsual && desktop.has(folderOf(file)) ? { width: 1280, height: 720 } : viewport);
+  },
 
   watch: [
     async ({ page }, use) => {

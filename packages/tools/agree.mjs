@@ -65,17 +65,13 @@ async function agree(options) {
     '@playwright/test',
     'playwright',
     [
-      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`],
+      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`, 'e2e/render/'],
       ...['--reporter', join(root, 'e2e/support/AgreementReporter.ts')],
-      ...[
-        '--project=render',
-        ...(models ? ['--project=models'] : []),
-        ...(options.only ? ['--grep', options.only] : []),
-      ],
+      ...[...(models ? ['e2e/models/'] : []), ...(options.only ? ['--grep', options.only] : [])],
     ],
     {
       FAROL_E2E: 'built',
-      FAROL_AGREE: String(Math.max(2, workers)),
+      FAROL_TESTS: 'verify',
       ...(options.gpu ? { FAROL_GPU: '1' } : {}),
       ...(models ? { FAROL_MODELS: models } : {}),
       ...(options.json ? { FAROL_AGREE_FILE: resolve(options.json) } : {}),

@@ -49,15 +49,15 @@ async function draw(version) {
     '@playwright/test',
     'playwright',
     [
-      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`, '--project=render'],
+      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`],
       ...['--reporter', join(root, 'e2e/support/AgreementReporter.ts')],
-      ...(values.all ? [] : ['render/agreement.spec.ts', 'render/matrix.spec.ts']),
+      ...(values.all ? ['e2e/render/'] : ['render/agreement.spec.ts', 'render/matrix.spec.ts']),
       ...(values.only ? ['--grep', values.only] : []),
     ],
     {
       FAROL_E2E: 'built',
       FAROL_BUILT: folder,
-      FAROL_AGREE: String(Math.max(2, workers)),
+      FAROL_TESTS: 'verify',
       FAROL_AGREE_FILE: file,
       CHROMIUM_PATH: ensureBrowser(),
       ...(values.gpu ? { FAROL_GPU: '1' } : {}),

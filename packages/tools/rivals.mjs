@@ -33,7 +33,7 @@ try {
 }
 if (asked.includes('--check')) {
   if (runTool('typescript', 'tsc', ['-p', 'apps/lab/rivals']) !== 0) process.exit(1);
-  const args = ['test', '--config', 'e2e/playwright.config.ts', '--project', 'rivals', '--workers', '1'];
+  const args = ['test', '--config', 'e2e/playwright.config.ts', 'e2e/rivals/', '--workers', '1'];
   const env = { FAROL_RIVALS: '1', CHROMIUM_PATH: ensureBrowser() };
   process.exit(runTool('@playwright/test', 'playwright', args, env));
 }

@@ -18,7 +18,7 @@ import { soakFaults, soakRounds } from './soakRounds.mjs';
 
 const help = `npm run soak -- [options]
   --minutes N      how long renderers are tried (default 5; 0 for none)
-  --kills N        tabs of the editor that are killed (default FAROL_KILLS, or 10)
+  --kills N        tabs of the editor that are killed (default 10)
   --seed N         another run (default 1)
   --without a,b    kinds of acts to leave out: loss, exception, technique, view, effects, scene, size, shadows, cascades,
                    lights, layers, camera, texture
@@ -31,7 +31,7 @@ const EVERY = 10;
 const { values } = parseArgs({
   options: {
     minutes: { type: 'string', default: '5' },
-    kills: { type: 'string', default: process.env.FAROL_KILLS ?? '10' },
+    kills: { type: 'string', default: '10' },
     seed: { type: 'string', default: '1' },
     without: { type: 'string', default: '' },
     gpu: { type: 'boolean', default: Boolean(process.env.FAROL_GPU) },
