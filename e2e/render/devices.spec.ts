@@ -1,6 +1,7 @@
 import type { TechniqueName } from '@farol/renderer';
 import type { EffectName } from '@farol/renderer/effects';
 import type { DeviceName } from '../pages/devices';
+import { isWhole } from '@farol/tools/extent';
 import { expect, test } from '../support/test';
 
 /**
