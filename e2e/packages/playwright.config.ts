@@ -9,7 +9,7 @@ if (!browser) throw new Error('No Chromium found: run npm test once, which insta
 export default defineConfig({
   testDir: '.',
   globalSetup: './installPackages.ts',
-  outputDir: '../../.cache/package-tests',
+  outputDir: process.env.FAROL_TEST_OUTPUT ?? '../../.cache/package-tests',
   workers: 2,
   fullyParallel: true,
   retries: 0,

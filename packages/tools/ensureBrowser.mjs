@@ -1,5 +1,6 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { findBrowser } from './findBrowser.mjs';
 import { toolPath } from './toolPath.mjs';
 
@@ -65,3 +66,5 @@ export function ensureBrowser(world = thisMachine()) {
       : 'No Chromium could be found or installed. Install Chromium or Google Chrome and run the tests again, or set CHROMIUM_PATH to the path of one.',
   );
 }
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) console.log(ensureBrowser());
