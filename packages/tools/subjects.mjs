@@ -1,0 +1,100 @@
+/**
+ * Browser tests of each folder of sources, for `npm run try`: a file goes by the first row whose folder holds it. Each row
+ * names few files, the quickest that fail when what the folder holds is broken.
+ *
+ * @type {readonly (readonly [folder: string, specs: readonly string[]])[]}
+ */
+export const subjects = [
+  ['packages/renderer/src/adapters', ['examples/passes', 'examples/drei']],
+  ['packages/renderer/src/authoring', ['render/errors', 'render/effects']],
+  ['packages/renderer/src/effects/ambient-occlusion', ['render/ambientOcclusion']],
+  ['packages/renderer/src/effects/antialiasing', ['render/antialiasing']],
+  ['packages/renderer/src/effects/decals', ['render/decals']],
+  ['packages/renderer/src/effects/light-probes', ['render/bake']],
+  ['packages/renderer/src/effects/particles', ['render/particles', 'render/particleLight']],
+  ['packages/renderer/src/effects/transparency', ['render/transparency']],
+  ['packages/renderer/src/effects', ['render/effects']],
+  ['packages/renderer/src/lazy/area-lights', ['render/areaLights']],
+  ['packages/renderer/src/lazy/gouraud', ['render/shading']],
+  ['packages/renderer/src/lazy/light-buffer', ['render/inferred', 'render/toon']],
+  ['packages/renderer/src/lazy/light-fields', ['render/lightField']],
+  ['packages/renderer/src/lazy/multipass', ['render/sharedMaterial', 'render/glass']],
+  ['packages/renderer/src/lazy/nodes', ['render/nodeMaterials']],
+  ['packages/renderer/src/lazy/shadows', ['render/shadows', 'render/shadowMaps']],
+  ['packages/renderer/src/lazy/timer', ['perf/draws']],
+  ['packages/renderer/src/lazy/views', ['viewer/gui']],
+  ['packages/renderer/src/lazy/warm-up', ['render/lazyCode']],
+  ['packages/renderer/src/light-field', ['render/lightField']],
+  ['packages/renderer/src/light-profiles', ['render/lightProfiles']],
+  ['packages/renderer/src/microshaders', ['render/microshaders', 'render/claims', 'render/toon']],
+  ['packages/renderer/src/surfaces', ['render/surfaces']],
+  ['packages/renderer', ['render/agreement', 'render/claims', 'render/host', 'perf/draws']],
+
+  ['packages/bake', ['render/bake']],
+
+  ['packages/engine/src/animation', ['editor/timeline']],
+  ['packages/engine/src/audio', ['editor/triggers']],
+  ['packages/engine/src/files', ['editor/share', 'editor/files']],
+  ['packages/engine/src/physics', ['editor/physics']],
+  ['packages/engine/src/picture', ['editor/picture']],
+  ['packages/engine/src/prefabs', ['editor/files']],
+  ['packages/engine/src/profiles', ['editor/profiles']],
+  ['packages/engine/src/scenes', ['render/everyScene']],
+  ['packages/engine/src/scripts', ['editor/scripts']],
+  ['packages/engine', ['editor/journey', 'viewer/url']],
+
+  ['packages/editing', ['editor/fields', 'examples/attach']],
+  ['packages/attach', ['examples/attach']],
+  ['packages/tools', []], // by their unit tests
+
+  ['apps/viewer/examples', ['examples/pictures']],
+  ['apps/viewer', ['viewer/url', 'viewer/gui']],
+  ['apps/lab/src/charts', ['lab/charts']],
+  ['apps/lab/src/normals', ['lab/normals']],
+  ['apps/lab/src/results', ['lab/keeping']],
+  ['apps/lab/src/run', ['lab/keeping']],
+  ['apps/lab', ['lab/journey']],
+
+  ['apps/editor/src/fields', ['editor/fields', 'editor/inspector']],
+  ['apps/editor/src/language', ['editor/language']],
+  ['apps/editor/src/layout', ['editor/layout']],
+  ['apps/editor/src/microshaders', ['editor/microshaders']],
+  ['apps/editor/src/player', ['editor/share']],
+  ['apps/editor/src/plugins', ['editor/plugin']],
+  ['apps/editor/src/samples', ['editor/samples']],
+  ['apps/editor/src/scripts', ['editor/scriptsPanel']],
+  ['apps/editor/src/viewport', ['editor/viewport']],
+  ['apps/editor/src/files/autosave', ['editor/drafts']],
+  ['apps/editor/src/files', ['editor/assets']],
+  ['apps/editor/src/panels/assets', ['editor/assets']],
+  ['apps/editor/src/panels/bake', ['editor/bake']],
+  ['apps/editor/src/panels/dialogs', ['editor/share']],
+  ['apps/editor/src/panels/frame', ['editor/frame']],
+  ['apps/editor/src/panels/hierarchy', ['editor/hierarchy']],
+  ['apps/editor/src/panels/history', ['editor/layout']],
+  ['apps/editor/src/panels/inspector', ['editor/inspector', 'editor/fields']],
+  ['apps/editor/src/panels/keys', ['editor/commands']],
+  ['apps/editor/src/panels/material', ['editor/materials']],
+  ['apps/editor/src/panels/microshaders', ['editor/microshaders']],
+  ['apps/editor/src/panels/palette', ['editor/commands']],
+  ['apps/editor/src/panels/play', ['editor/play']],
+  ['apps/editor/src/panels/prefab', ['editor/files']],
+  ['apps/editor/src/panels/scripts', ['editor/scriptsPanel']],
+  ['apps/editor/src/panels/timeline', ['editor/timeline']],
+  ['apps/editor/src/panels/tour', ['editor/welcome']],
+  ['apps/editor/src/panels/viewport', ['editor/viewport']],
+  ['apps/editor/src/panels/welcome', ['editor/welcome']],
+  ['apps/editor', ['editor/journey']],
+
+  ['e2e', []], // itself, where it is a spec
+];
+
+/**
+ * @param {string} path of a source file, from the repository's root, with `/`
+ * @returns {readonly string[]} paths of the specs of its subject; empty where it has none
+ */
+export function specsOf(path) {
+  if (path.endsWith('.spec.ts')) return [path];
+  const row = subjects.find(([folder]) => path.startsWith(`${folder}/`));
+  return (row?.[1] ?? []).map((name) => `e2e/${name}.spec.ts`);
+}
