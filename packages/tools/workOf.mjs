@@ -6,8 +6,11 @@
 const counter = /** @type {any} */ (globalThis);
 counter.$farolSteps ??= { count: 0 };
 
-/** Steps so far of built-in functions, while `workOf` runs something. */
-let builtInSteps = 0;
+/** Elements that built-in functions went through so far, while `workOf` runs something. */
+let elements = 0;
+
+/** Elements that a built-in function copies or compares in about the time of one step of ours. */
+const ELEMENTS = 64;
 
 /** @param {unknown} value @returns {number} elements, or letters */
 function sizeOf(value) {
@@ -19,20 +22,20 @@ function sizeOf(value) {
 
 /** @typedef {(target: unknown, args: unknown[], result: unknown) => number} Steps of one call */
 
-/** @type {Steps} */
+/** @type {Size} */
 const ofTarget = sizeOf;
-/** @type {Steps} */
+/** @type {Size} */
 const ofResult = (_target, _args, result) => sizeOf(result);
-/** @type {Steps} */
+/** @type {Size} */
 const ofArguments = (_target, args) => args.reduce((/** @type {number} */ sum, each) => sum + sizeOf(each), 0);
-/** @type {Steps} */
+/** @type {Size} */
 const ofSearch = (target, [, from = 0], result) =>
   (typeof result === 'number' && result >= 0 ? result + 1 : sizeOf(target)) - Number(from);
-/** Elements that were taken out, and those after them, which move. @type {Steps} */
+/** Elements that were taken out, and those after them, which move. @type {Size} */
 const ofSplice = (target, [start = 0], result) =>
   Number(start) < 0 ? -Number(start) : sizeOf(target) + sizeOf(result) - Number(start);
 
-/** Built-in functions that go through many elements in one call. @type {[owner: object, names: PropertyKey[], Steps][]} */
+/** Built-in functions that go through many elements in one call. @type {[owner: object, names: PropertyKey[], Size][]} */
 const builtIns = [
   [Array.prototype, ['indexOf', 'includes'], ofSearch],
   [Array.prototype, ['splice'], ofSplice],
@@ -56,7 +59,7 @@ const builtIns = [
 function countBuiltIns() {
   /** @type {(() => void)[]} */
   const undo = [];
-  for (const [owner, names, steps] of builtIns) {
+  for (const [owner, names, size] of builtIns) {
     for (const name of names) {
       const described = Object.getOwnPropertyDescriptor(owner, name);
       if (!described) continue;
@@ -64,7 +67,7 @@ function countBuiltIns() {
       /** @this {unknown} @param {unknown[]} args */
       const counting = function (...args) {
         const result = Reflect.apply(value, this, args);
-        builtInSteps += steps(this, args, result);
+        elements += size(this, args, result);
         return result;
       };
       Object.defineProperty(owner, name, { ...described, value: counting });
@@ -78,7 +81,7 @@ function countBuiltIns() {
 
 /**
  * Counts the work of something, as a number that is equal on every machine: calls of functions and passes of loops in the
- * sources of this repository, and elements that built-in functions go through. Only in files `*.work.test.ts`, whose sources
+ * sources of this repository, and a step for each 64 elements that built-in functions go through. Only in files `*.work.test.ts`, whose sources
  * count. Regular expressions, three and other packages are no part of it.
  *
  * @param {() => unknown} run may be asynchronous
@@ -87,12 +90,12 @@ function countBuiltIns() {
 export async function workOf(run) {
   const undo = countBuiltIns();
   counter.$farolSteps.count = 0;
-  builtInSteps = 0;
+  elements = 0;
   try {
     await run();
     const { count } = counter.$farolSteps;
     if (count === 0) throw new Error('No work was counted: the test must be in a file *.work.test.ts.');
-    return count + builtInSteps;
+    return count + elements / ELEMENTS;
   } finally {
     undo();
   }
