@@ -292,7 +292,7 @@ test.each([
 test('a file of long lines is read, and told by its line', () => {
   const head = (blanks: number) => `IESNA:LM-63-2002\n[TEST] a${' '.repeat(blanks)}b\nTILT=NONE\n`;
   // a pattern that tries every end of such a line takes minutes: then the test runner's limit ends the test
-  expect(() => parseIES(`${head(300_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is no number/);
+  expect(() => parseIES(`${head(1_000_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is no number/);
   const whole = fileOf('lm63-1986-rotational').replace(/^/, 'IESNA:LM-63-2002\n[TEST]   two  words \t\n');
   expect(parseIES(whole).keywords.get('TEST')).toBe('two  words');
 });
