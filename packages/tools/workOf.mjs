@@ -20,14 +20,14 @@ function sizeOf(value) {
   return 'length' in value ? Number(value.length) : 0;
 }
 
-/** @typedef {(target: unknown, args: unknown[], result: unknown) => number} Steps of one call */
+/** @typedef {(target: unknown, args: unknown[], result: unknown) => number} Size elements of one call */
 
 /** @type {Size} */
 const ofTarget = sizeOf;
 /** @type {Size} */
 const ofResult = (_target, _args, result) => sizeOf(result);
 /** @type {Size} */
-const ofArguments = (_target, args) => args.reduce((/** @type {number} */ sum, each) => sum + sizeOf(each), 0);
+const ofArguments = (_target, args) => args.map(sizeOf).reduce((sum, size) => sum + size, 0);
 /** @type {Size} */
 const ofSearch = (target, [, from = 0], result) =>
   (typeof result === 'number' && result >= 0 ? result + 1 : sizeOf(target)) - Number(from);
@@ -35,7 +35,14 @@ const ofSearch = (target, [, from = 0], result) =>
 const ofSplice = (target, [start = 0], result) =>
   Number(start) < 0 ? -Number(start) : sizeOf(target) + sizeOf(result) - Number(start);
 
-/** Built-in functions that go through many elements in one call. @type {[owner: object, names: PropertyKey[], Size][]} */
+/** @param {Iterable<unknown>} list @returns {Row} */
+function iteration(list) {
+  return [Object.getPrototypeOf(list[Symbol.iterator]()), ['next'], () => 1];
+}
+
+/** @typedef {[owner: object, names: PropertyKey[], size: Size]} Row */
+
+/** Built-in functions that go through many elements in one call. @type {Row[]} */
 const builtIns = [
   [Array.prototype, ['indexOf', 'includes'], ofSearch],
   [Array.prototype, ['splice'], ofSplice],
@@ -49,7 +56,7 @@ const builtIns = [
   [String.prototype, ['replaceAll', 'repeat'], ofResult],
   [String.prototype, ['split'], ofTarget],
   // loops, spreads and constructors go through lists, Maps and Sets by these
-  ...[[], new Map(), new Set()].map((list) => [Object.getPrototypeOf(list[Symbol.iterator]()), ['next'], () => 1]),
+  ...[[], new Map(), new Set()].map(iteration),
   [Object, ['keys', 'values', 'entries'], ofResult],
   [JSON, ['stringify'], ofResult],
   [JSON, ['parse'], ofArguments],

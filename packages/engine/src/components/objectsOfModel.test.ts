@@ -1,8 +1,6 @@
 import {
   AnimationClip,
   BoxGeometry,
-  BufferAttribute,
-  BufferGeometry,
   ClampToEdgeWrapping,
   DataTexture,
   DirectionalLight,

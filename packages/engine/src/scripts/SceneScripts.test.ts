@@ -61,7 +61,7 @@ test('the class of a script is a component of the scene, and of no other', async
 });
 
 test('an edit keeps 200 components, their ids and the values of their fields, and compiles once', async () => {
-  const compile = vi.fn(inNode.compile);
+  const compile = vi.fn<typeof inNode.compile>(inNode.compile);
   const { scene, scripts } = await make({ Spin: plain }, { ...inNode, compile });
   compile.mockClear();
   const components = Array.from({ length: 200 }, (_, i) => addSpin(scene, { rate: i }));
