@@ -1,5 +1,8 @@
+import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { countSteps } from './tools/countSteps.mjs';
+import { isWhole } from './tools/extent.mjs';
 import { otherThree } from './tools/otherThree.mjs';
 import { serverSourceConditions } from './tools/sourceConditions.mjs';
 
@@ -16,8 +19,12 @@ const alone = [
   'packages/engine/src/app/appSize.test.ts',
   'packages/engine/src/components/Decal.test.ts',
 ];
-/** Files that measure what the process does: two threads of tests in one would be measured together. */
+/** Files that measure the memory of the process: two threads of tests in one would be measured together. */
 const processes = ['packages/engine/src/fuzz/*.test.ts'];
+/** Files that count the steps of our sources: see tools/workOf.mjs. */
+const counted = ['packages/**/*.work.test.ts', 'apps/*/src/**/*.work.test.ts'];
+/** Files that only time, or the processor's work, can tell of: they run with FAROL_TESTS=verify. */
+const verify = ['packages/**/*.verify.test.ts', 'apps/*/src/**/*.verify.test.ts'];
 
 /** One run over the unit tests of all workspaces, in Node; with the three of the folder FAROL_THREE, if there is one. */
 export default defineConfig({
@@ -28,18 +35,35 @@ export default defineConfig({
     environment: 'node',
     // a process for each file costs more than a thread for each
     pool: 'threads',
+    maxWorkers: availableParallelism(),
     passWithNoTests: false,
-    // a scene is made in about two seconds, on a machine that does other things in ten
-    testTimeout: 30_000,
-    hookTimeout: 30_000,
+    // they end what hangs: no test fails for being slow on a busy machine
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
     projects: [
       // most of the time would go to loading three and our packages anew for each file
       {
         extends: true,
-        test: { name: 'together', include, exclude: [...exclude, ...alone, ...processes], isolate: false },
+        test: {
+          name: 'together',
+          include,
+          exclude: [...exclude, ...alone, ...processes, ...counted, ...verify],
+          isolate: false,
+        },
       },
       { extends: true, test: { name: 'alone', include: alone, exclude, isolate: true } },
-      { extends: true, test: { name: 'processes', include: processes, exclude, pool: 'forks' } },
+      {
+        extends: true,
+        test: { name: 'processes', include: processes, exclude: [...exclude, ...verify], pool: 'forks' },
+      },
+      {
+        extends: true,
+        plugins: [countSteps()],
+        test: { name: 'counted', include: counted, exclude, isolate: false, setupFiles: 'packages/tools/workOf.mjs' },
+      },
+      ...(isWhole
+        ? [{ extends: true, test: { name: 'verify', include: verify, exclude, pool: 'forks' } } as const]
+        : []),
     ],
   },
 });

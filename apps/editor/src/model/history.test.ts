@@ -1,6 +1,7 @@
 import { builtinComponents, ComponentRegistry, createRandom } from '@farol/engine';
 import { loadBakeCode } from '@farol/engine/bake';
 import { serialize } from '@farol/engine/files';
+import { extent, isWhole } from '@farol/tools/extent';
 import { beforeAll, expect, it } from 'vitest';
 import { EditorDocument } from './EditorDocument';
 import { litBy } from './testing/randomBakeCommand';
@@ -20,10 +21,9 @@ beforeAll(loadSurfaces);
 const stateOf = ({ scene, assets }: EditorDocument): string =>
   `${JSON.stringify(serialize(scene))} ${assets.list().toSorted().join()} ${litBy(scene)}`;
 
-/** Steps of each seed: 10,000 in all. */
-const STEPS = 2500;
+const STEPS = { slice: 1500, verify: 2500, long: 25_000 }[extent];
 
-it.each([1, 2, 3, 4])(
+it.each(isWhole ? [1, 2, 3, 4] : [1])(
   'undoes and redoes random edits exactly, seed %i',
   async (seed) => {
     const random = createRandom(seed);
@@ -77,5 +77,5 @@ it.each([1, 2, 3, 4])(
     expect(steps).toBeGreaterThan(100);
     for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
   },
-  20_000,
+  3_600_000,
 );

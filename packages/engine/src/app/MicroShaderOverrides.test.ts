@@ -67,18 +67,3 @@ it('puts a chunk back that is not built in, such as those of effects', () => {
   expect(registry.get('shadow')!.header).toBe('float shadow;');
   expect(registry.has('own')).toBe(false);
 });
-
-it('takes hundreds that need one another out in time that grows by their square at most', () => {
-  const overrides = new MicroShaderOverrides(new MicroShaderRegistry() as never);
-  const texts = Array.from({ length: 600 }, (_, i): [string, string] => [
-    `c${i}`,
-    i % 150 === 0 ? 'float a;' : `#include "c${i - 1}"\nfloat a;`,
-  ]);
-  const start = performance.now();
-  expect(overrides.apply(new Map(texts))).toEqual([]);
-  expect(overrides.apply(new Map())).toEqual([]);
-  expect(overrides.apply(new Map(texts.toReversed()))).toEqual([]);
-  expect(overrides.apply(new Map())).toEqual([]);
-  expect((performance.now() - start) / 1000).toBeLessThan(15);
-  expect(overrides.registry.names()).toEqual([]);
-});

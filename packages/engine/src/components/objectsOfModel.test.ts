@@ -1,8 +1,6 @@
 import {
   AnimationClip,
   BoxGeometry,
-  BufferAttribute,
-  BufferGeometry,
   ClampToEdgeWrapping,
   DataTexture,
   DirectionalLight,
@@ -262,14 +260,4 @@ test('a RectAreaLight and the extras of an exported light become lights with a s
   // what is not allowed is as new
   expect(lights[1]).toMatchObject({ type: 'tube', width: 1.5, height: 1, intensity: 8 });
   expect(lights[2]).toBeNull();
-});
-
-test('very many materials of one name, all different, are told apart', () => {
-  const root = new Group();
-  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
-  for (let i = 0; i < 2500; i++) root.add(new Mesh(geometry, new MeshStandardMaterial({ roughness: i / 2500 })));
-  const start = performance.now();
-  const { materials } = objectsOfModel(new Model(root, []), new AssetLibrary(), 'many.glb');
-  expect((performance.now() - start) / 1000).toBeLessThan(10);
-  expect(new Set(materials.map(({ name }) => name)).size).toBe(2500);
 });

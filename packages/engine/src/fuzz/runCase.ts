@@ -16,11 +16,15 @@ import { collectGarbage } from './testGarbage';
 import { machineSlowness } from './testMachine';
 import type { FuzzCase } from './generate';
 
-/**
- * Seconds on the reference machine of `machineSlowness`, and bytes of memory for those of the case, that one may take. A
- * slower machine, or one that is busy just now, has as much more time.
- */
-export const fuzzBudget = { seconds: 2, memory: (bytes: number): number => 4 * bytes + 64 * 2 ** 20 };
+/** Time and memory that a case may take. */
+export interface FuzzBudget {
+  /** On the reference machine of `machineSlowness`: a slower machine, or one that is busy just now, has as much more time. */
+  readonly seconds: number;
+  /** Bytes, for those of the case. */
+  memory(bytes: number): number;
+}
+
+export const fuzzBudget: FuzzBudget = { seconds: 2, memory: (bytes) => 4 * bytes + 64 * 2 ** 20 };
 
 export interface FuzzResult {
   /** What is wrong; null when all is well. */
@@ -143,7 +147,11 @@ function errorFailure({ kind }: FuzzCase, error: unknown): string | null {
 }
 
 /** @param collect see `CaseMeter.begin` */
-async function runOnce(given: FuzzCase, collect: (() => void) | null): Promise<FuzzResult & { isBlurred: boolean }> {
+async function runOnce(
+  given: FuzzCase,
+  budget: FuzzBudget,
+  collect: (() => void) | null,
+): Promise<FuzzResult & { isBlurred: boolean }> {
   const other = new OpenScene();
   const shapes = prototypes();
   const meter = await CaseMeter.begin(collect);
@@ -158,11 +166,11 @@ async function runOnce(given: FuzzCase, collect: (() => void) | null): Promise<F
   meter.lap();
   const { seconds, memory, isBlurred } = meter;
   if (prototypes() !== shapes) failure ??= 'a prototype was changed';
-  if (seconds > fuzzBudget.seconds) {
-    const allowed = fuzzBudget.seconds * machineSlowness();
+  if (seconds > budget.seconds) {
+    const allowed = budget.seconds * machineSlowness();
     if (seconds > allowed) failure ??= `${seconds.toFixed(1)} s (${allowed.toFixed(1)} allowed on this machine now)`;
   }
-  if (memory > fuzzBudget.memory(given.bytes.length)) failure ??= `${Math.round(memory / 2 ** 20)} MB`;
+  if (memory > budget.memory(given.bytes.length)) failure ??= `${Math.round(memory / 2 ** 20)} MB`;
   other.scene.dispose();
   other.assets.dispose();
   return { failure, isTaken, seconds, memory, isBlurred };
@@ -173,11 +181,11 @@ async function runOnce(given: FuzzCase, collect: (() => void) | null): Promise<F
  * where memory is near its limit or cannot be told, or anything beyond it, the case is run again with garbage collected
  * before and after, and that decides. What is wrong in any other way is wrong at once.
  */
-export async function runCase(given: FuzzCase): Promise<FuzzResult> {
-  const { isBlurred, ...result } = await runOnce(given, null);
+export async function runCase(given: FuzzCase, budget = fuzzBudget): Promise<FuzzResult> {
+  const { isBlurred, ...result } = await runOnce(given, budget, null);
   const { failure, seconds, memory } = result;
-  const isCheap = seconds <= fuzzBudget.seconds && memory + youngBytes <= fuzzBudget.memory(given.bytes.length);
+  const isCheap = seconds <= budget.seconds && memory + youngBytes <= budget.memory(given.bytes.length);
   if ((isCheap && !isBlurred) || (failure !== null && !/^[\d.]+ (s|MB)\b/.test(failure))) return result;
-  const { failure: again, isTaken, seconds: longer, memory: kept } = await runOnce(given, collectGarbage);
+  const { failure: again, isTaken, seconds: longer, memory: kept } = await runOnce(given, budget, collectGarbage);
   return { failure: again, isTaken, seconds: longer, memory: kept };
 }

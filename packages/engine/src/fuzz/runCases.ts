@@ -1,5 +1,5 @@
 import { type FuzzCase, fuzzCase } from './generate';
-import { fuzzBudget, runCase } from './runCase';
+import { type FuzzBudget, fuzzBudget, runCase } from './runCase';
 
 /** What came of a run of cases. */
 export interface FuzzSummary {
@@ -16,17 +16,23 @@ export interface FuzzSummary {
   readonly largest: { readonly ratio: number; readonly seed: number };
 }
 
+export interface FuzzOptions {
+  readonly onFailure?: (given: FuzzCase, failure: string, seed: number) => Promise<void>;
+  readonly budget?: FuzzBudget;
+}
+
 /**
  * Opens generated and damaged files, one after the other.
  *
  * @param first - seed of the first case
  * @param cases - how many
- * @param onFailure - told of each case that failed
+ * @param options.onFailure - told of each case that failed
+ * @param options.budget - what each may take
  */
 export async function runCases(
   first: number,
   cases: number,
-  onFailure?: (given: FuzzCase, failure: string, seed: number) => Promise<void>,
+  { onFailure, budget = fuzzBudget }: FuzzOptions = {},
 ): Promise<FuzzSummary> {
   const failures: string[] = [];
   const counts: Record<string, { cases: number; taken: number }> = {};
@@ -34,12 +40,12 @@ export async function runCases(
   let largest = { ratio: 0, seed: first };
   for (let seed = first; seed < first + cases; seed++) {
     const given = fuzzCase(seed);
-    const { failure, isTaken, seconds, memory } = await runCase(given);
+    const { failure, isTaken, seconds, memory } = await runCase(given, budget);
     const count = (counts[given.kind] ??= { cases: 0, taken: 0 });
     count.cases++;
     if (isTaken) count.taken++;
     if (seconds > slowest.seconds) slowest = { seconds, seed };
-    const ratio = memory / fuzzBudget.memory(given.bytes.length);
+    const ratio = memory / budget.memory(given.bytes.length);
     if (ratio > largest.ratio) largest = { ratio, seed };
     if (failure === null) continue;
     failures.push(`seed ${seed}, ${given.kind}: ${failure}`);

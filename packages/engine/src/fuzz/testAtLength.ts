@@ -8,6 +8,7 @@ import { availableParallelism } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import type { FuzzCase } from './generate';
 import { minimise } from './minimise';
 import { runCase } from './runCase';
 import { type FuzzSummary, runCases, summaryText } from './runCases';
@@ -56,12 +57,13 @@ function answerBatches(): void {
   for (const method of ['warn', 'error', 'log'] as const) console[method] = () => {};
   process.on('message', ({ first, cases }: { first: number; cases: number }) => {
     let written = 0;
-    void runCases(first, cases, async (given, failure, seed) => {
+    const onFailure = async (given: FuzzCase, failure: string, seed: number): Promise<void> => {
       if (written++ >= WRITTEN) return;
       const small = await minimise(given, failure, async (each) => (await runCase(each)).failure);
       mkdirSync(out, { recursive: true });
       writeFileSync(join(out, `${seed}.${given.kind}`), small.bytes);
-    }).then((summary) => process.send!(summary));
+    };
+    void runCases(first, cases, { onFailure }).then((summary) => process.send!(summary));
   });
 }
 

@@ -289,12 +289,10 @@ test.each([
   expect(() => parseIES(text)).toThrow(message);
 });
 
-test('a file of long lines is read in time that grows with them alone', () => {
+test('a file of long lines is read, and told by its line', () => {
   const head = (blanks: number) => `IESNA:LM-63-2002\n[TEST] a${' '.repeat(blanks)}b\nTILT=NONE\n`;
-  const start = performance.now();
-  // a pattern that tries every end of such a line takes minutes
-  expect(() => parseIES(`${head(300_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is no number/);
-  expect(performance.now() - start).toBeLessThan(5000);
+  // a pattern that tries every end of such a line takes minutes: then the test runner's limit ends the test
+  expect(() => parseIES(`${head(1_000_000)}1 ${'1'.repeat(300_000)}x`)).toThrow(/Line 4: "1+" is no number/);
   const whole = fileOf('lm63-1986-rotational').replace(/^/, 'IESNA:LM-63-2002\n[TEST]   two  words \t\n');
   expect(parseIES(whole).keywords.get('TEST')).toBe('two  words');
 });

