@@ -1,7 +1,8 @@
 import type { Page } from '@playwright/test';
 import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
-import { addObject, openEditor, waitUntilReady } from './editor';
+import { addObject, openEditor, serialized, waitUntilReady } from './editor';
+import { dropFiles, growingBox, pixelAt, plainSky, redBox } from './models';
 
 test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
 
@@ -162,4 +163,64 @@ test('what is dragged and typed is stored while that goes on', async ({ page }) 
   });
   expect(seen.isDirty, 'the drag is still going on').toBe(false);
   expect(seen.x).toBeGreaterThan(3);
+});
+
+/** Ends the process of a page, which hears nothing of it. */
+async function kill(page: Page): Promise<void> {
+  const cdp = await page.context().newCDPSession(page);
+  const crashed = page.waitForEvent('crash');
+  // never answered: nobody is left to
+  void cdp.send('Page.crash').catch(() => {});
+  await crashed;
+  await page.close();
+}
+
+/** Whether the middle of the picture, with no handles over it, is the red of the box, lit by the white sky. */
+async function showsRed(page: Page): Promise<boolean> {
+  const [red, green, blue] = await pixelAt(page, 0.5, 0.5);
+  return red > 60 && red > 2 * Math.max(green, blue);
+}
+
+/** Paths of the files in each draft that the browser holds. */
+const draftFiles = (page: Page): Promise<string[][]> =>
+  page.evaluate(async () => {
+    const { store } = window.editor.autosave as unknown as {
+      store: {
+        send(request: { kind: 'list' }): Promise<{ id: string }[]>;
+        read(id: string): Promise<{ files: Map<string, Blob> }>;
+      };
+    };
+    const stored = await Promise.all((await store.send({ kind: 'list' })).map(({ id }) => store.read(id)));
+    return stored.map(({ files }) => [...files].flatMap(([path, { size }]) => (size > 0 ? [path] : [])).toSorted());
+  });
+
+test('imported files are in the draft: models and skies of a killed tab come back and are drawn', async ({
+  page,
+  context,
+}) => {
+  await openEditor(page, 'empty');
+  await dropFiles(page, '.viewport-place canvas', [redBox()]);
+  await expect(page.getByRole('treeitem', { name: 'box' })).toBeVisible();
+  await drafts(page);
+  // into a draft that is stored already
+  await dropFiles(page, '.viewport-place canvas', [growingBox(), plainSky(1)]);
+  await expect(page.getByRole('treeitem', { name: 'growing' })).toBeVisible();
+  await page.waitForFunction(() => window.editor.document.scene.settings.get('environment') !== null);
+  await page.keyboard.press('q');
+  await expect.poll(() => showsRed(page)).toBe(true);
+  await drafts(page);
+  const work = await serialized(page);
+  await kill(page);
+
+  const next = await context.newPage();
+  await openEditor(next, 'empty');
+  await next.getByRole('dialog').getByRole('button', { name: 'Recover' }).click();
+  await expect(next.getByRole('treeitem', { name: 'box' })).toBeVisible();
+  expect(await serialized(next)).toBe(work);
+  await expect.poll(() => showsRed(next)).toBe(true);
+  // the draft of what was recovered takes the place of the other, and has them too
+  await drafts(next);
+  const paths = await next.evaluate(() => window.editor.document.assets.files.map(({ name }) => `assets/${name}`));
+  expect(paths).toHaveLength(3);
+  expect(await draftFiles(next)).toEqual([paths.toSorted()]);
 });
