@@ -24,6 +24,7 @@ import { loseContexts } from './loseContexts';
 import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
+import { LateCase } from './lateCases';
 import { materialScene } from './materialScene';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
@@ -73,6 +74,7 @@ export interface TestPage {
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
+  LateCase: typeof LateCase;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
   settingNames: readonly string[];
@@ -123,6 +125,7 @@ window.testPage = {
   messageOf,
   nodeScene: () => import('./nodeScene'),
   nodeCases: () => import('./nodeCases'),
+  LateCase,
   addonCases: () => import('./addonCases'),
   bake: () => import('@farol/bake'),
   animatedScene: () => import('./animatedScene'),

@@ -1,4 +1,4 @@
-import { type ArrayCamera, type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, EventDispatcher, Object3D, type Scene, type WebGLRenderer } from 'three';
 import { adoptDepth } from './three/adoptDepth';
 import { checkDevice } from './gpu/checkDevice';
 import { type View, views } from './frame/views';
@@ -10,7 +10,9 @@ import type { FarolInfo } from './frame/FarolInfo';
 import type { FarolOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
-import { gouraudCode, lazyCode, lazyShaders, lightFieldCode, nodeCode, shadowCode, warmUpCode } from './frame/lazyCode';
+import { LastFrame } from './frame/LastFrame';
+import { Lazy } from './frame/Lazy';
+import { gouraudCode, lazyCode, type LazyPart, nodeCode, warmUpCode } from './frame/lazyCode';
 import { LazyViews } from './frame/LazyViews';
 import { LightFinder } from './frame/LightFinder';
 import { FrameLights } from './lighting/FrameLights';
@@ -24,8 +26,6 @@ import { refuseXR } from './three/refuseXR';
 import { renderArray } from './three/renderArray';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './three/SceneView';
-import type { ShadowMaps } from './lazy/shadows/ShadowMaps';
-import type { ShadowMapCalls } from './lazy/shadows/draw/ShadowMapCalls';
 import type { TechniqueName } from './techniques';
 import type { Technique } from './techniques/Technique';
 import { TechniquePicker } from './techniques/TechniquePicker';
@@ -41,6 +41,12 @@ function updateCamera(camera: Camera): void {
   if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
 }
 
+/** What a FarolRenderer tells. */
+export interface FarolEvents {
+  /** The last picture is out of date, since code that it lacked has come: draw again. */
+  redraw: object;
+}
+
 /** Draws and lights that cost less than having the GPU begin with them. */
 const FEW = 16;
 
@@ -52,7 +58,9 @@ const FEW = 16;
  * const farol = new FarolRenderer(webglRenderer, { technique: 'deferred' });
  * farol.render(scene, camera);
  */
-export class FarolRenderer {
+export class FarolRenderer extends EventDispatcher<FarolEvents> {
+  /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
+  static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
   /** The shader pieces everything is drawn with; replace one and the picture follows. */
   readonly microshaders: MicroShaderRegistry;
   /** Times each pass on the GPU (EXT_disjoint_timer_query_webgl2). */
@@ -79,6 +87,7 @@ export class FarolRenderer {
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
   private readonly twins: TwinCache;
+  private readonly last = new LastFrame(() => this.disposed || this.dispatchEvent({ type: 'redraw' }));
   private readonly recorder: InfoRecorder;
   private readonly sceneViews = new WeakMap<Object3D, SceneView>();
   private readonly views: LazyViews;
@@ -89,15 +98,10 @@ export class FarolRenderer {
   private disposed = false;
   /** Within `render`: what a callback of the host's draws by this renderer then, three draws. */
   private isDrawing = false;
-  private readonly shadowAtlasSize: number | null;
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
   private readonly pick = () => this.pickTechnique();
   private readonly begun = () => this.frame.takeOutputBuffer();
-  private readonly shadowDraws = {
-    proxies: [] as readonly Object3D[],
-    calls: null! as ShadowMapCalls,
-  };
 
   /**
    * @param webgl the host's renderer; it stays the host's, and other code may draw with it
@@ -108,14 +112,16 @@ export class FarolRenderer {
     readonly webgl: WebGLRenderer,
     options: FarolOptions = {},
   ) {
+    super();
     checkDevice(webgl, false);
+    const { shadowAtlasSize } = options;
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
     const uniforms = this.lights.uniforms.values;
     this.finder = new LightFinder(
       webgl,
-      (code) => this.makeShadows(code),
+      (code) => code.makeShadowMaps(this.frame, this.draws, shadowAtlasSize),
       (code) => code.makeAreaLights(webgl, this.microshaders, uniforms.farol_ltc),
     );
     this.set = new TechniqueSet(this.microshaders);
@@ -132,10 +138,9 @@ export class FarolRenderer {
         return code.gouraudTwins(this.frame.view);
       });
     this.frame.makeNodes = () => nodeCode.use((code) => new code.NodeDraws());
-    this.recorder = new InfoRecorder(webgl);
+    this.recorder = new InfoRecorder(webgl, this.last);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
-    this.shadowAtlasSize = options.shadowAtlasSize === undefined ? null : Math.max(512, options.shadowAtlasSize);
     this.timing = options.timing ?? false;
     this.lightLayers = options.lightLayers ?? false;
     this.technique = options.technique ?? 'auto';
@@ -200,6 +205,7 @@ export class FarolRenderer {
     if (!views.includes(name)) throw unknownName('view', name, views);
     if (name !== 'final') checkDevice(this.webgl, true);
     this.viewName = name;
+    this.views.available(name); // has its code fetched
   }
 
   /**
@@ -216,6 +222,19 @@ export class FarolRenderer {
       throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
     }
     this.frame.inferredScale = scale;
+  }
+
+  /**
+   * Fulfilled when the last frame had all code and programs that it asked for, and no change of technique by 'auto' is under
+   * way: the same scene drawn again gives the same picture, but for effects that gather frames. A promise of the state at
+   * hand, for each who asks; it waits for frames of the host's: of one at least where code was lacking, of the first where
+   * there was none, and of the next where the context is lost. Hosts that draw on demand draw again on the event 'redraw'.
+   *
+   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and
+   * calls try again), and when this renderer is disposed.
+   */
+  get ready(): Promise<void> {
+    return warmUpCode.load().then((code) => code.whenReady(this));
   }
 
   /** Figures of the last frame. */
@@ -237,6 +256,7 @@ export class FarolRenderer {
     if (this.isDrawing) return webgl.render(scene, camera);
     refuseXR(webgl);
     this.isDrawing = true;
+    const outer = this.last.begin();
     try {
       const callbacks = (scene as Scene).isScene === true ? (scene as Scene) : null;
       // else matrices are brought up to date while lights are looked for
@@ -250,7 +270,9 @@ export class FarolRenderer {
       if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
       else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
       if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
+      this.last.end();
     } finally {
+      Lazy.lacking = outer;
       this.isDrawing = false;
       // called by a callback of the host's
       if (this.disposed) this.end();
@@ -288,7 +310,7 @@ export class FarolRenderer {
         frame.queue,
         draws.draw,
         frame.ownsTarget() ? fills : null,
-        shadows && this.shadowDraws,
+        shadows,
       );
       shadows?.end();
       done = true;
@@ -314,21 +336,27 @@ export class FarolRenderer {
   }
 
   /**
-   * Fetches all code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
+   * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
    * light nothing), node materials (three draws the scene), the views of surfaces and overdraw (the final picture is shown),
    * 'forward', 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
-   * @throws Error when the code cannot be fetched
+   * @param parts names of `FarolRenderer.parts`. Default all
+   * @throws Error when there is no such part, or the code cannot be fetched
    */
-  static async preload(): Promise<void> {
-    await Promise.all(lazyCode.map((code) => code.load()));
+  static async preload(parts: readonly LazyPart[] = FarolRenderer.parts): Promise<void> {
+    await Promise.all(
+      parts.map((name) => {
+        const code = lazyCode.find((each) => each.name === name);
+        if (code === undefined) throw unknownName('part', name, FarolRenderer.parts);
+        return code.load() as Promise<unknown>;
+      }),
+    );
   }
 
   /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */
   async addLazyMicroShaders(): Promise<void> {
-    for (const [owner, code] of Object.entries(lazyShaders))
-      addMicroShaders(this.microshaders, owner, (await code.load()).microShaders);
+    return warmUpCode.load().then((code) => code.addLazyMicroShaders(this.microshaders));
   }
 
   /**
@@ -340,16 +368,12 @@ export class FarolRenderer {
   }
 
   /**
-   * Compiles what the next frame of this scene needs, so that it does not hitch: draws a frame of one pixel, and waits
-   * until the device has linked its programs.
+   * Fetches the code and compiles the programs that the next frame of this scene needs, so that it is as it stays and does
+   * not hitch: draws frames of one pixel until none lacks code, and waits until the device has linked their programs.
+   * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    this.finder.find(scene, camera, this.lightLayers);
-    if (this.finder.asksForShadows) await shadowCode.load();
-    if (this.finder.found.all.some((light) => 'isLightField' in light)) await lightFieldCode.load();
-    await this.set.get(this.technique).lazy?.load();
-    const { compileByDrawing } = await warmUpCode.load();
-    await compileByDrawing(this, scene, camera);
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, scene, camera));
   }
 
   /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */
@@ -364,6 +388,7 @@ export class FarolRenderer {
     this.free();
     for (const effect of this.effects) effect.dispose();
     this.recorder.dispose();
+    this.last.tell();
   }
 
   /**
@@ -371,6 +396,7 @@ export class FarolRenderer {
    * back, three would delete in a context that it does not belong to.
    */
   private readonly free = (): void => {
+    this.last.isDrawn = false;
     this.set.dispose();
     if (!this.disposed) this.effectList.dispose();
     this.views.dispose();
@@ -388,17 +414,6 @@ export class FarolRenderer {
     const technique = this.set.known[picker.active];
     for (const effect of effects.all) effect.picked?.(frame, technique);
     return technique.lightOrder;
-  }
-
-  private makeShadows(code: typeof import('./lazy/shadows')): ShadowMaps {
-    const shadows = code.makeShadowMaps(this.webgl, this.microshaders, this.shadowAtlasSize);
-    this.shadowDraws.proxies = shadows.proxies;
-    this.shadowDraws.calls = new code.ShadowMapCalls(this.webgl, () => {
-      if (shadows.hasWork) this.draws.run('shadow maps', () => shadows.render());
-    });
-    this.frame.findTileShadows = (gbuffer) => shadows.tiles.render(this.frame, gbuffer, shadows.bounds.target);
-    this.frame.queue.shadowMasks = code.shadowMasks;
-    return shadows;
   }
 
   private viewOf(scene: Object3D): SceneView {

@@ -15,6 +15,11 @@ export interface FarolInfo {
   technique: string;
   /** Why it was chosen. */
   reason: string;
+  /**
+   * Names of the parts of Farol's code that the frame asked for and that have not come since: they are being fetched, or will
+   * be once more after a failure. None when there is nothing to wait for. The array is another each time.
+   */
+  readonly pending: readonly string[];
   readonly passes: PassInfo[];
   drawCalls: number;
   triangles: number;

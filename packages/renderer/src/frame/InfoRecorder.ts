@@ -1,5 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import type { FarolInfo, PassInfo } from './FarolInfo';
+import type { LastFrame } from './LastFrame';
 import type { GpuTimer } from '../lazy/timer/GpuTimer';
 import { timerCode } from './lazyCode';
 import type { LightTable } from '../lighting/LightTable';
@@ -7,20 +8,7 @@ import type { ShadowMaps } from '../lazy/shadows/ShadowMaps';
 
 /** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
 export class InfoRecorder {
-  readonly info: FarolInfo = {
-    technique: '',
-    reason: '',
-    passes: [],
-    drawCalls: 0,
-    triangles: 0,
-    cpuMs: 0,
-    gpuMs: null,
-    lights: { total: 0, visible: 0 },
-    shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
-    programs: 0,
-    targetBytes: 0,
-    uploadBytes: 0,
-  };
+  readonly info: FarolInfo;
   /** Null until timing is asked for and its code is there. */
   private timer: GpuTimer | null = null;
   private readonly known = new Map<string, PassInfo>();
@@ -31,7 +19,27 @@ export class InfoRecorder {
   private triangles = 0;
   private pass: PassInfo | null = null;
 
-  constructor(private readonly webgl: WebGLRenderer) {
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    last: LastFrame,
+  ) {
+    this.info = {
+      technique: '',
+      reason: '',
+      get pending() {
+        return last.pending;
+      },
+      passes: [],
+      drawCalls: 0,
+      triangles: 0,
+      cpuMs: 0,
+      gpuMs: null,
+      lights: { total: 0, visible: 0 },
+      shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
+      programs: 0,
+      targetBytes: 0,
+      uploadBytes: 0,
+    };
     // before any listener of the host's that draws
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
   }

@@ -2,93 +2,84 @@
 const FIRST_WAIT = 1000;
 const LONGEST_WAIT = 60_000;
 
-/** `failed`: asked for again only when the wait is over, or the page online again. */
-type State<Code> =
-  | { readonly is: 'absent' }
-  | { readonly is: 'loading'; readonly promise: Promise<Code> }
-  | { readonly is: 'failed' }
-  | { readonly is: 'there'; readonly code: Code };
-
-const ABSENT = { is: 'absent' } as const;
-
 /** A part of the package in files of its own, fetched when first needed; shared by all renderers of a page. */
-export class Lazy<Code> {
-  private state: State<Code> = ABSENT;
+export class Lazy<Code extends object, Name extends string = string> {
+  /** Gets the parts that are asked for while they are not there; null while no frame is drawn. */
+  static lacking: Set<Lazy<object>> | null = null;
+  /** Called once, when the code is there. */
+  readonly waiting = new Set<() => void>();
+  private code: Code | null = null;
+  /** Null before the code is asked for, and after a failure. */
+  private loading: Promise<Code> | null = null;
   private wait = FIRST_WAIT;
-  private told = false;
+  /** When `ask` may fetch again, on the clock of `performance.now` (ms); 0 before the first failure, which is told. */
+  private next = 0;
 
   /**
+   * @param name of the part, in `FarolInfo.pending` and messages
    * @param fetch called again after a failure
-   * @param what the code is of, for the warning
    * @param instead what happens without it, for the warning
    */
   constructor(
+    readonly name: Name,
     private readonly fetch: () => Promise<Code>,
-    private readonly what: string,
     private readonly instead: string,
   ) {}
 
   /** Whether the code is there. */
   get isThere(): boolean {
-    return this.state.is === 'there';
+    return this.code !== null;
   }
 
   /**
    * What `by` makes of the code; null while it is not there, and then it is fetched. To be called in each frame that needs
-   * it: after a failure, told once, it is asked for again after a while.
+   * it: after a failure, told once, it is asked for again after a while, or when the page is online again.
    */
   use<Made>(by: (code: Code) => Made): Made | null {
-    if (this.state.is === 'there') return by(this.state.code);
-    this.ask();
-    return null;
+    return this.ask() ? by(this.code!) : null;
   }
 
   /** Has the code fetched, unless that is under way. @returns whether it is there */
   ask(): boolean {
-    if (this.state.is === 'absent') this.load().catch(this.fail);
-    return this.isThere;
+    if (this.isThere) return true;
+    Lazy.lacking?.add(this);
+    if (this.loading === null && performance.now() >= this.next) this.load().catch(this.fail);
+    return false;
   }
 
   /** The code. @throws Error while it is not there */
   get required(): Code {
-    if (this.state.is === 'there') return this.state.code;
-    throw new Error(`Farol: the code of ${this.what} is not there; await FarolRenderer.preload() first.`);
+    if (this.code === null)
+      throw new Error(`Farol: the code of ${this.name} is not there; await FarolRenderer.preload() first.`);
+    return this.code;
   }
 
   /** Fetches the code, at once also after a failure. @throws Error when it cannot be fetched */
   load(): Promise<Code> {
-    const { state } = this;
-    if (state.is === 'there') return Promise.resolve(state.code);
-    if (state.is === 'loading') return state.promise;
-    const promise = this.fetch().then(
+    return (this.loading ??= this.fetch().then(
       (code) => {
-        this.state = { is: 'there', code };
+        this.code = code;
+        for (const go of this.waiting) go();
+        this.waiting.clear();
         return code;
       },
-      (error: unknown) => {
-        this.state = ABSENT;
-        throw error;
+      (cause: unknown) => {
+        this.loading = null;
+        throw new Error(
+          `Farol: the code of ${this.name} cannot be fetched; until it can, ${this.instead} (${String(cause)}). Serve the files of @farol/renderer together.`,
+        );
       },
-    );
-    this.state = { is: 'loading', promise };
-    return promise;
+    ));
   }
 
-  private readonly fail = (error: unknown): void => {
-    if (!this.told) {
-      const message = `Farol: the code of ${this.what} cannot be fetched; until it can, ${this.instead}`;
-      console.warn(`${message} (${String(error)}). Serve the files of @farol/renderer together.`);
-    }
-    this.told = true;
-    const failed = { is: 'failed' } as const;
-    this.state = failed;
-    const timer = setTimeout(() => again(), this.wait);
+  private readonly fail = (error: Error): void => {
+    if (this.next === 0) console.warn(error.message);
+    this.next = performance.now() + this.wait;
     this.wait = Math.min(2 * this.wait, LONGEST_WAIT);
-    const again = (): void => {
-      if (this.state === failed) this.state = ABSENT;
-      clearTimeout(timer);
-      globalThis.removeEventListener?.('online', again);
-    };
-    globalThis.addEventListener?.('online', again);
+    globalThis.addEventListener?.('online', this.retry);
+  };
+
+  private readonly retry = (): void => {
+    this.next = 1; // long ago
   };
 }

@@ -19,11 +19,10 @@ export class LazyViews {
 
   /** Bytes of the targets. */
   get bytes(): number {
-    return this.passes === null ? 0 : this.passes.overdraw.bytes + this.passes.surfaceView.bytes;
+    return this.passes?.bytes ?? 0;
   }
 
   dispose(): void {
-    this.passes?.overdraw.dispose();
-    this.passes?.surfaceView.dispose();
+    this.passes?.dispose();
   }
 }

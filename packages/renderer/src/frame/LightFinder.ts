@@ -33,9 +33,6 @@ export class LightFinder {
   areas: AreaLights | null = null;
   /** Null until a scene needs shadow maps, cookies or light layers, and their code is there. */
   shadows: ShadowMaps | null = null;
-  /** Whether the last scene needs them; not looked at once `shadows` are there. */
-  asksForShadows = false;
-
   private warned = false;
 
   constructor(
@@ -64,8 +61,7 @@ export class LightFinder {
       left.areas = this.areas === null;
       if (!left.areas) collectLights(scene, camera, left, found);
     }
-    this.asksForShadows = found.masks > 0 || layers;
-    if (this.shadows !== null || !this.asksForShadows || left.all) return;
+    if (this.shadows !== null || !(found.masks > 0 || layers) || left.all) return;
     this.shadows = shadowCode.use(this.makeShadows);
     if (this.shadows !== null) found.seeksMasks = false;
     else if (found.masks <= FEW_MASKS) return;

@@ -1,4 +1,5 @@
 import { Light } from 'three';
+import { lightFieldCode } from '../frame/lazyCode';
 import { LightArray } from './LightArray';
 import type { LightTextures } from './LightTextures';
 
@@ -49,6 +50,7 @@ export class LightField extends Light {
   textures: LightTextures | null;
 
   /**
+   * Has the code that draws fields fetched.
    * @param capacity lights, at most 262,144
    * @throws RangeError when there is no room for so many
    */
@@ -63,6 +65,7 @@ export class LightField extends Light {
     this.spheres = new LightArray(room);
     this.emissions = new LightArray(room);
     this.cones = spots ? new LightArray(room) : null;
+    lightFieldCode.ask();
   }
 
   /**

@@ -16,7 +16,7 @@ export interface Technique {
   /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
   readonly fills?: Fills;
   /** Code that is fetched when the technique is first drawn by; 'deferred' draws until then. Default none. */
-  readonly lazy?: Lazy<unknown>;
+  readonly lazy?: Lazy<object>;
   /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */
   passes(): Pass[];
 }

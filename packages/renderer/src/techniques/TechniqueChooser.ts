@@ -86,6 +86,11 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     return this.frames > PATIENCE;
   }
 
+  /** Whether another technique has been better lately, and may be changed to in one of the next frames. */
+  get isChanging(): boolean {
+    return this.waited > 0;
+  }
+
   /** @param prepares whether someone makes `next` ready; else it is drawn by unprepared. Default false */
   choose(figures: SceneFigures, prepares = false): Choice {
     const best = choices[this.best(figures, 1)];

@@ -15,6 +15,8 @@ export class TechniquePicker {
   active: TechniqueName = 'deferred';
   /** Why that one. */
   reason = '';
+  /** Whether 'auto' may draw by another one soon. */
+  isChanging = false;
   private asked: TechniqueName = 'auto';
   private readonly floatTargets: boolean;
 
@@ -31,8 +33,10 @@ export class TechniquePicker {
   }
 
   set technique(name: TechniqueName) {
-    checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
+    const { needsFloatTargets, lazy } = this.set.get(name);
+    checkDevice(this.webgl, needsFloatTargets);
     this.asked = name;
+    lazy?.ask();
   }
 
   /**
@@ -47,6 +51,7 @@ export class TechniquePicker {
   ): void {
     this.active = this.asked;
     this.reason = 'asked for';
+    this.isChanging = false;
     if (!frame.hasPlainProjection) {
       this.active = 'forward-single-pass';
       this.reason = 'the projection is skewed';
@@ -71,6 +76,7 @@ export class TechniquePicker {
       warmUpCode.isThere,
     );
     if (chooser.settled) warmUpCode.ask();
+    this.isChanging = chooser.isChanging;
     this.active = choice.technique;
     this.reason = needsSurfaces ? 'an effect works on its G-buffer' : choice.reason;
   }

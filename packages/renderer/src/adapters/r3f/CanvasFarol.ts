@@ -89,6 +89,7 @@ export class CanvasFarol {
     this.farol = this.applied = null;
     before?.dispose();
     this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize });
+    this.farol.addEventListener('redraw', () => this.applied?.invalidate());
     this.atlas = shadowAtlasSize;
     this.tell();
   }
@@ -114,13 +115,13 @@ export class CanvasFarol {
   private apply(settings: FarolSettings): void {
     if (this.applied === settings) return;
     const farol = this.farol!;
-    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias, invalidate } = settings;
+    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias } = settings;
     farol.technique = technique;
     farol.view = view;
     farol.timing = timing;
     farol.lightLayers = lightLayers;
     if (settings.effects !== undefined) farol.effects = settings.effects;
-    else farol.effects = antialias ? [(this.edges ??= new SmoothEdges(invalidate))] : NO_EFFECTS;
+    else farol.effects = antialias ? [(this.edges ??= new SmoothEdges())] : NO_EFFECTS;
     this.applied = settings;
   }
 

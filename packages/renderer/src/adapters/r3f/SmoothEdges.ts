@@ -5,8 +5,8 @@ import { Lazy } from '../../frame/Lazy';
 import type { Technique } from '../../techniques/Technique';
 
 const smaaCode = new Lazy(
+  'smaa',
   () => import('../../effects/antialiasing/SMAA'),
-  'smooth edges',
   'edges are drawn from one sample a pixel',
 );
 
@@ -19,10 +19,6 @@ export class SmoothEdges implements FarolEffect {
   readonly takesPicture = true;
   private smaa: SMAA | null = null;
   private isOn = false;
-  private asked = false;
-
-  /** @param loaded called when SMAA, which is fetched when it is first needed, can draw */
-  constructor(private readonly loaded: () => void) {}
 
   get bytes(): number {
     return this.smaa?.bytes ?? 0;
@@ -32,10 +28,7 @@ export class SmoothEdges implements FarolEffect {
     this.isOn = false;
     if (frame.samples === 0 || technique.fills !== 'every-pixel') return;
     this.smaa ??= smaaCode.use(({ SMAA }) => new SMAA());
-    if (this.smaa === null) {
-      this.ask();
-      return;
-    }
+    if (this.smaa === null) return;
     this.isOn = true;
     this.smaa.begin(frame);
   }
@@ -46,11 +39,5 @@ export class SmoothEdges implements FarolEffect {
 
   dispose(): void {
     this.smaa?.dispose();
-  }
-
-  private ask(): void {
-    if (this.asked) return;
-    this.asked = true;
-    smaaCode.load().then(this.loaded, () => {}); // `use` tells of a failure
   }
 }

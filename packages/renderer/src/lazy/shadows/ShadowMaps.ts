@@ -1,6 +1,7 @@
 import {
   type Camera,
   type Light,
+  type LightShadow,
   type Object3D,
   type Texture,
   VSMShadowMap,
@@ -23,6 +24,7 @@ import { CookieDraws } from './draw/CookieDraws';
 import { HostShadowMaps } from './draw/HostShadowMaps';
 import { MomentDraws } from './draw/MomentDraws';
 import { RegionDrawer } from './draw/RegionDrawer';
+import type { ShadowMapCalls } from './draw/ShadowMapCalls';
 import { ShadowMapDraws } from './draw/ShadowMapDraws';
 import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
@@ -40,6 +42,9 @@ import { isDepthReversed } from '../../three/state';
 
 /** Frames between two rebalancings of a full atlas. */
 const REBALANCE = 60;
+
+/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
+const drawnShadows = new WeakSet<LightShadow>();
 
 /**
  * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which of them a frame needs and which
@@ -61,6 +66,8 @@ export class ShadowMaps implements LightMasks {
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
+  /** Has the maps drawn where three draws its own; set by `makeShadowMaps`. */
+  calls!: ShadowMapCalls;
   private readonly slots: LightSlots;
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
   /** Scenes whose maps are held. */
@@ -207,6 +214,7 @@ export class ShadowMaps implements LightMasks {
     }
     for (const { map, shadow } of toDraw) {
       map.draw();
+      drawnShadows.add(shadow);
       if (shadow.needsUpdate) shadow.needsUpdate = false;
     }
     for (const cookie of this.imagesToDraw) this.images.render(cookie, colours);
@@ -346,8 +354,8 @@ export class ShadowMaps implements LightMasks {
   /** Decides whether a lit map is drawn, kept, or copied for three's addons, and gives its mask a record. */
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
-    const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (map.wasDrawn && !map.isThere);
-    // a light whose first map may not be drawn yet casts no shadow
+    const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
+    // a light whose map the host has not asked for yet casts no shadow
     slot.hasShadow = slot.casts && slot.placement.region !== null && (map.isThere || mayDraw);
     if (slot.hasShadow) {
       const draws = this.planMap(slot, mayDraw);
@@ -416,3 +424,11 @@ export class ShadowMaps implements LightMasks {
 }
 
 const needsFineDepth = (slot: ShadowSlot) => slot.needsFineDepth;
+
+/**
+ * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
+ * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
+ * has not, which knows of no request.
+ */
+const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
+  drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

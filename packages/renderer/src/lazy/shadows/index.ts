@@ -1,6 +1,6 @@
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 import type { ShadowMaskMaterials } from '../../frame/RenderQueue';
-import type { MicroShaderRegistry } from '../../microshaders';
+import type { Frame } from '../../frame/Frame';
 import cookieRegion from './draw/cookieRegion.glsl?raw';
 import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
 import lightMaskOn from './masks/lightMaskOn.glsl?raw';
@@ -14,7 +14,8 @@ import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
 import hostShadowMap from './draw/hostShadowMap.glsl?raw';
 import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
-import type { WebGLRenderer } from 'three';
+import type { SceneDraws } from '../../SceneDraws';
+import { ShadowMapCalls } from './draw/ShadowMapCalls';
 
 /** The microshaders of shadows, by name. */
 export const microShaders = {
@@ -32,16 +33,23 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-export { ShadowMapCalls } from './draw/ShadowMapCalls';
-
 /** How materials that show nothing but shadows are recognised and drawn. */
-export const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
+const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
+
+/** Texels a side of the smallest atlas of depths. */
+const SMALLEST_ATLAS = 512;
 
 /**
- * Makes what masks lights: shadow maps, cookies, layers, and their microshaders.
- * @param limit of the atlas of depths, texels a side; null: by the pictures that are drawn
+ * Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders.
+ * @param limit of the atlas of depths, texels a side; default: by the pictures that are drawn
  */
-export function makeShadowMaps(webgl: WebGLRenderer, registry: MicroShaderRegistry, limit: number | null): ShadowMaps {
-  addMicroShaders(registry, 'shadows', microShaders);
-  return new ShadowMaps(webgl, registry, limit);
+export function makeShadowMaps(frame: Frame, draws: SceneDraws, limit?: number): ShadowMaps {
+  const { webgl, microshaders, queue } = frame;
+  addMicroShaders(microshaders, 'shadows', microShaders);
+  const shadows = new ShadowMaps(webgl, microshaders, limit === undefined ? null : Math.max(SMALLEST_ATLAS, limit));
+  const render = (): void => shadows.render();
+  shadows.calls = new ShadowMapCalls(webgl, () => shadows.hasWork && draws.run('shadow maps', render));
+  frame.findTileShadows = (gbuffer) => shadows.tiles.render(frame, gbuffer, shadows.bounds.target);
+  queue.shadowMasks = shadowMasks;
+  return shadows;
 }

@@ -11,10 +11,25 @@ export const microShaders = { ...chunks };
 export interface ViewPasses {
   readonly overdraw: OverdrawPass;
   readonly surfaceView: SurfaceViewPass;
+  /** Bytes of the targets. */
+  readonly bytes: number;
+  dispose(): void;
 }
 
 /** The renderer fetches this when such a view is first asked for. */
 export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
   addMicroShaders(registry, 'views', microShaders);
-  return { overdraw: new OverdrawPass(), surfaceView: new SurfaceViewPass() };
+  const overdraw = new OverdrawPass();
+  const surfaceView = new SurfaceViewPass();
+  return {
+    overdraw,
+    surfaceView,
+    get bytes() {
+      return overdraw.bytes + surfaceView.bytes;
+    },
+    dispose() {
+      overdraw.dispose();
+      surfaceView.dispose();
+    },
+  };
 }

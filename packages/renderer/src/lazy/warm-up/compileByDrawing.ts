@@ -1,22 +1,35 @@
-import { type Camera, type Object3D, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { type Camera, type Object3D, WebGLRenderTarget } from 'three';
+import type { FarolRenderer } from '../../FarolRenderer';
+import { Lazy } from '../../frame/Lazy';
 import { programsOf } from '../../three/WaitingPrograms';
 
-/** A FarolRenderer. */
-interface Renderer {
-  readonly webgl: WebGLRenderer;
-  render(scene: Object3D, camera: Camera): void;
-}
+const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
 
-/** Draws one pixel, which starts the compilation of everything the scene needs, then waits until the device is done. */
-export async function compileByDrawing(farol: Renderer, scene: Object3D, camera: Camera): Promise<void> {
+/**
+ * Fetches the code that a frame of the scene asks for, draws one pixel, which starts the compilation of everything the scene
+ * needs, then waits until the device is done.
+ * @throws Error when code cannot be fetched
+ */
+export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, camera: Camera): Promise<void> {
+  const { lacking } = farol['last'];
+  const outer = Lazy.lacking;
+  const asked = (Lazy.lacking = new Set());
+  // most code is asked for by lights; a frame without it would compile in vain
+  farol['finder'].find(scene, camera, farol.lightLayers);
+  Lazy.lacking = outer;
+  await Promise.all([load(asked), farol.techniques[farol.technique].lazy?.load()]);
   drawOnePixel(farol, scene, camera);
+  while (lacking.size > 0 && !farol.webgl.getContext().isContextLost()) {
+    await load(lacking);
+    drawOnePixel(farol, scene, camera);
+  }
   while (!programsOf(farol.webgl).every((program) => program.isReady())) {
     await new Promise((resolve) => setTimeout(resolve, 4));
   }
 }
 
 /** Draws a scene to a target of one pixel. */
-export function drawOnePixel(farol: Renderer, scene: Object3D, camera: Camera): void {
+export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();

@@ -1,0 +1,128 @@
+import { type FarolRenderer, type LazyPart, setAreaLightShape, setShading } from '@farol/renderer';
+import { LightField } from '@farol/renderer/light-field';
+import * as THREE from 'three';
+import { Bench } from './Bench';
+import { shadowScene } from './shadowScene';
+
+const WIDTH = 64;
+const HEIGHT = 48;
+/** Frames in a row of one scene after which every part that it needs has been asked for: 'auto' settles after 8. */
+const FRAMES = 10;
+
+/** A scene that needs a part of the renderer's code. */
+interface LateScene {
+  readonly scene: THREE.Scene;
+  readonly camera: THREE.Camera;
+}
+
+/** What makes a scene need a part; the renderer's settings are those of a new one but for what it sets. */
+type MakeScene = (bench: Bench) => LateScene | Promise<LateScene>;
+
+/** A ball over a floor, lit from one side. */
+function plainScene(): LateScene & { ball: THREE.Mesh } {
+  const scene = new THREE.Scene();
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), new THREE.MeshStandardMaterial({ color: 0xccbbaa }));
+  floor.rotation.x = -Math.PI / 2;
+  const ball = new THREE.Mesh(new THREE.SphereGeometry(1), new THREE.MeshStandardMaterial({ color: 0x4488cc }));
+  ball.position.y = 1;
+  const lamp = new THREE.PointLight(0xffeedd, 12, 10);
+  lamp.position.set(2, 3, 2);
+  scene.add(floor, ball, lamp);
+  const camera = new THREE.PerspectiveCamera(50, WIDTH / HEIGHT, 0.1, 30);
+  camera.position.set(0, 3, 6);
+  camera.lookAt(0, 0.8, 0);
+  return { scene, camera, ball };
+}
+
+const bySetting =
+  (set: (farol: FarolRenderer) => void): MakeScene =>
+  ({ farol }) => {
+    set(farol);
+    return plainScene();
+  };
+
+/** A scene for each part of the code that is fetched late. */
+const cases: Readonly<Record<LazyPart, MakeScene>> = {
+  shadows: ({ webgl, farol }) => {
+    webgl.shadowMap.enabled = true;
+    farol.technique = 'clustered-deferred';
+    return shadowScene(WIDTH, HEIGHT, { caster: 'mixed' });
+  },
+  'area-lights': () => {
+    const { scene, camera } = plainScene();
+    const lamp = new THREE.RectAreaLight(0xffffff, 8, 2, 1);
+    lamp.position.set(-2, 2.5, 2);
+    lamp.lookAt(0, 0.5, 0);
+    setAreaLightShape(lamp, 'disc');
+    scene.add(lamp);
+    return { scene, camera };
+  },
+  views: bySetting((farol) => (farol.view = 'normal')),
+  'light-buffer': bySetting((farol) => (farol.technique = 'light-prepass')),
+  multipass: bySetting((farol) => (farol.technique = 'forward')),
+  'light-fields': () => {
+    const { scene, camera } = plainScene();
+    const field = new LightField(2);
+    field.setPoint(0, -2, 1, 1, 5, 1, 4, 1);
+    field.setPoint(1, 1, 2, 1, 5, 3, 1, 1);
+    scene.add(field);
+    return { scene, camera };
+  },
+  gouraud: () => {
+    const { scene, camera, ball } = plainScene();
+    setShading(ball.material as THREE.Material, 'gouraud');
+    return { scene, camera };
+  },
+  nodes: async ({ webgl }) => (await import('./nodeScene')).nodeScene(webgl, WIDTH, HEIGHT),
+  timer: bySetting((farol) => (farol.timing = true)),
+  'warm-up': bySetting((farol) => (farol.technique = 'auto')),
+};
+
+/** A renderer that draws the scene of a part, again whenever it asks for that. */
+export class LateCase {
+  /** Whether the picture is as it stays, by `FarolRenderer.ready`. */
+  isReady = false;
+  private readonly bench = new Bench(WIDTH, HEIGHT);
+  private made!: LateScene;
+  private picture: Float32Array = new Float32Array();
+
+  private constructor() {
+    this.bench.farol.addEventListener('redraw', () => this.draw());
+  }
+
+  static async of(part: LazyPart): Promise<LateCase> {
+    const late = new LateCase();
+    late.made = await cases[part](late.bench);
+    return late;
+  }
+
+  /** Draws as many frames as it takes to ask for any part. @returns what is pending then */
+  drawFrames(): readonly string[] {
+    for (let frame = 0; frame < FRAMES; frame++) this.draw();
+    return this.bench.farol.info.pending;
+  }
+
+  /** Draws no frame but those that the renderer asks for. @returns fulfilled when the picture is as it stays */
+  async wait(): Promise<void> {
+    await this.bench.farol.ready;
+    this.isReady = true;
+  }
+
+  /** Draws two frames after `wait`. @returns largest difference of each from what another renderer draws, now that all code is there */
+  async differences(part: LazyPart): Promise<number[]> {
+    const there = await LateCase.of(part);
+    const pending = there.drawFrames();
+    if (pending.length > 0) throw new Error(`${pending.join(', ')} came no sooner for the picture to compare with`);
+    const wanted = there.draw();
+    return [this.picture, this.draw(), this.draw()].map((picture) => largest(picture, wanted));
+  }
+
+  private draw(): Float32Array {
+    const { bench, made } = this;
+    this.picture = bench.draw(() => bench.farol.render(made.scene, made.camera)).data;
+    return this.picture;
+  }
+}
+
+const largest = (a: Float32Array, b: Float32Array): number =>
+  a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
