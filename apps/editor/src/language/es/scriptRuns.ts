@@ -13,5 +13,4 @@ export const scriptRuns: Texts = {
     'Los scripts están desactivados, como dice la dirección de la página.',
   'Look at them': 'Verlos',
   'Keep them off': 'Dejarlos desactivados',
-  'Run them': 'Ejecutarlos',
 };
