@@ -10,6 +10,7 @@ const spin = (axis: string): string => `import { component, number } from '@faro
 import { Vector3 } from 'three';
 export default class Spin extends component({ rate: number(1, { unit: 'rad/s', help: 'How fast it turns.' }) }) {
   private readonly axis = new Vector3(0, 1, 0);
+  readonly markup = '</SCRIPT ><title>led away</title><!-- <script>';
   start(): void {
     document.body.dataset.runs = '${axis}';
   }

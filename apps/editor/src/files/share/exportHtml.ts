@@ -2,6 +2,7 @@ import type { Scene, ScriptAsset } from '@farol/engine';
 import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
+import { scriptElement } from './scriptElement';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {
@@ -67,9 +68,6 @@ async function compiledScripts(scene: Scene): Promise<string[]> {
   });
 }
 
-/** JavaScript that may stand in an element of HTML. */
-const inElement = (code: string): string => code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
-
 /** Letters that nobody can guess. */
 const makeNonce = (): string => base64Of(crypto.getRandomValues(new Uint8Array(18)));
 
@@ -123,7 +121,7 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
 </head>
 <body>
 <script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
-${scripts.map((code) => `<script nonce="${nonce}">${inElement(code)}</script>\n`).join('')}<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
+${[...scripts, script].map((code) => scriptElement(nonce, code)).join('\n')}
 </body>
 </html>
 `;
