@@ -1,8 +1,9 @@
 import type { Scene, ScriptAsset } from '@farol/engine';
-import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
+import { assetUses, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
 import { scriptElement } from './scriptElement';
+import { sharedContent, type ShareOptions } from './sharedContent';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {
@@ -94,10 +95,10 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
  * Its scripts are in it compiled.
  * @throws Error when the player cannot be read; ScriptError for a script that is broken
  */
-export async function exportHtml(scene: Scene): Promise<Blob> {
-  const content = containerContent(scene);
+export async function exportHtml(scene: Scene, options: ShareOptions = {}): Promise<Blob> {
+  const content = sharedContent(scene, options);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
-  const scripts = await compiledScripts(scene);
+  const scripts = options.withScripts === false ? [] : await compiledScripts(scene);
   const hasParticles = needsParticles(JSON.stringify(content.file));
   const [script, bytes, dragon, physics] = await Promise.all([
     needsDecoders(content.files.values(), scene).then((decoders) =>
