@@ -1,4 +1,5 @@
 import { pathToFileURL } from 'node:url';
+import { inflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { deadTabOf } from '../support/deadTab';
 import { expect, test } from '../support/test';
@@ -10,6 +11,7 @@ const spin = (axis: string): string => `import { component, number } from '@faro
 import { Vector3 } from 'three';
 export default class Spin extends component({ rate: number(1, { unit: 'rad/s', help: 'How fast it turns.' }) }) {
   private readonly axis = new Vector3(0, 1, 0);
+  readonly markup = '</SCRIPT ><title>led away</title><!-- <script>';
   start(): void {
     document.body.dataset.runs = '${axis}';
   }
@@ -18,6 +20,10 @@ export default class Spin extends component({ rate: number(1, { unit: 'rad/s', h
     document.body.dataset.turned = 'yes';
   }
 }`;
+
+/** The text of the scene in a link. */
+const sceneOfLink = (link: string): string =>
+  inflateRawSync(Buffer.from(link.split('#scene=')[1], 'base64url')).toString();
 
 /** What the script has left on its object, and how the object is turned. */
 const turnOf = (page: Page): Promise<{ runs: unknown; y: number; z: number }> =>
@@ -87,6 +93,16 @@ test('a script turns an object, an edit is live with its values, and the exporte
   await expect(bar).toContainText('it comes from elsewhere');
   const typeOf = (): Promise<boolean> => page.evaluate(() => window.editor.document.scripts.classOf('Spin') !== null);
   expect(await typeOf()).toBe(false);
+  // nor do they run for others without a word
+  await page.keyboard.press('Control+Shift+E');
+  const link = page.getByLabel('Link to the scene');
+  await expect(link).toHaveValue(/#scene=/);
+  const without = await link.inputValue();
+  expect(sceneOfLink(without)).not.toContain('class Spin');
+  await page.getByRole('checkbox', { name: 'With the scripts, which are off here' }).check();
+  await expect(link).not.toHaveValue(without);
+  expect(sceneOfLink(await link.inputValue())).toContain('class Spin');
+  await page.getByRole('button', { name: 'Close', exact: true }).click();
   await bar.getByRole('button', { name: 'Run them' }).click();
   await expect(bar).toBeHidden();
   await expect.poll(typeOf).toBe(true);

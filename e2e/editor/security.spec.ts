@@ -144,3 +144,57 @@ test('scripts that come into a page do not run, nor does it fetch from hosts tha
   expect(await fetched(page, 'https://other.example/'), 'another host').toBe(false);
   expect(forgive(watch)).toBeGreaterThan(0);
 });
+
+/** A script that tries each way in which a page can reach a host. */
+const spy = `import { component } from '@farol/engine/fields';
+export default class Spy extends component({}) {
+  async start() {
+    document.body.dataset.ran = 'yes';
+    const get = "fetch('${HOST}/worker').catch(() => {}).finally(() => postMessage(''))";
+    const ways = {
+      fetch: () => fetch('${HOST}/fetch', { method: 'POST', body: 'x', mode: 'no-cors' }),
+      beacon: () => navigator.sendBeacon('${HOST}/beacon', 'x'),
+      picture: () => new Promise((resolve) => Object.assign(new Image(), { onload: resolve, onerror: resolve, src: '${HOST}/picture' })),
+      socket: () => new Promise((resolve) => (new WebSocket('wss://pictures.example/').onerror = resolve)),
+      events: () => new Promise((resolve) => (new EventSource('${HOST}/events').onerror = resolve)),
+      worker: () => new Promise((resolve) => (new Worker(URL.createObjectURL(new Blob([get]))).onmessage = resolve)),
+      frame: () => new Promise((resolve) => document.body.append(Object.assign(document.createElement('iframe'), { onload: resolve, src: '${HOST}/frame' }))),
+    };
+    for (const way of Object.values(ways)) try { await way(); } catch {}
+    console.error('tried all; peers: ' + typeof RTCPeerConnection);
+    location.href = '${HOST}/away';
+  }
+}`;
+
+test('the scripts of a link wait for a click, and then reach no host that was not asked for @verify', async ({
+  page,
+  watch,
+}) => {
+  const asked = await answerFor(page);
+  await openEditor(page, 'empty');
+  const scene = JSON.parse(await serialized(page)) as { assets: object[]; objects: { components: object[] }[] };
+  scene.assets = [{ name: 'Spy', type: 'script', values: { source: spy } }];
+  scene.objects[0].components.push({ type: 'Spy', version: 1, id: 'a-spy', values: {} });
+  const hash = `#scene=${deflateRawSync(JSON.stringify(scene)).toString('base64url')}`;
+  for (const player of ['player.html', 'player-scripts.html']) {
+    await open(page, `./${player}${hash}`);
+    const frame = page.frameLocator('iframe').first();
+    const question = frame.getByRole('dialog', { name: 'Scripts of the scene' });
+    await expect(question).toContainText('programs of whoever made the link');
+    await expect(frame.locator('body')).not.toHaveAttribute('data-ran');
+    await question.getByRole('button', { name: 'Open without them' }).click();
+    await expect(frame.locator('canvas')).toHaveAttribute('aria-label', 'Untitled');
+    await expect(frame.locator('body')).not.toHaveAttribute('data-ran');
+  }
+  await open(page, `./player.html${hash}`);
+  const frame = page.frameLocator('iframe').first();
+  await frame.getByRole('button', { name: 'Run them' }).click();
+  const seen = (pattern: RegExp): number => watch.problems.findIndex((problem) => pattern.test(problem));
+  await expect.poll(() => seen(/tried all; peers: undefined/)).toBeGreaterThan(-1);
+  const ways = watch.problems.splice(0, seen(/tried all/) + 1);
+  expect(ways.filter((problem) => /Framing 'https:\/\/pictures\.example/.test(problem))).not.toEqual([]);
+  // the frame leads itself away
+  await expect.poll(() => seen(/Framing 'https:\/\/pictures\.example/)).toBeGreaterThan(-1);
+  expect(asked).toEqual([]);
+  watch.forgive(/Content Security Policy|tried all/);
+});

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve, sep } from 'node:path';
+import { frameHeaders } from './contentSecurityPolicy.mjs';
 
 /** @type {Record<string, string>} */
 const types = {
@@ -46,6 +47,7 @@ export async function serveFolder(folder, { isolated = true, port = 0, beside = 
       const body = Object.hasOwn(texts, asked.slice(1)) ? texts[asked.slice(1)]() : await readFile(path);
       response.writeHead(200, {
         'content-type': types[extname(path)] ?? 'application/octet-stream',
+        ...frameHeaders(asked),
         ...(isolated ? isolation : {}),
       });
       response.end(body);

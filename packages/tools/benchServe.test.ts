@@ -25,6 +25,7 @@ it('serves a folder and nothing outside of it, isolated for a fine clock', async
     expect(await page.text()).toBe('the page');
     expect(page.headers.get('content-type')).toMatch(/^text\/html/);
     expect(page.headers.get('cross-origin-embedder-policy')).toBe('require-corp');
+    expect(page.headers.get('content-security-policy')).toBe("frame-ancestors 'self'");
     expect(await status(server.url, '/missing.js')).toBe(404);
     for (const path of ['/../secret.txt', '/%2e%2e/secret.txt', '/..%2fsecret.txt', '/..%5csecret.txt', '/%']) {
       expect(await status(server.url, path), path).toBe(404);

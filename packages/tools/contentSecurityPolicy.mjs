@@ -28,6 +28,16 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
 export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
 
 /**
+ * Headers of an answer, by its path: pages are shown in frames of their own host alone, so that nobody leads clicks into
+ * them; the player's are made to be embedded.
+ *
+ * @param {string} path
+ * @returns {Record<string, string>}
+ */
+export const frameHeaders = (path) =>
+  /^\/player(-scripts)?\.html(\?|$)/.test(path) ? {} : { 'content-security-policy': "frame-ancestors 'self'" };
+
+/**
  * Vite plugin: puts the policy into each page, the strict one into what is built.
  *
  * @param {object} [options]
@@ -40,6 +50,12 @@ export function securePages({ runsScripts = false } = {}) {
     name: 'farol-content-security-policy',
     configResolved(config) {
       isServed = config.command === 'serve';
+    },
+    configureServer({ middlewares }) {
+      middlewares.use((request, response, next) => {
+        for (const [name, value] of Object.entries(frameHeaders(request.url ?? ''))) response.setHeader(name, value);
+        next();
+      });
     },
     transformIndexHtml: {
       order: 'post',

@@ -1,3 +1,4 @@
+import { Scene } from '@farol/engine';
 import { afterEach, expect, test, vi } from 'vitest';
 import { PanelLayout } from '../layout/PanelLayout';
 import { PanelRegistry } from '../layout/PanelRegistry';
@@ -43,4 +44,21 @@ test('scripts are switched on and off where the tab has no storage', () => {
   const document = new EditorDocument();
   expect(() => guardScripts(document)).not.toThrow();
   expect(() => document.scripts.changed.emit()).not.toThrow();
+});
+
+test('scripts stay off in a frame of another page, also where the same ones have run before', () => {
+  vi.stubGlobal('location', { search: '' });
+  vi.stubGlobal('addEventListener', () => {});
+  vi.stubGlobal('self', globalThis);
+  vi.stubGlobal('top', {});
+  const document = new EditorDocument();
+  const { scripts } = document;
+  guardScripts(document);
+  expect(scripts.question).toBe('framed');
+  scripts.isOn = true;
+  expect(scripts.isOn).toBe(false);
+  expect(scripts.question).toBe('framed');
+  const scene = new Scene();
+  scripts.open(scene, scene.registry, true);
+  expect(scripts.isOn).toBe(false);
 });

@@ -18,8 +18,11 @@ export interface ScriptFailure extends ScriptPlace {
   readonly object: string;
 }
 
-/** Why scripts are off: they came from elsewhere, the page hung when they ran last, or the address says `?scripts=off`. */
-export type OffReason = 'foreign' | 'hung' | 'address';
+/**
+ * Why scripts are off: they came from elsewhere, the page hung when they ran last, the address says `?scripts=off`, or the
+ * editor is in a frame of another page, which could lead the user's clicks.
+ */
+export type OffReason = 'foreign' | 'hung' | 'address' | 'framed';
 
 const NONE: ReadonlyMap<string, never> = new Map<string, never>();
 
@@ -60,7 +63,7 @@ export class DocumentScripts {
   }
 
   set isOn(value: boolean) {
-    if (value === this.isWanted) return;
+    if (value === this.isWanted || this.held === 'framed') return;
     this.isWanted = value;
     if (value) this.question = this.held = null;
     if (this.current) this.current.isOn = value;
@@ -73,10 +76,11 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Has scripts off in this scene and those that are opened next, until the user switches them on. */
+  /** Has scripts off in this scene and those that are opened next, until the user switches them on; framed ones for good. */
   hold(reason: OffReason): void {
-    this.held = this.question = reason;
     this.isOn = false;
+    this.held = this.question = reason;
+    this.changed.emit();
   }
 
   /** Scripts come from elsewhere into this scene: all of its are off until the user has said whether they shall run. */

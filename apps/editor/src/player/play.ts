@@ -16,8 +16,9 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';
 import { player } from '../language/es/player';
 import { firstLanguage } from '../language/languages';
-import { askForHosts, keepToHosts } from './askForHosts';
+import { askForHosts, askForScripts } from './ask';
 import { hasParticles } from './hasParticles';
+import { keepToHosts } from './keepToHosts';
 import { needsParticles } from '../files/share/needsParticles';
 import { hasScripts, isSandboxed, showSandboxed } from './sandbox';
 import { playWithParticles } from './withParticles';
@@ -38,18 +39,25 @@ const registry = new ComponentRegistry(builtinComponents.types.values(), { keepU
 /** Runs the scripts of a scene; fulfilled when its components are of their classes. */
 export type RunScripts = (scene: Scene, registry: ComponentRegistryType) => Promise<void>;
 
+/** A scene, and how its scripts run; null for not at all. */
+interface Opened {
+  readonly scene: Scene;
+  readonly runScripts: RunScripts | null;
+}
+
 /** @param runScripts - null for the player without @returns null when another frame or player shows the scene */
-async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Scene | null> {
+async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Opened | null> {
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
     // the page's own policy names the hosts that its author was content with
-    return deserialize(text, { assets, registry, fileOf, mayFetch: () => true });
+    return { scene: await deserialize(text, { assets, registry, fileOf, mayFetch: () => true }), runScripts };
   }
+  let hosts: readonly string[] = [];
   const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<readonly string[]> => {
-    const hosts = await askForHosts(addresses);
+    hosts = await askForHosts(addresses);
     keepToHosts(hosts);
     return hosts;
   };
@@ -64,7 +72,11 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
     playWithParticles();
     return null;
   }
-  return deserialize(text, { assets, registry, mayFetch });
+  const runs = hasScripts(text) && (await askForScripts());
+  const scene = await deserialize(text, { assets, registry, mayFetch });
+  // also where nothing was asked for: what comes later is kept to the answer
+  keepToHosts(hosts);
+  return { scene, runScripts: runs ? runScripts : null };
 }
 
 /** Shows a message over the picture, below those that are there. */
@@ -137,18 +149,19 @@ function listens(scene: Scene): boolean {
   return found;
 }
 
-/** Shows and plays the scene of the page. @param runScripts - null for the player without */
-async function start(runScripts: RunScripts | null): Promise<void> {
+/** Shows and plays the scene of the page. @param playerScripts - null for the player without */
+async function start(playerScripts: RunScripts | null): Promise<void> {
   if (firstLanguage(null, navigator.languages) === 'es') {
     setTexts(player, 'es');
     document.documentElement.lang = 'es';
   }
   const app = new App({ parent: document.body, renderer: { antialias: true } });
-  const scene = await readScene(app.webgl, runScripts);
-  if (!scene) {
+  const opened = await readScene(app.webgl, playerScripts);
+  if (!opened) {
     app.dispose();
     return;
   }
+  const { scene, runScripts } = opened;
   const told = new Set<string>();
   scene.onComponentError = (component, error) => {
     const owner = component.isAttached ? component.gameObject.name : '';

@@ -8,7 +8,8 @@ const DELAY = 500;
 
 /**
  * Notes in the tab while scripts run, so that a page that hung, and was reloaded, opens with scripts off; `?scripts=off` in the
- * address has them off too. Scripts that run are remembered: a file with the same ones runs them without a question.
+ * address has them off too, as a frame of another page does. Scripts that run are remembered: a file with the same ones runs
+ * them without a question.
  */
 export function guardScripts(document: EditorDocument): void {
   const { scripts } = document;
@@ -23,7 +24,8 @@ export function guardScripts(document: EditorDocument): void {
     ofTab((store) => store.setItem(KEY, 'yes'));
     timer = setTimeout(() => void remember(document), DELAY);
   };
-  if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
+  if (globalThis.top !== globalThis.self) scripts.hold('framed');
+  else if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
   else if (hung) scripts.hold('hung');
   scripts.changed.subscribe(note);
   // a page that hangs, and is ended, does not come here

@@ -1,7 +1,9 @@
 import type { Scene, ScriptAsset } from '@farol/engine';
-import { assetUses, containerContent, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
+import { assetUses, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
+import { scriptElement } from './scriptElement';
+import { sharedContent, type ShareOptions } from './sharedContent';
 
 /** Bytes as base64. */
 function base64Of(bytes: Uint8Array): string {
@@ -67,9 +69,6 @@ async function compiledScripts(scene: Scene): Promise<string[]> {
   });
 }
 
-/** JavaScript that may stand in an element of HTML. */
-const inElement = (code: string): string => code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
-
 /** Letters that nobody can guess. */
 const makeNonce = (): string => base64Of(crypto.getRandomValues(new Uint8Array(18)));
 
@@ -96,10 +95,10 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
  * Its scripts are in it compiled.
  * @throws Error when the player cannot be read; ScriptError for a script that is broken
  */
-export async function exportHtml(scene: Scene): Promise<Blob> {
-  const content = containerContent(scene);
+export async function exportHtml(scene: Scene, options: ShareOptions = {}): Promise<Blob> {
+  const content = sharedContent(scene, options);
   const usesDragon = assetUses(content.file, scene.registry).some(({ name }) => name === 'dragon');
-  const scripts = await compiledScripts(scene);
+  const scripts = options.withScripts === false ? [] : await compiledScripts(scene);
   const hasParticles = needsParticles(JSON.stringify(content.file));
   const [script, bytes, dragon, physics] = await Promise.all([
     needsDecoders(content.files.values(), scene).then((decoders) =>
@@ -123,7 +122,7 @@ export async function exportHtml(scene: Scene): Promise<Blob> {
 </head>
 <body>
 <script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
-${scripts.map((code) => `<script nonce="${nonce}">${inElement(code)}</script>\n`).join('')}<script nonce="${nonce}">${script.replaceAll('</script', '<\\/script')}</script>
+${[...scripts, script].map((code) => scriptElement(nonce, code)).join('\n')}
 </body>
 </html>
 `;

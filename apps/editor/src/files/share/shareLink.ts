@@ -1,8 +1,9 @@
 import { formatCount, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
-import { containerContent, inlineAssets } from '@farol/engine/files';
+import { inlineAssets } from '@farol/engine/files';
 import { shortText } from '@farol/renderer';
 import { encodeLink } from './linkText';
+import { sharedContent, type ShareOptions } from './sharedContent';
 
 /** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */
 export const LINK_LIMIT = 64_000;
@@ -13,8 +14,8 @@ const kilobytes = (count: number): string => `${formatCount(Math.ceil(count / 10
  * The scene as the part of an address after '#'.
  * @throws Error naming the size and what makes it large, when it is over the limit
  */
-export async function linkHash(scene: Scene): Promise<string> {
-  const content = containerContent(scene);
+export async function linkHash(scene: Scene, options?: ShareOptions): Promise<string> {
+  const content = sharedContent(scene, options);
   const largest = [...content.files].toSorted((a, b) => b[1].size - a[1].size).slice(0, 3);
   const bytes = largest.reduce((sum, [, { size }]) => sum + size, 0);
   const named = new Map(content.file.assets.map(({ name, file }) => [file, name]));

@@ -72,6 +72,8 @@ export const panels: Texts = {
   'Web page…': 'Página web…',
   'One file with script, scene and assets; runs from a disk too.':
     'Un archivo con script, escena y recursos; funciona también desde un disco.',
+  'With the scripts, which are off here: a web page runs them for everybody who opens it':
+    'Con los scripts, que aquí están desactivados: una página web los ejecuta para todo el que la abre',
   'glTF (GLB)…': 'glTF (GLB)…',
   'Objects, meshes, materials, cameras and lights for other programs.':
     'Objetos, mallas, materiales, cámaras y luces para otros programas.',

@@ -6,6 +6,10 @@ export const player: Texts = {
   '… and {count} more': '… y {count} más',
   'This scene asks for files of other hosts, which would learn that you open it:':
     'Esta escena pide archivos de otros servidores, que sabrían que se abre:',
+  'Scripts of the scene': 'Scripts de la escena',
+  'This scene has scripts, which are programs of whoever made the link. They reach none of your files and no other host, but may keep this device busy.':
+    'Esta escena tiene scripts, que son programas de quien hizo el enlace. No llegan a ningún archivo de quien la abre ni a otros servidores, pero pueden tener ocupado el dispositivo.',
+  'Run them': 'Ejecutarlos',
   'Click for sound': 'Un clic para oír el sonido',
   'Load from these hosts': 'Cargar de estos servidores',
   'Open without them': 'Abrir sin ellos',

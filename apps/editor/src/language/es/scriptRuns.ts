@@ -11,7 +11,8 @@ export const scriptRuns: Texts = {
     'Los scripts están desactivados: la página se cerró mientras se ejecutaban. Hay que corregir el que no termina y después ejecutarlos.',
   'Scripts are off, as the address of the page says.':
     'Los scripts están desactivados, como dice la dirección de la página.',
+  'Scripts stay off while another page shows the editor inside of it. Open the editor by itself to run them.':
+    'Los scripts siguen desactivados mientras otra página muestra el editor dentro de ella. Para ejecutarlos hay que abrir el editor solo.',
   'Look at them': 'Verlos',
   'Keep them off': 'Dejarlos desactivados',
-  'Run them': 'Ejecutarlos',
 };

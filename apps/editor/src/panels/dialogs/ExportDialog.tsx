@@ -6,15 +6,16 @@ import { download } from '../../files/share/download';
 import { embedCode } from '../../files/share/embedCode';
 import { exportGltf } from '../../files/share/exportGltf';
 import { exportHtml } from '../../files/share/exportHtml';
+import type { ShareOptions } from '../../files/share/sharedContent';
 import { linkHash } from '../../files/share/shareLink';
 import type { EditorApi } from '../../api/EditorApi';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { ExportButton } from './ExportButton';
 
-async function saveHtml({ document, notices }: EditorApi): Promise<readonly string[]> {
+async function saveHtml({ document, notices }: EditorApi, options: ShareOptions): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.html`;
-  await download(await exportHtml(document.scene), fileName, t('Web page'));
+  await download(await exportHtml(document.scene, options), fileName, t('Web page'));
   notices.show('info', t('Exported {fileName}', { fileName }));
   return [];
 }
@@ -30,18 +31,18 @@ async function saveGltf({ document, notices, viewport, timeline }: EditorApi): P
 }
 
 /** The scene's link, or why it has none. */
-function useLink(editor: EditorApi): { hash: string | null; problem: string | null } {
+function useLink(editor: EditorApi, withScripts: boolean): { hash: string | null; problem: string | null } {
   const [link, setLink] = useState<{ hash: string | null; problem: string | null }>({ hash: null, problem: null });
   useEffect(() => {
     let isWanted = true;
-    linkHash(editor.document.scene).then(
+    linkHash(editor.document.scene, { withScripts }).then(
       (hash) => isWanted && setLink({ hash, problem: null }),
       (error: Error) => isWanted && setLink({ hash: null, problem: error.message }),
     );
     return () => {
       isWanted = false;
     };
-  }, [editor]);
+  }, [editor, withScripts]);
   return link;
 }
 
@@ -67,8 +68,13 @@ function Copy({ text, label, disabled }: CopyProps): ReactNode {
 /** The ways to give a scene away: a page, a model, a link, a frame for another page. */
 export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
-  const { hash, problem } = useLink(editor);
-  const { name } = editor.document.scene;
+  const { scene, scripts } = editor.document;
+  const { name } = scene;
+  // scripts that do not run here would run for everybody
+  const areOff = scripts.areThere && !scripts.isOn;
+  const [areTaken, setTaken] = useState(false);
+  const withScripts = !areOff || areTaken;
+  const { hash, problem } = useLink(editor, withScripts);
   const here = new URL(location.href);
   here.search = here.hash = '';
   const link = hash && here.href + hash;
@@ -76,6 +82,12 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   return (
     <>
       <Dialog.Title>{t('Export {name}', { name })}</Dialog.Title>
+      {areOff && (
+        <label className="export-row">
+          <input type="checkbox" checked={areTaken} onChange={({ target }) => setTaken(target.checked)} />
+          {t('With the scripts, which are off here: a web page runs them for everybody who opens it')}
+        </label>
+      )}
       <section className="export-part" aria-label={t('Link')}>
         <h3>{t('Link')}</h3>
         {!problem && (
@@ -95,7 +107,7 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
         <ExportButton
           label={t('Web page…')}
           note={t('One file with script, scene and assets; runs from a disk too.')}
-          run={() => saveHtml(editor)}
+          run={() => saveHtml(editor, { withScripts })}
         />
       </section>
       <section className="export-part" aria-label="glTF">

@@ -9,6 +9,9 @@ const textOf = (reason: OffReason): string =>
     foreign: t('The scripts of this scene are off, since it comes from elsewhere. Run them only if you trust it.'),
     hung: t('Scripts are off: the page ended while they ran. Mend the one that has no end, then run them.'),
     address: t('Scripts are off, as the address of the page says.'),
+    framed: t(
+      'Scripts stay off while another page shows the editor inside of it. Open the editor by itself to run them.',
+    ),
   })[reason];
 
 /** Over the picture while scripts of the scene are off: why, and whether they shall run. */
@@ -28,9 +31,11 @@ export function ScriptsBar(): ReactNode {
         <button type="button" className="button framed" onClick={() => scripts.keepOff()}>
           {t('Keep them off')}
         </button>
-        <button type="button" className="button primary" onClick={() => (scripts.isOn = true)}>
-          {t('Run them')}
-        </button>
+        {question !== 'framed' && (
+          <button type="button" className="button primary" onClick={() => (scripts.isOn = true)}>
+            {t('Run them')}
+          </button>
+        )}
       </div>
     </section>
   );
