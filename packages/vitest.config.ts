@@ -37,6 +37,7 @@ export default defineConfig({
     pool: 'threads',
     maxWorkers: availableParallelism(),
     passWithNoTests: false,
+    setupFiles: 'packages/tools/settleImports.mjs',
     // they end what hangs: no test fails for being slow on a busy machine
     testTimeout: 120_000,
     hookTimeout: 120_000,

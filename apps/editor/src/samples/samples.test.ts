@@ -16,7 +16,7 @@ import { deserialize, readSceneFile, serialize, UnknownComponent } from '@farol/
 import { compileScript, SceneScripts, takeGiven } from '@farol/engine/scripts';
 import { root } from '@farol/tools/root';
 import * as three from 'three';
-import { describe, expect, test } from 'vitest';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { samples } from '../api/Sample';
 import { makeSample, sampleMakers } from './makeSamples';
 
@@ -57,14 +57,18 @@ test('every sample that is a file is made by the script, and shown', () => {
 });
 
 describe.each(Object.keys(sampleMakers))('%s', (file) => {
+  let opened: Awaited<ReturnType<typeof open>>;
+  beforeAll(async () => void (opened = await open(file)));
+  afterAll(() => opened.scene.dispose());
+
   test('is what node packages/tools/makeSamples.mjs writes', async () => {
     const made = await makeSample(file, readPublic);
     const kept = await readPublic(`scenes/${file}`);
     expect(Buffer.from(made).equals(Buffer.from(kept))).toBe(true);
   });
 
-  test('has a camera, shadows, and no component that is not known', async () => {
-    const { scene, scripts } = await open(file);
+  test('has a camera, shadows, and no component that is not known', () => {
+    const { scene, scripts } = opened;
     expect([...scripts.errors.values()].map(({ message }) => message)).toEqual([]);
     const unknown: string[] = [];
     scene.traverse(({ components }) => {
@@ -74,11 +78,10 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     expect(scene.activeCamera).not.toBeNull();
     expect(scene.componentsOf(Light).some(({ castShadow }) => castShadow)).toBe(true);
     expect(scene.componentsOf(ObjectRenderer).some(({ receiveShadow }) => receiveShadow)).toBe(true);
-    scene.dispose();
   });
 
   test('moves when it plays, without a fault, and is bit-equal when it is reset', async () => {
-    const { scene } = await open(file);
+    const { scene } = opened;
     const faults: string[] = [];
     scene.onComponentError = (component, error) => void faults.push(`${component.typeName}: ${String(error)}`);
     scene.setTime(0);
@@ -93,7 +96,6 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     expect(JSON.stringify(serialize(scene)) === before).toBe(true);
     expect(places(scene)).toEqual(at);
     expect(faults).toEqual([]);
-    scene.dispose();
   });
 });
 

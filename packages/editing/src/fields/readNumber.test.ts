@@ -164,11 +164,11 @@ describe('what is typed as a number', () => {
       const text = Array.from({ length }, () => parts[Math.floor(random() * parts.length)]).join('');
       const result = readNumber(text, units[Math.floor(random() * units.length)]);
       if (result.problem !== null) {
-        expect(result.problem.length, text).toBeGreaterThan(5);
+        if (result.problem.length <= 5) expect.fail(`${JSON.stringify(text)}: ${result.problem}`);
         continue;
       }
       read++;
-      for (const before of [0, -3.5, 1e300]) expect(Number.isFinite(result.valueFor(before)), text).toBe(true);
+      if (![0, -3.5, 1e300].every((before) => Number.isFinite(result.valueFor(before)))) expect.fail(text);
     }
     expect(read).toBeGreaterThan(1000);
   });
