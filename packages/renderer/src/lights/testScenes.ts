@@ -77,15 +77,15 @@ export const testCameras: readonly TestCamera[] = [
   { name: 'off-centre orthographic', projection: orthographic(2, 30, -18, -2, -40, 60), near: -40, far: 60 },
   {
     name: 'reversed depth',
-    projection: reversed(perspective(-1, 1, -0.56, 0.56, 0.1, 100), 0.1, 100),
-    near: 0.1,
-    far: 100,
+    projection: reversed(perspective(-1, 1, -0.56, 0.56, 0.5, 30), 0.5, 30),
+    near: 0.5,
+    far: 30,
   },
   {
     name: 'orthographic, reversed depth',
-    projection: reversed(orthographic(-20, 20, -11, 11, 0.1, 100), 0.1, 100),
-    near: 0.1,
-    far: 100,
+    projection: reversed(orthographic(-20, 20, -11, 11, 0.5, 30), 0.5, 30),
+    near: 0.5,
+    far: 30,
   },
 ];
 
