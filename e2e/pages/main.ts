@@ -16,6 +16,7 @@ import { alphaBench, alphaScene } from './alphaScene';
 import { DistanceFade } from './authoring/DistanceFade';
 import { nearFirst } from './authoring/nearFirst';
 import { Bench } from './Bench';
+import { boundsScene } from './boundsScene';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { devices } from './devices';
 import { drawDevice } from './drawDevice';
@@ -50,6 +51,7 @@ export interface TestPage {
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
   alphaScene: typeof alphaScene;
   alphaBench: typeof alphaBench;
+  boundsScene: typeof boundsScene;
   privateScene: typeof privateScene;
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
@@ -109,6 +111,7 @@ window.testPage = {
   outside: { nearFirst, DistanceFade },
   alphaScene,
   alphaBench,
+  boundsScene,
   privateScene,
   materialScene,
   chunkScene,
