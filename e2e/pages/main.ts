@@ -16,6 +16,7 @@ import { alphaBench, alphaScene } from './alphaScene';
 import { DistanceFade } from './authoring/DistanceFade';
 import { nearFirst } from './authoring/nearFirst';
 import { Bench } from './Bench';
+import { boundsScene } from './boundsScene';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { devices } from './devices';
 import { drawDevice } from './drawDevice';
@@ -51,6 +52,7 @@ export interface TestPage {
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
   alphaScene: typeof alphaScene;
   alphaBench: typeof alphaBench;
+  boundsScene: typeof boundsScene;
   privateScene: typeof privateScene;
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
@@ -111,6 +113,7 @@ window.testPage = {
   outside: { nearFirst, DistanceFade },
   alphaScene,
   alphaBench,
+  boundsScene,
   privateScene,
   materialScene,
   chunkScene,

@@ -54,6 +54,15 @@ export function orthographic(
   return [x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, ...translation, 1];
 }
 
+/** A projection with three's reversed depth, clip z from w at the near plane to 0 at the far one. */
+function reversed(projection: readonly number[], near: number, far: number): number[] {
+  const m = [...projection];
+  const isPerspective = m[11] !== 0;
+  m[10] = (isPerspective ? near : 1) / (far - near);
+  m[14] = ((isPerspective ? near : 1) * far) / (far - near);
+  return m;
+}
+
 export const testCameras: readonly TestCamera[] = [
   { name: 'perspective', projection: perspective(-1, 1, -0.56, 0.56, 0.1, 100), near: 0.1, far: 100 },
   { name: 'wide perspective', projection: perspective(-4, 4, -3, 3, 0.01, 50), near: 0.01, far: 50 },
@@ -66,6 +75,18 @@ export const testCameras: readonly TestCamera[] = [
   { name: 'mirrored perspective', projection: perspective(1, -1, 0.56, -0.4, 0.1, 100), near: 0.1, far: 100 },
   { name: 'orthographic', projection: orthographic(-20, 20, -11, 11, 0.1, 100), near: 0.1, far: 100 },
   { name: 'off-centre orthographic', projection: orthographic(2, 30, -18, -2, -40, 60), near: -40, far: 60 },
+  {
+    name: 'reversed depth',
+    projection: reversed(perspective(-1, 1, -0.56, 0.56, 0.5, 30), 0.5, 30),
+    near: 0.5,
+    far: 30,
+  },
+  {
+    name: 'orthographic, reversed depth',
+    projection: reversed(orthographic(-20, 20, -11, 11, 0.5, 30), 0.5, 30),
+    near: 0.5,
+    far: 30,
+  },
 ];
 
 /**

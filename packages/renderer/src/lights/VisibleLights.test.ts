@@ -1,0 +1,157 @@
+import {
+  type Camera,
+  type Light,
+  Matrix4,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PointLight,
+  SpotLight,
+  Vector3,
+} from 'three';
+import { describe, expect, it } from 'vitest';
+import { lightRange } from './lightRange';
+import { createRandom, randomDirection } from './testScenes';
+import { VisibleLights } from './VisibleLights';
+
+const settings = { shadows: 'none', layers: null } as const;
+
+/** The two kinds of depth that three's projections have. */
+interface Depths {
+  readonly reversed: boolean;
+}
+
+function perspective({ reversed }: Depths): PerspectiveCamera {
+  const camera = new PerspectiveCamera(55, 1.6, 0.5, 40);
+  const side = 0.5 * Math.tan((camera.fov * Math.PI) / 360);
+  camera.projectionMatrix.makePerspective(-1.6 * side, 1.6 * side, side, -side, 0.5, 40, undefined, reversed);
+  return camera;
+}
+
+function offCentre({ reversed }: Depths): PerspectiveCamera {
+  const camera = new PerspectiveCamera(55, 1.6, 0.5, 40);
+  camera.projectionMatrix.makePerspective(-0.1, 0.5, 0.05, -0.4, 0.5, 40, undefined, reversed);
+  return camera;
+}
+
+function orthographic({ reversed }: Depths): OrthographicCamera {
+  const camera = new OrthographicCamera(-9, 9, 6, -6, 0.5, 40);
+  camera.projectionMatrix.makeOrthographic(-9, 9, 6, -6, 0.5, 40, undefined, reversed);
+  return camera;
+}
+
+/** A camera somewhere in the world, its matrices up to date. */
+function placed(camera: Camera, random: () => number): Camera {
+  camera.position.set(random() * 20 - 10, random() * 20 - 10, random() * 20 - 10);
+  camera.lookAt(new Vector3(random() * 20 - 10, random() * 20 - 10, random() * 20 - 10));
+  camera.updateMatrixWorld();
+  camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+  return camera;
+}
+
+/** Lights round what a camera at `centre` sees, up to twice as far off as its far plane. */
+function randomLights(count: number, random: () => number, centre: Vector3): Light[] {
+  return Array.from({ length: count }, (_, i) => {
+    const range = 0.5 + 12 * random() ** 2;
+    const light =
+      i % 3 === 0
+        ? new PointLight(0xffffff, 1, range)
+        : // up to a half space: narrow ones have bounds of their own
+          new SpotLight(0xffffff, 1, range, 0.03 + (Math.PI / 2 - 0.03) * random());
+    if (i % 5 === 0) {
+      light.distance = 0;
+      light.userData.farol = { attenuation: { kind: 'near-far', near: 0.9 * range, far: range } };
+    }
+    const [x, y, z] = randomDirection(random);
+    light.position
+      .set(x, y, z)
+      .multiplyScalar(45 * random())
+      .add(centre);
+    light.updateMatrixWorld();
+    if (light instanceof SpotLight) {
+      const [dx, dy, dz] = randomDirection(random);
+      light.target.position.set(dx, dy, dz).add(light.position);
+      light.target.updateMatrixWorld();
+    }
+    return light;
+  });
+}
+
+/** A point that a light reaches, most often at the end of its range or at the side of its cone. */
+function reachedPoint(light: Light, random: () => number, point: Vector3): Vector3 {
+  const range = lightRange(light as PointLight);
+  const length = range * (random() < 0.7 ? 0.9999 : Math.cbrt(random()));
+  const [x, y, z] = randomDirection(random);
+  point.set(x, y, z);
+  if (light instanceof SpotLight) {
+    const axis = light.target.position.clone().sub(light.position).normalize();
+    const side = point.cross(axis).normalize();
+    const angle = light.angle * (random() < 0.6 ? 0.9999 : random());
+    point = side.multiplyScalar(Math.sin(angle)).addScaledVector(axis, Math.cos(angle));
+  }
+  return point.multiplyScalar(length).add(light.position);
+}
+
+const cameras = { perspective, 'off-centre perspective': offCentre, orthographic };
+
+describe.each(
+  Object.entries(cameras).flatMap(([name, make]) => [
+    { name, make, reversed: false },
+    { name: `${name}, reversed depth`, make, reversed: true },
+  ]),
+)('the lights that a camera may see, $name', ({ make, reversed }) => {
+  it('leave out no light that reaches a point of the frustum', () => {
+    const random = createRandom(17);
+    const visible = new VisibleLights();
+    const point = new Vector3();
+    const clip = new Vector3();
+    const viewProjection = new Matrix4();
+    let reaching = 0;
+    let culled = 0;
+    for (let turn = 0; turn < 4; turn++) {
+      const camera = placed(make({ reversed }), random);
+      viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+      const lights = randomLights(600, random, camera.position);
+      visible.collect(lights, camera, settings);
+      const kept = new Set(visible.boundeds);
+      culled += lights.length - kept.size;
+      for (const light of lights) {
+        for (let sample = 0; sample < 150; sample++) {
+          reachedPoint(light, random, point);
+          const depth = -clip.copy(point).applyMatrix4(camera.matrixWorldInverse).z;
+          if (depth < 0.5 || depth > 40) continue;
+          clip.copy(point).applyMatrix4(viewProjection);
+          if (Math.abs(clip.x) > 1 || Math.abs(clip.y) > 1) continue;
+          reaching++;
+          if (!kept.has(light)) expect.fail(`a ${light.type} that reaches ${point.toArray().join()} is left out`);
+          break;
+        }
+      }
+    }
+    expect(reaching).toBeGreaterThan(200);
+    expect(culled).toBeGreaterThan(1000);
+  });
+
+  it('have in their bounds each point that they reach: sphere, axis and cutoff in view space', () => {
+    const random = createRandom(19);
+    const camera = placed(make({ reversed }), random);
+    const lights = randomLights(300, random, camera.position);
+    const visible = new VisibleLights();
+    visible.collect(lights, camera, settings);
+    const point = new Vector3();
+    visible.boundeds.forEach((light, k) => {
+      const [x, y, z, radius] = visible.bounds.subarray(k * 4, k * 4 + 4);
+      const [ax, ay, az, cutoff] = visible.axes.subarray(k * 4, k * 4 + 4);
+      expect(radius).toBe(lightRange(light as PointLight));
+      for (let sample = 0; sample < 30; sample++) {
+        reachedPoint(light, random, point).applyMatrix4(camera.matrixWorldInverse);
+        const toLight = new Vector3(x, y, z).sub(point);
+        expect(toLight.length()).toBeLessThanOrEqual(radius);
+        const cosine = (toLight.x * ax + toLight.y * ay + toLight.z * az) / toLight.length();
+        expect(cosine).toBeGreaterThanOrEqual(cutoff - 1e-9);
+      }
+    });
+    expect(visible.cones).toBeGreaterThan(10);
+    expect(visible.spheres).toBeGreaterThan(10);
+    expect(visible.cones + visible.spheres).toBe(visible.boundeds.length);
+  });
+});
