@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { ItemInstance, TreeInstance } from '@headless-tree/core';
-import { memo, type MouseEvent, type ReactNode, useRef } from 'react';
+import { memo, type MouseEvent, type ReactNode } from 'react';
 import { setActive, setLocked } from '../../model/edits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -46,8 +46,6 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
   const { tree, item, object, top, height, onSelect } = props;
   const editor = useEditor();
   const hasChildren = object.children.length > 0;
-  /** Whether the name being typed gets the focus back, as it is. */
-  const isKept = useRef(false);
   const states = [
     'row',
     item.isSelected() && 'selected',
@@ -88,22 +86,13 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           className="input rename"
           aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
-          onFocus={({ currentTarget }) => {
-            if (!isKept.current) currentTarget.select();
-            isKept.current = false;
-          }}
-          onBlur={({ currentTarget, relatedTarget }) => {
-            // after a click the tree gives the focus to the row late: the name is being typed already
-            isKept.current = relatedTarget === currentTarget.closest('[data-object-id]');
-            if (isKept.current) currentTarget.focus();
-            else tree.abortRenaming();
-          }}
+          onFocus={({ currentTarget }) => currentTarget.select()}
+          // not abortRenaming, which would take the focus from where it went
+          onBlur={() => tree.applySubStateUpdate('renamingItem', null)}
           onKeyDown={(event) => {
             event.stopPropagation();
             if (event.key === 'Enter') tree.completeRenaming();
             else if (event.key === 'Escape') tree.abortRenaming();
-            else return;
-            tree.updateDomFocus();
           }}
         />
       ) : (

@@ -16,8 +16,8 @@ import { useEffect, useRef, useState } from 'react';
 import { canMoveTo, moveObjects, renameObject } from '../../model/edits';
 import { childrenOf, type Container } from '../../model/commands/Placement';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { useKeptFocus } from './useKeptFocus';
 import { matching, wordsOf } from './matching';
+import { rowFocusFeature, useRowFocus } from './useRowFocus';
 
 /** Id of what all objects are below; no GameObject has it. */
 const ROOT = '/';
@@ -161,6 +161,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       dragAndDropFeature,
       keyboardDragAndDropFeature,
       renamingFeature,
+      rowFocusFeature,
     ],
   });
 
@@ -194,7 +195,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- rows may have come
   useEffect(show, [rows]);
 
-  useKeptFocus(tree);
+  useRowFocus(tree);
 
   useEffect(
     () =>
