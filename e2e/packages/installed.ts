@@ -32,3 +32,14 @@ export function readTarballs(): Tarball[] {
     return { bytes, files: new Map(files) };
   });
 }
+
+const unpacked = new Map<string, Tarball>();
+
+/** What `npm pack` made of a package. @throws Error when it made nothing */
+export function readTarball(name: string): Tarball {
+  for (const each of unpacked.size > 0 ? [] : readTarballs())
+    unpacked.set(JSON.parse(each.files.get('package.json') ?? '{}').name, each);
+  const found = unpacked.get(name);
+  if (!found) throw new Error(`npm pack made nothing of ${name}.`);
+  return found;
+}

@@ -2,22 +2,24 @@ import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
 
 /**
- * Follows static and dynamic imports from files of a package.
+ * Follows imports from files of a package.
  *
  * @param files text by path
+ * @param atStart follows static imports alone, not `import()`
  * @returns paths of the package that are reached, the starts among them, and the packages that they import
  * @throws Error when a relative import leads to no file
  */
 export function reachedFrom(
   files: ReadonlyMap<string, string>,
   starts: Iterable<string>,
+  atStart = false,
 ): { paths: Set<string>; packages: Set<string> } {
   const paths = new Set(starts);
   const packages = new Set<string>();
   for (const path of paths) {
     const source = files.get(path);
     if (source === undefined) throw new Error(`${path} is imported, and is not in the package.`);
-    for (const specifier of importsOf(path, source)) {
+    for (const specifier of importsOf(path, source, atStart)) {
       if (specifier.startsWith('.')) paths.add(fileOf(path, specifier));
       else packages.add(/^(@[^/]+\/)?[^/]+/.exec(specifier)![0]);
     }
@@ -31,14 +33,15 @@ function fileOf(path: string, specifier: string): string {
   return path.endsWith('.d.ts') ? file.replace(/\.js$/, '.d.ts') : file;
 }
 
-function importsOf(path: string, source: string): string[] {
+/** Import specifiers of a file. @param atStart static imports alone, not `import()` */
+export function importsOf(path: string, source: string, atStart = false): string[] {
   const { module } = parseSync(path, source);
   return [
     ...module.staticImports.map(({ moduleRequest }) => moduleRequest.value),
     ...module.staticExports.flatMap(({ entries }) =>
       entries.flatMap(({ moduleRequest }) => (moduleRequest ? [moduleRequest.value] : [])),
     ),
-    ...module.dynamicImports.flatMap(({ moduleRequest: { start, end } }) => {
+    ...(atStart ? [] : module.dynamicImports).flatMap(({ moduleRequest: { start, end } }) => {
       const name = /^[`'"](.*)[`'"]$/.exec(source.slice(start, end));
       return name ? [name[1]] : [];
     }),

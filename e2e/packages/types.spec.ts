@@ -1,7 +1,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
+import { entriesOf, type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
 import { expect, test } from '@playwright/test';
 import { installed, readTarballs } from './installed';
 import { reachedFrom } from './reachedFrom';
@@ -18,10 +18,10 @@ function specifiers(): { alone: string[]; withPeers: string[] } {
   for (const { files } of readTarballs()) {
     const manifest = JSON.parse(files.get('package.json')!) as Manifest;
     const optional = Object.keys(manifest.peerDependenciesMeta ?? {});
-    for (const [entry, paths] of Object.entries(manifest.exports)) {
-      const { packages } = reachedFrom(files, [paths.default.replace(/^\.\//, '')]);
+    for (const { name, specifier } of entriesOf(manifest)) {
+      const { packages } = reachedFrom(files, [`dist/${name}.js`]);
       const list = optional.some((peer) => packages.has(peer)) ? found.withPeers : found.alone;
-      list.push(manifest.name + entry.slice(1));
+      list.push(specifier);
     }
   }
   return found;

@@ -12,9 +12,9 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 const mapWorker = (): Plugin => ({
   name: 'farol-map-worker',
   writeBundle() {
-    const file = at('dist/worker/bakeWorker.js.map');
+    const file = at('dist/chunks/worker/bakeWorker.js.map');
     const map = JSON.parse(readFileSync(file, 'utf8')) as Record<string, unknown>;
-    map.sources = ['../../src/worker/bakeWorker.ts'];
+    map.sources = ['../../../src/worker/bakeWorker.ts'];
     map.sourcesContent = [readFileSync(at('src/worker/bakeWorker.ts'), 'utf8')];
     writeFileSync(file, JSON.stringify(map));
     rmSync(at('dist/assets'), { recursive: true, force: true });

@@ -1,7 +1,7 @@
 import { basename, join } from 'node:path';
 import { rollup } from 'rollup';
 import { dts } from 'rollup-plugin-dts';
-import { entrySources, leftToHost } from './publishedPackages.mjs';
+import { entriesOf, leftToHost } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
 /**
@@ -13,7 +13,8 @@ import { root } from './root.mjs';
  */
 export async function bundleTypes({ path, manifest }) {
   const from = join(root, '.cache/types', basename(path));
-  const input = Object.keys(entrySources(manifest)).map((name) => [name, join(from, `${name}.d.ts`)]);
+  const declared = (/** @type {string} */ source) => join(from, source.replace(/^\.\/src\/(.*)\.tsx?$/, '$1.d.ts'));
+  const input = entriesOf(manifest).map(({ name, source }) => [name, declared(source)]);
   const bundle = await rollup({
     input: Object.fromEntries(input),
     external: leftToHost(manifest),

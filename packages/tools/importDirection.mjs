@@ -214,7 +214,8 @@ function namesOfThree(path, source) {
  */
 function entriesOf(name, manifests) {
   const manifest = [...manifests.values()].find((manifest) => manifest.name === name);
-  return Object.keys(manifest?.exports ?? { '.': null }).map((entry) => name + entry.slice(1));
+  const entries = Object.entries(manifest?.exports ?? { '.': {} });
+  return entries.flatMap(([entry, paths]) => (paths !== null && !entry.includes('*') ? name + entry.slice(1) : []));
 }
 
 /** @param {string} specifier */

@@ -7,7 +7,7 @@ import { root } from './root.mjs';
  * @property {string} name
  * @property {string} version
  * @property {string[]} files
- * @property {Record<string, Record<'farol-source' | 'types' | 'default', string>>} exports
+ * @property {Record<string, Partial<Record<'farol-source' | 'types' | 'default', string>> | null>} exports
  * @property {Record<string, string>} [dependencies]
  * @property {Record<string, string>} [peerDependencies]
  * @property {Record<string, { optional?: boolean }>} [peerDependenciesMeta]
@@ -46,13 +46,23 @@ export function leftToHost({ dependencies, peerDependencies }) {
 }
 
 /**
- * Entries of a package by their place in dist, without an extension: `effects/decals/index` is dist/effects/decals/index.js.
+ * @typedef {object} Entry of a package, as `exports` names it
+ * @property {string} specifier as a page imports it: `@farol/renderer/decals`
+ * @property {string} name of its files in dist, without an extension: `decals`, `index` for the package's own name
+ * @property {string} source from the package's folder
+ */
+
+/**
+ * Entries of a package: what `exports` names one by one. Its patterns (`./*.js`, for import maps whose key ends in `/`)
+ * lead to the same files.
  *
  * @param {Manifest} manifest
- * @returns {Record<string, string>} sources, from the package's folder
+ * @returns {Entry[]}
  */
-export function entrySources({ exports }) {
-  return Object.fromEntries(
-    Object.values(exports).map((paths) => [paths.default.replace(/^\.\/dist\/|\.js$/g, ''), paths['farol-source']]),
+export function entriesOf({ name, exports }) {
+  return Object.entries(exports).flatMap(([entry, paths]) =>
+    paths?.['farol-source']
+      ? [{ specifier: name + entry.slice(1), name: entry.slice(2) || 'index', source: paths['farol-source'] }]
+      : [],
   );
 }

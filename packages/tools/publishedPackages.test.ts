@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { leftToHost, publishedPackages } from './publishedPackages.mjs';
+import { entriesOf, leftToHost, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
 const packages = publishedPackages();
@@ -37,7 +37,8 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
       author: 'The Farol authors',
       type: 'module',
       // the built-in components register themselves
-      sideEffects: folder === 'packages/engine' ? ['./src/components/index.ts', './dist/components/index.js'] : false,
+      sideEffects:
+        folder === 'packages/engine' ? ['./src/components/index.ts', './dist/chunks/components/index.js'] : false,
       homepage: `${home}/tree/main/${folder}#readme`,
       repository: { type: 'git', url: `git+${home}.git`, directory: folder },
       bugs: { url: `${home}/issues` },
@@ -48,14 +49,22 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     });
   });
 
-  it('has each entry as its source, types and script, under one name', () => {
-    for (const [entry, paths] of Object.entries(manifest.exports)) {
-      expect(Object.keys(paths), entry).toEqual(['farol-source', 'types', 'default']);
-      const name = paths.default.replace(/^\.\/dist\/|\.js$/g, '');
-      expect(paths.types, entry).toBe(`./dist/${name}.d.ts`);
-      expect(paths['farol-source'].replace(/x$/, ''), entry).toBe(`./src/${name}.ts`);
-      expect(existsSync(join(path, paths['farol-source'])), entry).toBe(true);
+  it('has the types and script of each entry at its name in dist, so that import maps may end in /', () => {
+    const entries = Object.entries(manifest.exports).filter(([entry]) => !entry.includes('*'));
+    for (const [entry, paths] of entries) {
+      const name = entry === '.' ? 'index' : entry.slice(2);
+      expect(Object.entries(paths!), entry).toEqual([
+        ['farol-source', expect.stringMatching(/^\.\/src\/.+\.tsx?$/)],
+        ['types', `./dist/${name}.d.ts`],
+        ['default', `./dist/${name}.js`],
+      ]);
+      expect(existsSync(join(path, paths!['farol-source']!)), entry).toBe(true);
     }
+    expect(entriesOf(manifest).map(({ name }) => name)).toHaveLength(entries.length);
+    // entries may end in .js, as the key of an import map has them; what they are made of may not be imported
+    const patterns = { './*.js': { types: './dist/*.d.ts', default: './dist/*.js' }, './chunks/*': null };
+    const others = Object.entries(manifest.exports).filter(([entry]) => entry.includes('*'));
+    expect(Object.fromEntries(others)).toEqual(entries.length > 1 ? patterns : {});
   });
 
   it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
@@ -85,9 +94,7 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     expect(text).toMatch(new RegExp(`^# ${manifest.name}\n`));
     expect(text).toContain(`npm install ${manifest.name}`);
     expect(text).toContain('```ts\n');
-    for (const entry of Object.keys(manifest.exports)) {
-      expect(text).toContain(`\`${manifest.name}${entry.slice(1)}\``);
-    }
+    for (const { specifier } of entriesOf(manifest)) expect(text).toContain(`\`${specifier}\``);
     for (const [, target] of text.matchAll(/\]\(([^)]+)\)/g)) expect(target).toMatch(/^https:\/\/|^#/);
     for (const [, path] of text.matchAll(/\]\(https:\/\/github\.com\/farol-renderer\/farol\/blob\/main\/([^)#]+)/g)) {
       expect(existsSync(join(root, path)), path).toBe(true);

@@ -3,13 +3,13 @@ import { existsSync, readFileSync } from 'node:fs';
 import { mkdir, rename, writeFile } from 'node:fs/promises';
 import { dirname, join, relative } from 'node:path';
 import { posix } from 'node:path';
-import { publishedPackages } from './publishedPackages.mjs';
+import { entriesOf, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { toolPath } from './toolPath.mjs';
 
 const ID = 'virtual:script-declarations';
 /** Entries of the packages that a script's declarations reach. */
-const entries = { '@farol/engine': ['.', './fields'], '@farol/renderer': ['.'] };
+const specifiers = ['@farol/engine', '@farol/engine/fields', '@farol/renderer'];
 /** What scripts may use of the language and of the page. */
 const libraries = ['es2023', 'dom', 'dom.iterable'];
 /** Of three's WebGPU renderer, which scripts have not: a third of its declarations. */
@@ -66,10 +66,10 @@ export function gatherDeclarations() {
   const typesOfXR = join(root, 'node_modules/@types/webxr');
   found.globals.push(addFile(typesOfXR, 'webxr', join(typesOfXR, 'index.d.ts')));
   for (const { manifest, folder } of publishedPackages()) {
-    for (const entry of entries[/** @type {keyof typeof entries} */ (manifest.name)] ?? []) {
+    for (const { specifier, source } of entriesOf(manifest).filter((each) => specifiers.includes(each.specifier))) {
       const types = join(root, '.cache/types', posix.basename(folder));
-      const source = manifest.exports[entry]['farol-source'].replace('./src/', '').replace(/\.ts$/, '.d.ts');
-      found.modules[posix.join(manifest.name, entry)] = addFile(types, manifest.name, join(types, source));
+      const file = join(types, source.replace('./src/', '').replace(/\.ts$/, '.d.ts'));
+      found.modules[specifier] = addFile(types, manifest.name, file);
     }
   }
   return found;
