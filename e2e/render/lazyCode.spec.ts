@@ -73,14 +73,12 @@ test('a page that was offline gets its shadows when it is online again, with one
   const maps = () => page.evaluate(() => (window as unknown as { maps(): number }).maps());
   await page.context().setOffline(true);
   expect(await maps()).toBe(0);
-  await expect
-    .poll(() => watch.problems.filter((problem) => problem.includes('the code of shadows')).length)
-    .toBe(1);
+  await expect.poll(() => watch.problems.filter((problem) => problem.includes('the code of shadows')).length).toBe(1);
   expect(await maps()).toBe(0);
   await page.context().setOffline(false);
   await expect.poll(maps).toBe(2);
   watch.forgive(/ERR_INTERNET_DISCONNECTED/);
-  expect(
-    watch.forgive(/console warning: Farol: the code of shadows cannot be fetched; .* three draws shadows/),
-  ).toBe(1);
+  expect(watch.forgive(/console warning: Farol: the code of shadows cannot be fetched; .* three draws shadows/)).toBe(
+    1,
+  );
 });

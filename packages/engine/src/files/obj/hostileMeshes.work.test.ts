@@ -75,9 +75,7 @@ test('a face of very many corners that is not convex', async () => {
 
 test('very many textures among very many files', async () => {
   const folder = new ObjFolder(
-    new Map(
-      Array.from({ length: 2000 }, (_, i) => [`room/textures ${i}/Wall.PNG`, new File([], 'Wall.PNG')] as const),
-    ),
+    new Map(Array.from({ length: 2000 }, (_, i) => [`room/textures ${i}/Wall.PNG`, new File([], 'Wall.PNG')] as const)),
   );
   const count = 2000;
   const found = await inSteps(40 * count, () =>
