@@ -61,7 +61,7 @@ function dragged({ gizmo, object, controls }: Awaited<ReturnType<typeof makeGizm
   const pointer = (x: number, y: number, button: number) => ({ x, y, button }) as unknown as PointerEvent;
   controls.pointerDown(pointer(0.1, 0.1, 0));
   controls.pointerMove(pointer(0.25, 0.27, -1));
-  const value = (object.transform.getAuthored(changed[mode]) as readonly [number, number, number])['XY'.indexOf(axis)];
+  const value = object.transform[changed[mode]]['XY'.indexOf(axis)];
   gizmo.cancel();
   return value;
 }

@@ -28,10 +28,8 @@ async function thrown(body: Values, collider: Values = {}, height = 100, floor =
 /** The velocity (m/s), then the angular velocity (rad/s), after 60 steps without gravity from 1 along and about each axis. */
 async function velocities(values: Values): Promise<number[]> {
   const start: Values = {
-    initialVelocity: [1, 1, 1],
-    initialAngularVelocity: [1, 1, 1],
-    gravityScale: 0,
-    angularDamping: 0,
+    ...{ initialVelocity: [1, 1, 1], initialAngularVelocity: [1, 1, 1] },
+    ...{ gravityScale: 0, angularDamping: 0 },
   };
   const { scene, body } = await thrown({ ...start, ...values });
   run(scene, 60);

@@ -1,5 +1,5 @@
 import type { Scene } from '@farol/engine';
-import type { Object3D, WebGLRenderer } from 'three';
+import type { Material, MeshPhysicalMaterial, Object3D, WebGLRenderer } from 'three';
 import { breathe } from './gltf/breathe';
 import { GltfProfiles, type ProfileWriter } from './gltf/GltfProfiles';
 import { GltfScene } from './gltf/GltfScene';
@@ -15,6 +15,17 @@ export interface ExportedGltf {
 interface Writer extends ProfileWriter {
   readonly json: ProfileWriter['json'] & { skins?: { skeleton?: number }[]; buffers?: unknown };
   processNodeAsync(object: Object3D): Promise<number>;
+}
+
+/** A material in a glTF, as far as it is read here. */
+interface MaterialDef {
+  readonly extensions?: { readonly KHR_materials_anisotropy?: { readonly anisotropyTexture?: { texCoord?: number } } };
+}
+
+/** Names the texture coordinates of the anisotropy map, which the exporter leaves out. */
+function nameAnisotropyChannel(material: Material, def: MaterialDef): void {
+  const texture = def.extensions?.KHR_materials_anisotropy?.anisotropyTexture;
+  if (texture) texture.texCoord = (material as MeshPhysicalMaterial).anisotropyMap!.channel;
 }
 
 /**
@@ -38,6 +49,7 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
         return processNode(object);
       };
       return {
+        writeMaterialAsync: async (material: Material, def: object) => nameAnisotropyChannel(material, def),
         writeNode: (object, nodeDef) => profiles.writeNode(object, nodeDef),
         afterParse: () => {
           // the exporter names the first joint, which need not be above all others; the property may be left out

@@ -5,8 +5,10 @@ import {
   type Material,
   MeshBasicMaterial,
   type MeshPhongMaterial,
+  type MeshPhysicalMaterial,
   MeshStandardMaterial,
   type Texture,
+  type Vector2,
   type WebGLRenderer,
 } from 'three';
 import { GltfTextures } from './GltfTextures';
@@ -23,7 +25,13 @@ export interface MaterialUse {
 }
 
 /** Maps of three's that glTF has no word for. */
-const unknownMaps = /^(env|light|bump|displacement|alpha|gradient)Map$|^matcap$/;
+const unknownMaps = /^(env|light|bump|displacement|alpha|gradient|diffuseRoughness)Map$|^matcap$/;
+
+/** The scale of each normal map: its signs turn channels of the picture round. */
+const normalScales: Readonly<Record<string, 'normalScale' | 'clearcoatNormalScale'>> = {
+  normalMap: 'normalScale',
+  clearcoatNormalMap: 'clearcoatNormalScale',
+};
 
 const isTexture = (value: unknown): value is Texture => value instanceof Object && 'isTexture' in value;
 
@@ -83,14 +91,17 @@ export class GltfMaterials {
     }
     if (material instanceof MeshStandardMaterial && use.hasUV) {
       // the signs are in the pictures by now
-      material.normalScale.setScalar(Math.abs(material.normalScale.x));
+      for (const name of Object.values(normalScales)) {
+        const scale = (material as MeshPhysicalMaterial)[name] as Vector2 | undefined;
+        scale?.setScalar(Math.abs(scale.x));
+      }
     }
     return material;
   }
 
   private texture(source: Material, field: string, texture: Texture, use: MaterialUse): Promise<Texture> {
-    if (field !== 'normalMap') return this.textures.convert(texture, use.user);
-    const { x, y } = (source as MeshStandardMaterial).normalScale;
+    if (!(field in normalScales)) return this.textures.convert(texture, use.user);
+    const { x, y } = (source as MeshPhysicalMaterial)[normalScales[field]];
     // without tangents three has green along v, glTF against it
     return this.textures.convertNormalMap(texture, x < 0, use.hasTangents ? y < 0 : y > 0, use.user);
   }

@@ -1,0 +1,70 @@
+/** Pixels as RGBA bytes, the first row first. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8ClampedArray;
+}
+
+/** Bytes before the pixels of a picture file: width and height. */
+const HEADER = 8;
+
+/**
+ * A canvas in Node that copies pictures of its own size, and writes them as bytes that `readPicture` reads: tests put it
+ * in the place of `OffscreenCanvas`, and of what `document.createElement` makes.
+ */
+export class PageCanvas {
+  fillStyle = '';
+  private pixels: Uint8ClampedArray | null = null;
+
+  constructor(
+    public width = 1,
+    public height = 1,
+  ) {}
+
+  getContext(): this {
+    return this;
+  }
+
+  get data(): Uint8ClampedArray {
+    return (this.pixels ??= new Uint8ClampedArray(this.width * this.height * 4));
+  }
+
+  /** @throws RangeError for a picture of another size, which a canvas of a page would scale */
+  drawImage(picture: Pixels): void {
+    if (picture.width !== this.width || picture.height !== this.height) throw new RangeError('Of another size.');
+    this.data.set(picture.data);
+  }
+
+  fillRect(): void {
+    const channels = [1, 3, 5].map((at) => Number.parseInt(this.fillStyle.slice(at, at + 2), 16));
+    for (let i = 0; i < this.data.length; i += 4) this.data.set([...channels, 255], i);
+  }
+
+  getImageData(): Pixels {
+    return { width: this.width, height: this.height, data: this.data.slice() };
+  }
+
+  putImageData(picture: Pixels): void {
+    this.drawImage(picture);
+  }
+
+  convertToBlob({ type }: { readonly type: string }): Promise<Blob> {
+    return Promise.resolve(new Blob([new Uint32Array([this.width, this.height]), this.data.slice()], { type }));
+  }
+}
+
+/** In the place of `createImageBitmap`. */
+export async function readPicture(file: Blob): Promise<Pixels> {
+  const bytes = await file.arrayBuffer();
+  const [width, height] = new Uint32Array(bytes, 0, 2);
+  return { width, height, data: new Uint8ClampedArray(bytes, HEADER) };
+}
+
+/** In the place of `ImageData`. */
+export class PageImageData implements Pixels {
+  constructor(
+    readonly data: Uint8ClampedArray,
+    readonly width: number,
+    readonly height: number,
+  ) {}
+}
