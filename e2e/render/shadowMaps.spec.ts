@@ -1,3 +1,4 @@
+import { expectAsMeasured } from '../support/agreement';
 import { expect, test } from '../support/test';
 
 test('maps are kept until something that casts shadows changes in their reach, and the picture is never an old one', async ({
@@ -94,10 +95,11 @@ test('maps are kept until something that casts shadows changes in their reach, a
     'stock three marked all materials for that: 2 drawn, 1 kept',
     'at rest: 0 drawn, 3 kept',
   ]);
+  const measured: Record<string, number | undefined> = { 'one box moves': 46.2, 'a larger map': 52 };
   // at a hard edge one texel of a point light's map is several pixels of this small picture
   for (const { name, hard, psnr, share } of steps.results) {
     if (hard) expect(share, name).toBeLessThanOrEqual(0.005);
-    else expect(psnr, name).toBeGreaterThanOrEqual(45);
+    else expectAsMeasured(psnr, measured[name] ?? 100, name);
   }
   expect(steps.frozen, 'autoUpdate false').toBe(0);
   expect(steps.asked, 'needsUpdate').toBe(1);
@@ -180,7 +182,9 @@ test('while all moves, maps are drawn where they can be seen alone: as in stock 
     results.push(frame('one has depths of its own', 0.9));
     return results;
   });
-  for (const { name, psnr } of frames) expect(psnr, name).toBeGreaterThanOrEqual(45);
+  const measured = [58.1, 76.1, 104, 101, 116, 116, 79.8, 79.8, 79.8, 62.7, 97, 104, 107, 106, 100];
+  expect(frames.length).toBe(measured.length);
+  for (const [i, { name, psnr }] of frames.entries()) expectAsMeasured(psnr, measured[i], name);
   const whole = 6 * 260 ** 2 + 2 * 256 ** 2;
   expect(frames[0].texels).toBe(whole);
   for (const { name, drawn, texels } of frames.slice(1, 5)) {
