@@ -78,7 +78,47 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   'warm-up': bySetting((farol) => (farol.technique = 'auto')),
 };
 
-/** A renderer that draws the scene of a part, again whenever it asks for that. */
+/** Lights whose shadow maps the host asks for once, `by` the WebGLRenderer or by each light. */
+const mapsOnce =
+  (by: 'renderer' | 'lights', count: number, areaLights = 0): MakeScene =>
+  ({ webgl, farol }) => {
+    const { scene, camera, ball } = plainScene();
+    // 'auto' keeps longer to what it drew by before
+    farol.technique = 'clustered-forward';
+    ball.castShadow = true;
+    scene.traverse((object) => (object.receiveShadow = true));
+    webgl.shadowMap.enabled = true;
+    const { shadowMap } = webgl;
+    if (by === 'renderer') Object.assign(shadowMap, { autoUpdate: false, needsUpdate: true });
+    for (let i = 0; i < count; i++) {
+      const light = i % 2 === 0 ? new THREE.SpotLight(0xffffff, 40, 12, 0.7) : new THREE.PointLight(0xffffff, 12, 12);
+      light.position.set(2 * Math.sin(i), 3, 2 * Math.cos(i));
+      light.castShadow = true;
+      light.shadow.mapSize.setScalar(64);
+      if (by === 'lights') Object.assign(light.shadow, { autoUpdate: false, needsUpdate: true });
+      scene.add(light);
+    }
+    for (let i = 0; i < areaLights; i++) {
+      const light = new THREE.RectAreaLight(0xffffff, 6, 1, 1);
+      light.position.set(0, 3, 3);
+      light.lookAt(0, 0, 0);
+      light.castShadow = true;
+      scene.add(light);
+    }
+    return { scene, camera };
+  };
+
+/** Scenes whose shadow maps are drawn once, as by `<BakeShadows/>` of drei. */
+const once = {
+  'a light, asked for by it': mapsOnce('lights', 1),
+  'four lights, asked for by the renderer': mapsOnce('renderer', 4),
+  'twelve lights, which three has no textures for': mapsOnce('renderer', 12),
+  'a light and an area light': mapsOnce('renderer', 1, 1),
+};
+
+const scenes: Readonly<Record<string, MakeScene>> = { ...cases, ...once };
+
+/** A renderer that draws a scene, again whenever it asks for that. */
 export class LateCase {
   /** Whether the picture is as it stays, by `FarolRenderer.ready`. */
   isReady = false;
@@ -86,13 +126,17 @@ export class LateCase {
   private made!: LateScene;
   private picture: Float32Array = new Float32Array();
 
-  private constructor() {
+  private constructor(readonly name: string) {
     this.bench.farol.addEventListener('redraw', () => this.draw());
   }
 
-  static async of(part: LazyPart): Promise<LateCase> {
-    const late = new LateCase();
-    late.made = await cases[part](late.bench);
+  /** Names of the scenes whose shadow maps are drawn once. */
+  static readonly once: readonly string[] = Object.keys(once);
+
+  /** @param name of a part, or of `once` */
+  static async of(name: string): Promise<LateCase> {
+    const late = new LateCase(name);
+    late.made = await scenes[name](late.bench);
     return late;
   }
 
@@ -109,12 +153,24 @@ export class LateCase {
   }
 
   /** Draws two frames after `wait`. @returns largest difference of each from what another renderer draws, now that all code is there */
-  async differences(part: LazyPart): Promise<number[]> {
-    const there = await LateCase.of(part);
+  async differences(): Promise<number[]> {
+    const there = await LateCase.of(this.name);
     const pending = there.drawFrames();
     if (pending.length > 0) throw new Error(`${pending.join(', ')} came no sooner for the picture to compare with`);
     const wanted = there.draw();
+    there.dispose();
     return [this.picture, this.draw(), this.draw()].map((picture) => largest(picture, wanted));
+  }
+
+  /** Shadow maps that light the picture. */
+  get maps(): number {
+    const { drawn, kept } = this.bench.farol.info.shadows;
+    return drawn + kept;
+  }
+
+  private dispose(): void {
+    this.bench.farol.dispose();
+    this.bench.webgl.dispose();
   }
 
   private draw(): Float32Array {

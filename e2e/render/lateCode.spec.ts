@@ -30,7 +30,12 @@ const partsOf = (page: Page): Promise<readonly LazyPart[]> =>
   page.evaluate(() => window.testPage.farol.FarolRenderer.parts);
 
 async function checkLate(page: Page, part: LazyPart): Promise<void> {
-  if (part === 'nodes') await page.evaluate(async () => void (await window.testPage.nodeScene()));
+  // what the test itself needs is there
+  await page.evaluate(async (part) => {
+    const { farol, nodeScene } = window.testPage;
+    if (part === 'nodes') await nodeScene();
+    if (part !== 'warm-up') await farol.FarolRenderer.preload(['warm-up']);
+  }, part);
   const release = await hold(page);
   const pending = await page.evaluate(async (part) => {
     window.late = await window.testPage.LateCase.of(part);
@@ -41,7 +46,7 @@ async function checkLate(page: Page, part: LazyPart): Promise<void> {
   expect(await page.evaluate(() => window.late.isReady), 'ready while the code is held').toBe(false);
   release();
   await wait;
-  const differences = await page.evaluate((part) => window.late.differences(part), part);
+  const differences = await page.evaluate(() => window.late.differences());
   expect(differences, 'the frame after which it is ready, and two more').toEqual([0, 0, 0]);
 }
 
@@ -63,3 +68,32 @@ for (const [turns, title] of [
     }
   });
 }
+
+test('shadow maps that are asked for once are drawn also where their code comes after three has taken the request back', async ({
+  page,
+  pagesURL,
+}) => {
+  await openLazy(page, pagesURL);
+  const release = await hold(page);
+  await page.evaluate(async () => {
+    const { LateCase } = window.testPage;
+    const lates = await Promise.all(LateCase.once.map((name) => LateCase.of(name)));
+    for (const late of lates) late.drawFrames();
+    Object.assign(window, { lates });
+  });
+  release();
+  const results = await page.evaluate(async () => {
+    const { lates } = window as unknown as { lates: LateCase[] };
+    const results: [string, number, number[]][] = [];
+    for (const late of lates) {
+      await late.wait();
+      const differences = await late.differences();
+      results.push([late.name, late.maps, differences]);
+    }
+    return results;
+  });
+  for (const [name, maps, differences] of results) {
+    expect.soft(maps, name).toBeGreaterThan(0);
+    expect.soft(differences, name).toEqual([0, 0, 0]);
+  }
+});

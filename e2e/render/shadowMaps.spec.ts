@@ -359,3 +359,42 @@ test("the host's lights, materials and renderer are as they were after shadows a
   expect(results.again, 'after').toBe(true);
   expect(results.largest, 'stock three draws the same').toBe(0);
 });
+
+test('maps that are asked for once are drawn once, and again where they are gone; those never asked for are not drawn', async ({
+  benchPage: page,
+  watch,
+}) => {
+  const seen = await page.evaluate(async () => {
+    const { Bench, shadowScene } = window.testPage;
+    const bench = new Bench(24, 16);
+    const { webgl, farol } = bench;
+    const { scene, camera, lights } = shadowScene(24, 16, { caster: 'spot', settings: { mapSize: 64 } });
+    const draw = (): string => {
+      bench.byTechnique('forward-single-pass', scene, camera);
+      const { drawn, kept } = farol.info.shadows;
+      return `${drawn} drawn, ${kept} kept`;
+    };
+    Object.assign(webgl.shadowMap, { enabled: true, autoUpdate: false });
+    const steps = [`never asked for: ${draw()}`];
+    webgl.shadowMap.needsUpdate = true;
+    steps.push(`asked for: ${draw()}`, `after that: ${draw()}`);
+    for (const light of lights) light.visible = false;
+    // slots of lights that are not lit are kept for 600 frames
+    for (let frame = 0; frame <= 601; frame++) draw();
+    for (const light of lights) light.visible = true;
+    steps.push(`lit again after long: ${draw()}`, `after that: ${draw()}`);
+    await bench.loseContext();
+    steps.push(`after a lost context: ${draw()}`, `after that: ${draw()}`);
+    return steps;
+  });
+  expect(watch.forgive(/context was lost|CONTEXT_LOST_WEBGL/i)).toBeGreaterThan(0);
+  expect(seen).toEqual([
+    'never asked for: 0 drawn, 0 kept',
+    'asked for: 2 drawn, 0 kept',
+    'after that: 0 drawn, 2 kept',
+    'lit again after long: 2 drawn, 0 kept',
+    'after that: 0 drawn, 2 kept',
+    'after a lost context: 2 drawn, 0 kept',
+    'after that: 0 drawn, 2 kept',
+  ]);
+});

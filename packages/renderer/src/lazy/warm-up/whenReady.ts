@@ -9,13 +9,15 @@ export async function whenReady(farol: FarolRenderer): Promise<void> {
   const last = farol['last'];
   const picker = farol['picker'];
   for (;;) {
-    await Promise.all(Array.from(last.lacking, (part) => part.load()));
     if (farol['disposed'])
       throw new Error('Farol: the renderer was disposed before it was ready; make a new FarolRenderer.');
-    if (last.isDrawn && last.lacking.size === 0) {
-      if (!picker.isChanging) return;
-      last.redraw();
-    }
-    await new Promise<void>((resolve) => last.waiting.push(resolve));
+    const isComplete = last.isDrawn && last.lacking.size === 0;
+    if (isComplete && !picker.isChanging) return;
+    // or disposed
+    const drawn = new Promise<void>((resolve) => last.waiting.push(resolve));
+    // programs link between the frames of a change
+    if (isComplete) setTimeout(last.redraw);
+    const loaded = Promise.all(Array.from(last.lacking, (part) => part.load()));
+    await Promise.race([drawn, loaded.then(() => drawn)]);
   }
 }
