@@ -19,6 +19,22 @@ export type Asset =
   | PhotometricProfile
   | BakedLight;
 
+/** A part of an asset that is decoded: a texture, the pictures of a model, a sound. */
+export interface DecodedPart {
+  /** Memory that it takes (bytes). */
+  readonly bytes: number;
+  /** Of a texture: other assets of the same bytes share its picture. */
+  readonly texture?: Promise<Texture>;
+}
+
+/** What an asset that is read from a file takes. */
+export interface AssetMemory {
+  /** Bytes of its file; 0 before they are known. */
+  file: number;
+  /** By their content. */
+  readonly decoded: Map<string, DecodedPart>;
+}
+
 /** How an asset comes to be: at once, or after loading. */
 export type AssetSource =
   | {
@@ -35,6 +51,7 @@ export type AssetSource =
       readonly load: (signal?: AbortSignal) => Promise<Asset>;
       readonly url?: string;
       readonly file?: Blob;
+      readonly memory?: AssetMemory;
       readonly partOf?: string;
     };
 

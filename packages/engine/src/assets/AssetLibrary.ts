@@ -15,6 +15,7 @@ import {
   type Asset,
   type AssetChange,
   type AssetFile,
+  type AssetMemory,
   type AssetSource,
   assetTypeOf,
   type MaterialUser,
@@ -76,6 +77,7 @@ async function read(
   options: ReadOptions,
 ): Promise<Asset> {
   const [{ readAsset }, given] = await Promise.all([import('./readAsset'), bytes]);
+  if (options.memory) options.memory.own.file = given.byteLength;
   return readAsset(given, path, type, options);
 }
 
@@ -156,10 +158,10 @@ export class AssetLibrary implements MaterialHost, SurfaceHost {
     if (!isFileAssetType(known)) {
       throw new AssetError(name, `cannot be read from '${shortText(url, 80)}': only ${readableEndings} can.`);
     }
-    const options: ReadOptions = { normalise: dragon, renderer: this.renderer };
+    const options: ReadOptions = { normalise: dragon, renderer: this.renderer, memory: this.newMemory() };
     const load = (signal?: AbortSignal): Promise<Asset> =>
       read(this.fetchFor(name, url), url, known, { ...options, signal });
-    this.sources.set(name, { type: known, url, load });
+    this.sources.set(name, { type: known, url, load, memory: options.memory!.own });
     this.tell({ kind: 'registered', name, type: known });
     return this;
   }
@@ -175,8 +177,10 @@ export class AssetLibrary implements MaterialHost, SurfaceHost {
     if (!isFileAssetType(type))
       throw new AssetError(name, `cannot be read: only ${readableEndings} can. Convert it to one of them.`);
     const { renderer } = this;
-    const load = (signal?: AbortSignal): Promise<Asset> => read(file.arrayBuffer(), name, type, { renderer, signal });
-    this.sources.set(name, { type, file, load });
+    const memory = this.newMemory(file.size);
+    const load = (signal?: AbortSignal): Promise<Asset> =>
+      read(file.arrayBuffer(), name, type, { renderer, memory, signal });
+    this.sources.set(name, { type, file, load, memory: memory.own });
     this.tell({ kind: 'registered', name, type });
     return this;
   }
@@ -615,6 +619,13 @@ export class AssetLibrary implements MaterialHost, SurfaceHost {
     this.sources.set(name, { type, load, partOf: model });
     this.addPart(model, name);
     this.tell({ kind: 'registered', name, type });
+  }
+
+  /** Counts what an asset takes. @param file - bytes of its file, where they are known */
+  private newMemory(file = 0): NonNullable<ReadOptions['memory']> {
+    const all = (): AssetMemory[] =>
+      [...this.sources.values()].flatMap((source) => ('memory' in source && source.memory) || []);
+    return { own: { file, decoded: new Map() }, all };
   }
 
   /** @throws AddressRefusedError (as a rejection) before anything is asked for */

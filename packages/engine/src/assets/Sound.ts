@@ -9,8 +9,14 @@ export class Sound {
   private decoding: Promise<AudioBuffer | null> | null = null;
   private decoded: AudioBuffer | null = null;
 
-  /** @param bytes - MP3, Ogg, WAV, M4A or FLAC, where the browser decodes it */
-  constructor(readonly bytes: ArrayBuffer) {}
+  /**
+   * @param bytes - MP3, Ogg, WAV, M4A or FLAC, where the browser decodes it
+   * @param reserve - told the bytes of the samples before they are decoded; what it throws refuses them
+   */
+  constructor(
+    readonly bytes: ArrayBuffer,
+    private readonly reserve: (memory: number) => void = () => {},
+  ) {}
 
   /** The samples; null before they are decoded. */
   get buffer(): AudioBuffer | null {
@@ -36,7 +42,7 @@ export class Sound {
     // decodes without a device, and so without a gesture of the user's
     if (typeof OfflineAudioContext === 'undefined') return null;
     const { checkSound } = await import('./sounds/checkSound');
-    checkSound(this.bytes, RATE);
+    this.reserve(checkSound(this.bytes, RATE));
     const context = new OfflineAudioContext(1, 1, RATE);
     try {
       // what is decoded is taken away: the bytes stay

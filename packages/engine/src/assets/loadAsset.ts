@@ -1,6 +1,7 @@
 import { shortText } from '@farol/renderer';
 import type { WebGLRenderer } from 'three';
 import type { AssetType } from '../fields/Field';
+import type { AssetMemory } from './Asset';
 
 export interface FetchOptions {
   /**
@@ -61,6 +62,8 @@ export interface ReadOptions {
   readonly normalise?: boolean;
   /** What will draw the asset: needed for KTX2 textures only. */
   readonly renderer?: WebGLRenderer | null;
+  /** What the asset takes, counted among all of its library. */
+  readonly memory?: { readonly own: AssetMemory; all(): readonly AssetMemory[] };
   /** Cancels the reading. */
   readonly signal?: AbortSignal;
 }

@@ -3,8 +3,8 @@ import { readBake } from '../bake/readBake';
 import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';
-import { checkImageSize } from './imageSize';
 import { type FileAssetType, pathOf, type ReadOptions } from './loadAsset';
+import { geometriesOf, geometryMemory, readOnce, reserve } from './memory';
 import { readCube } from './readCube';
 import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
@@ -13,7 +13,6 @@ import { signatureOf } from './signature';
 import { Sound } from './Sound';
 
 async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
-  checkImageSize(new Uint8Array(bytes));
   let image: ImageBitmap;
   try {
     image = await createImageBitmap(new Blob([bytes]), { imageOrientation: 'flipY' });
@@ -34,6 +33,17 @@ async function readTexture(bytes: ArrayBuffer): Promise<Texture> {
   return texture;
 }
 
+/** @param kind - ending of the file's name, in small letters, with its dot */
+async function readPicture(bytes: ArrayBuffer, kind: string, options: ReadOptions): Promise<Texture> {
+  if (kind === '.cube') return readCube(bytes);
+  const said = signatureOf(bytes);
+  if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
+  if (said === 'KTX2') return readKtx2(bytes, options);
+  const wanted = { '.ktx2': 'KTX2', '.hdr': 'Radiance HDR', '.exr': 'OpenEXR' }[kind];
+  if (wanted) throw new Error(`its bytes are ${said ?? 'something other'}, not ${wanted}: was another file renamed?`);
+  return readTexture(bytes);
+}
+
 /**
  * Reads an asset from the bytes of its file.
  * @param path - address or name: what follows its last dot says which format it is
@@ -46,28 +56,23 @@ export async function readAsset(
   options: ReadOptions = {},
 ): Promise<Asset> {
   if (bytes.byteLength === 0) throw new Error('the file is empty: choose it again.');
-  if (type === 'sound') return new Sound(bytes);
+  if (type === 'sound') return new Sound(bytes, (memory) => reserve(options, 'samples', memory));
   if (type === 'profile') {
     const { parseIES, PhotometricProfile } = await import('@farol/renderer/light-profiles');
     // the standard has ASCII; names of makers are often Latin-1
     return new PhotometricProfile(parseIES(new TextDecoder('latin1').decode(bytes)));
   }
   if (type === 'bake') return readBake(bytes);
-  if (type === 'model') return readModel(bytes, options.renderer, options.signal);
+  if (type === 'model') {
+    const model = await readModel(bytes, options);
+    reserve(options, 'geometry', geometryMemory(geometriesOf(model.scene)));
+    return model;
+  }
   if (type === 'texture') {
-    if (pathOf(path).endsWith('.cube')) return readCube(bytes);
-    const said = signatureOf(bytes);
-    if (said === 'HDR' || said === 'EXR') return readEnvironment(bytes, said);
-    if (said === 'KTX2') return readKtx2(bytes, options);
-    if (pathOf(path).endsWith('.ktx2')) {
-      throw new Error(`its bytes are ${said ?? 'something other'}, not KTX2: was another file renamed?`);
-    }
-    if (/\.(hdr|exr)$/.test(pathOf(path))) {
-      const wanted = pathOf(path).endsWith('.hdr') ? 'Radiance HDR' : 'OpenEXR';
-      throw new Error(`its bytes are ${said ?? 'something other'}, not ${wanted}: was another file renamed?`);
-    }
-    return readTexture(bytes);
+    const [kind] = /\.\w+$/.exec(pathOf(path)) ?? [''];
+    return readOnce(bytes, kind, options, () => readPicture(bytes, kind, options));
   }
   const geometry = await parsePly(bytes);
+  reserve(options, 'geometry', geometryMemory([geometry]));
   return options.normalise ? fitGeometry(geometry) : geometry;
 }

@@ -3,7 +3,8 @@ import type { WebGLRenderer } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';
-import { checkImageSize } from './imageSize';
+import type { ReadOptions } from './loadAsset';
+import { checkMemory, pictureMemory, reserve } from './memory';
 import { makeKTX2Loader } from './makeKTX2Loader';
 import { restoreLights } from './lightExtras';
 import { Model } from './Model';
@@ -58,7 +59,7 @@ const isData = (uri: unknown): uri is string => typeof uri === 'string' && /^dat
 const dataSize = (uri: string): number | null =>
   isData(uri) ? Math.ceil(((uri.length - uri.indexOf(',') - 1) * 3) / 4) : null;
 
-/** The pictures that are in a file, as bytes. */
+/** The pictures that are in a file, as bytes: each as often as it is decoded. */
 function* picturesOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8Array> {
   const buffers = new Map<number, Uint8Array | null>();
   const bufferOf = (index: number): Uint8Array | null => {
@@ -81,16 +82,20 @@ function* picturesOf(json: GltfJson, binary: Uint8Array | null): Generator<Uint8
  * Checks a glTF before it is given to a loader: see `checkGltf`.
  * @param json - what `readGltfJson` made of the bytes
  * @param sizeOf - bytes of a file beside it; null when it is not known
+ * @returns bytes that its pictures take once decoded
  * @throws Error that says what is wrong with it, in one sentence
  */
 export function checkModelFile(
   bytes: ArrayBuffer,
   json: GltfJson,
   sizeOf: (uri: string) => number | null = () => null,
-): void {
+): number {
   const binary = binaryOf(bytes);
   checkGltf(json, { binary: binary?.length ?? 0, sizeOf: (uri) => dataSize(uri) ?? sizeOf(uri) });
-  for (const picture of picturesOf(json, binary)) checkImageSize(picture);
+  let pictures = 0;
+  for (const picture of picturesOf(json, binary)) pictures += pictureMemory(picture);
+  checkMemory(pictures, bytes.byteLength);
+  return pictures;
 }
 
 /** What a loader threw, as one sentence on the file. */
@@ -105,17 +110,13 @@ export function modelError(cause: unknown): Error {
 
 /**
  * Reads a glTF of one file: a GLB, or a .gltf with its data inside.
- * @param renderer - draws it later; asked which compressed textures the device takes, needed for KTX2 only
- * @param signal - cancels the reading; nothing of it was drawn, so that nothing has to be given back
+ * When the reading is cancelled nothing of it was drawn, so that nothing has to be given back.
  * @throws Error that says what is wrong with the bytes; what the signal was aborted with
  */
-export async function readModel(
-  bytes: ArrayBuffer,
-  renderer: WebGLRenderer | null = null,
-  signal?: AbortSignal,
-): Promise<Model> {
+export async function readModel(bytes: ArrayBuffer, options: ReadOptions = {}): Promise<Model> {
+  const { renderer = null, signal } = options;
   const json = readGltfJson(bytes);
-  checkModelFile(bytes, json);
+  reserve(options, 'pictures', checkModelFile(bytes, json));
   const named: { uri?: string }[] = [...(json.buffers ?? []), ...(json.images ?? []), ...lightProfilesOf(json)];
   const outside = named.find(({ uri }) => uri && !/^data:/i.test(uri));
   if (outside) throw new Error(`it needs ${shortText(outside.uri!, 120)}: choose both files together.`);

@@ -29,14 +29,15 @@ export function soundSize(bytes: ArrayBuffer): SoundSize | null {
 /**
  * Checks what a sound would take once it is decoded, before it is: browsers decode whatever it comes to.
  * @param rate - samples a second that it is decoded to
+ * @returns bytes that it would take
  * @throws Error when it would be absurd memory, or when that cannot be told
  */
-export function checkSound(bytes: ArrayBuffer, rate: number): void {
+export function checkSound(bytes: ArrayBuffer, rate: number): number {
   const size = soundSize(bytes);
   if (!size) throw new Error('it cannot be decoded: convert it to MP3, Ogg or WAV.');
   const { seconds, channels } = size;
   const memory = seconds * channels * Math.max(rate, size.rate) * BYTES;
-  if (memory <= MOST) return;
+  if (memory <= MOST) return memory;
   const megabytes = (count: number): string => counted(Math.round(count / 1e6));
   throw new Error(
     `it would take ${megabytes(memory)} MB once it is decoded (${counted(Math.round(seconds / 60))} minutes), and ${megabytes(MOST)} MB is the limit: make it shorter.`,
