@@ -1,4 +1,4 @@
-import { beforeEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { FarolRenderer } from '../../FarolRenderer';
 import { LastFrame } from '../../frame/LastFrame';
 import { Lazy } from '../../frame/Lazy';
@@ -32,10 +32,11 @@ class FakeRenderer {
   }
 }
 
-/** Lets all that is settled be told. */
-const settle = async (): Promise<void> => {
-  for (let turn = 0; turn < 3; turn++) await new Promise((resolve) => setTimeout(resolve));
-};
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+/** Lets all that is settled be told, and timers without a delay run. */
+const settle = () => vi.advanceTimersByTimeAsync(1);
 
 /** A part, and what ends its fetch. */
 function late(name: string) {
