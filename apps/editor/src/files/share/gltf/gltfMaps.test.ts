@@ -79,11 +79,14 @@ const place: Values = {
 
 const SIZE = 2;
 
-/** Two pixels of a side, different for each map and channel. */
+/** Two pixels of a side, different for each map and channel; every other one has its last row first. */
 function pictureOf(property: string): DataTexture {
-  const first = Object.keys(table).indexOf(property) * 8 + 3;
+  const index = Object.keys(table).indexOf(property);
+  const first = index * 8 + 3;
   const bytes = Uint8Array.from({ length: SIZE * SIZE * 4 }, (_, i) => (first + i * 11) % 255);
-  return new DataTexture(bytes, SIZE, SIZE);
+  const texture = new DataTexture(bytes, SIZE, SIZE);
+  texture.flipY = index % 2 === 0;
+  return texture;
 }
 
 interface Exported {
