@@ -3,12 +3,33 @@ import { expect, test } from '../support/test';
 const TECHNIQUES = ['deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass', 'forward-plus'] as const;
 const WIDTH = 160;
 const HEIGHT = 120;
+/** How far off things close the sky (m). */
+const RADIUS = 2;
+
+/**
+ * Share of the sky, weighted by the cosine, over a point of a plane that another plane meets at a right angle, by rays:
+ * what lies nearer than `radius / √2` closes it. Beyond that the effect lets horizons sink, to none at `radius`, which on
+ * a plane adds nothing to the horizon found before.
+ * @param away of the point from the other plane (m)
+ */
+function openSky(away: number, radius: number): number {
+  const rays = 256;
+  let open = 0;
+  for (let i = 0; i < rays; i++) {
+    for (let j = 0; j < rays; j++) {
+      // a ray of the cosine-weighted hemisphere, stratified
+      const towards = Math.sqrt((i + 0.5) / rays) * Math.cos((2 * Math.PI * (j + 0.5)) / rays);
+      if (towards <= 0 || away / towards > radius * Math.SQRT1_2) open++;
+    }
+  }
+  return open / rays ** 2;
+}
 
 test('two walls at a right angle close half of the sky where they meet, by every technique that knows depth', async ({
   benchPage: page,
 }) => {
-  const { rows, agreement, flat, half } = await page.evaluate(
-    ([width, height, techniques]) => {
+  const { rows, agreement, flat, half, floorSky, wallSky } = await page.evaluate(
+    ([width, height, techniques, radius]) => {
       const { Bench, compareImages, effects, three } = window.testPage;
       const scene = new three.Scene();
       const material = new three.MeshStandardMaterial({ roughness: 1 });
@@ -21,7 +42,7 @@ test('two walls at a right angle close half of the sky where they meet, by every
       camera.lookAt(0, 0, 0);
       const bench = new Bench(width, height);
       const ao = new effects.AmbientOcclusion();
-      ao.radius = 2;
+      ao.radius = radius;
       const images = techniques.map((technique) => {
         bench.farol.effects = [];
         const open = bench.byTechnique(technique, scene, camera);
@@ -41,7 +62,33 @@ test('two walls at a right angle close half of the sky where they meet, by every
         above: share(i, row + 2),
         far: share(i, 6),
       }));
+      /** By rows of the floor (along z) or of the wall (along y): distance from the corner (m), open share of the sky. */
+      const profile = ({ open, closed }: (typeof images)[number], along: 'y' | 'z') => {
+        const { position } = camera;
+        const points: { away: number; share: number }[] = [];
+        for (let y = 0; y < height; y++) {
+          const ray = new three.Vector3(0, ((y + 0.5) / height) * 2 - 1, 0.5).unproject(camera).sub(position);
+          const other = along === 'y' ? 'z' : 'y';
+          const away = position[along] - (position[other] * ray[along]) / ray[other];
+          let share = 0;
+          for (let at = (y * width + width / 2 - 8) * 4, x = 0; x < 16; x++, at += 4)
+            share += closed.data[at] / open.data[at] / 16;
+          if (away > 0.15 && away < 1.3) points.push({ away, share });
+        }
+        return points;
+      };
+      const floorSky = profile(images[0], 'z');
       const agreement = images.map(({ closed }) => compareImages(images[0].closed, closed).psnr);
+      // the picture turned upside down
+      camera.position.set(0, 6, 3);
+      camera.lookAt(0, 0, 0);
+      camera.updateMatrixWorld();
+      bench.farol.effects = [];
+      const open = bench.byTechnique('deferred', scene, camera);
+      bench.farol.effects = [ao];
+      const wallSky = profile({ open, closed: bench.byTechnique('deferred', scene, camera) }, 'y');
+      camera.position.set(0, 3, 6);
+      camera.lookAt(0, 0, 0);
       ao.halfResolution = true;
       const half = compareImages(images[0].closed, bench.byTechnique('deferred', scene, camera)).psnr;
       ao.halfResolution = false;
@@ -50,9 +97,9 @@ test('two walls at a right angle close half of the sky where they meet, by every
       const plain = bench.byTechnique('deferred', scene, camera);
       bench.farol.effects = [ao];
       const flat = compareImages(plain, bench.byTechnique('deferred', scene, camera)).psnr;
-      return { rows, agreement, flat, half };
+      return { rows, agreement, flat, half, floorSky, wallSky };
     },
-    [WIDTH, HEIGHT, TECHNIQUES] as const,
+    [WIDTH, HEIGHT, TECHNIQUES, RADIUS] as const,
   );
   rows.forEach(({ corner, above, far }, i) => {
     // a half in theory, at the very corner of endless walls
@@ -62,6 +109,15 @@ test('two walls at a right angle close half of the sky where they meet, by every
     }
     expect(far, TECHNIQUES[i]).toBeGreaterThan(0.95);
   });
+  expect(floorSky.length).toBeGreaterThan(8);
+  expect(wallSky.length).toBe(floorSky.length);
+  // the filter of 4 × 4 texels lies half a pixel up: its error has the other sign in the picture turned upside down
+  for (const { away, share } of floorSky) {
+    const other = wallSky.find((point) => Math.abs(point.away - away) < 1e-6)!;
+    const traced = openSky(away, RADIUS);
+    const error = (share + other.share) / 2 / traced - 1;
+    expect.soft(Math.abs(error), `${away.toFixed(2)} m from the corner, where rays find ${traced}`).toBeLessThan(0.05);
+  }
   agreement.forEach((psnr, i) => expect(psnr, `${TECHNIQUES[i]} as deferred`).toBeGreaterThan(45));
   expect(half, 'half the resolution').toBeGreaterThan(40);
   expect(flat, 'a plane alone stays light').toBeGreaterThan(44);
