@@ -33,8 +33,9 @@ import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
-import { drawn, runSheet } from './matrix/runSheet';
+import { runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
+import { drawn, techniquesInTurn } from './techniquesInTurn';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -80,8 +81,8 @@ export interface TestPage {
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
   settingNames: readonly string[];
-  /** The techniques of the matrix. */
   drawn: typeof drawn;
+  techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
   devices: typeof devices;
   drawDevice: typeof drawDevice;
@@ -137,6 +138,7 @@ window.testPage = {
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
+  techniquesInTurn,
   Bench,
   devices,
   drawDevice,

@@ -12,7 +12,7 @@ test('what three’s addons draw, and what draws by them, is as by stock three, 
   benchPage: page,
 }) => {
   const results = await page.evaluate(async () => {
-    const { addonCases, alphaBench, compareImages, isFlat } = window.testPage;
+    const { addonCases, alphaBench, compareImages, isFlat, techniquesInTurn } = window.testPage;
     const { addonCases: cases, addonScene } = await addonCases();
     const { bench, toCanvas } = alphaBench(96, 64);
     const { webgl, farol } = bench;
@@ -22,6 +22,7 @@ test('what three’s addons draw, and what draws by them, is as by stock three, 
     });
     const linearOf = (c: number) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
     const decoded = (image: ReturnType<typeof toCanvas>) => ({ ...image, data: Array.from(image.data, linearOf) });
+    const techniques = techniquesInTurn(1, ['forward', 'forward-plus', 'deferred', 'light-prepass']);
     return Object.keys(cases).flatMap((name) => {
       const { scene, camera, make } = addonScene(name, 96, 64);
       const draw = (renderer: typeof webgl) => {
@@ -34,7 +35,7 @@ test('what three’s addons draw, and what draws by them, is as by stock three, 
       };
       draw(webgl);
       const stock = draw(webgl);
-      return (['forward', 'forward-plus', 'deferred', 'light-prepass'] as const).map((technique) => {
+      return techniques.map((technique) => {
         farol.technique = technique;
         draw(farolInPlace);
         const drawn = draw(farolInPlace);

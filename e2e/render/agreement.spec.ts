@@ -3,8 +3,9 @@ import type { TechniqueName } from '@farol/renderer';
 import type { Bench } from '../pages/Bench';
 import type { LightMix, MaterialSceneOptions } from '../pages/materialScene';
 import type { Difference } from '../support/images';
+import { isWhole } from '@farol/tools/extent';
 import { checkAgreement, hardEdgeLimits } from '../support/agreement';
-import { inTurn } from '../support/parts';
+import { parts } from '../support/parts';
 import { expect, test } from '../support/test';
 
 const WIDTH = 320;
@@ -21,29 +22,26 @@ interface SharedBench {
   bench?: Bench;
 }
 
-/** Draws a scene by stock three once, and by techniques: all, or in `npm test` those that have their turn. */
+/** Draws a scene by stock three once, and by every technique. */
 async function drawAll(
   page: Page,
   options: Omit<MaterialSceneOptions, 'environment'>,
   environment: boolean,
-  turn?: number,
 ): Promise<Pair[]> {
-  const known = await page.evaluate(() => Object.keys(window.testPage.farol.techniques));
-  const names = (turn === undefined ? known : inTurn(known, turn, 3)) as TechniqueName[];
   return page.evaluate(
-    ([width, height, options, environment, names]) => {
-      const { Bench, compareImages, isFlat, materialScene } = window.testPage;
+    ([width, height, options, environment]) => {
+      const { Bench, compareImages, farol, isFlat, materialScene } = window.testPage;
       const bench = ((window as SharedBench).bench ??= new Bench(width, height));
       const map = environment ? bench.environment() : null;
       const { scene, camera } = materialScene(width, height, { ...options, environment: map });
       const stock = bench.stock(scene, camera);
-      return names.map((technique) => ({
+      return (Object.keys(farol.techniques) as TechniqueName[]).map((technique) => ({
         technique,
         flat: isFlat(stock),
         difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
       }));
     },
-    [WIDTH, HEIGHT, options, environment, names] as const,
+    [WIDTH, HEIGHT, options, environment] as const,
   );
 }
 
@@ -55,24 +53,35 @@ function check({ technique, flat, difference }: Pair, name: string, hardEdge = f
 // Ten techniques on a software rasteriser that other tests share.
 test.describe.configure({ timeout: 480_000 });
 
-const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
+interface Variant {
+  readonly name: string;
+  readonly options?: Omit<MaterialSceneOptions, 'environment'>;
+  readonly environment?: boolean;
+  /** Only the edge may differ where a position is rebuilt. */
+  readonly hardEdge?: boolean;
+}
 
-// one page: what its scenes have in common is compiled once
-test('all lit materials and meshes, as in stock three', async ({ benchPage: page }) => {
-  await test.step('under 24 lights of mixed kinds, with an environment', async () => {
-    for (const pair of await drawAll(page, {}, true)) check(pair, 'mixed');
-    for (const pair of await drawAll(page, { onlyDeferred: true }, true, 0)) check(pair, 'only what a G-buffer holds');
-    for (const pair of await drawAll(page, { orthographic: true }, true, 1)) check(pair, 'orthographic');
+const mixes: LightMix[] = ['point', 'spot', 'directional', 'hemisphere', 'unbounded'];
+const variants: readonly Variant[] = [
+  { name: '24 lights of mixed kinds, with an environment', environment: true },
+  { name: 'only what a G-buffer holds', options: { onlyDeferred: true }, environment: true },
+  { name: 'orthographic', options: { orthographic: true }, environment: true },
+  { name: 'fog', options: { fog: true } },
+  ...mixes.map((mix) => ({ name: mix, options: { mix } })),
+  // few: stock three has each in the text of its shaders
+  { name: 'area', options: { mix: 'area', count: 4 } },
+  { name: 'hard edges', options: { mix: 'spot', penumbra: 0 }, hardEdge: true },
+];
+
+// a part is one page: what its scenes have in common is compiled once
+for (const [part, listed] of parts(isWhole ? variants : variants.slice(0, 1), 1).entries()) {
+  test(`all lit materials and meshes by every technique, as in stock three, part ${part + 1}`, async ({
+    benchPage: page,
+  }) => {
+    for (const { name, options = {}, environment = false, hardEdge = false } of listed) {
+      await test.step(name, async () => {
+        for (const pair of await drawAll(page, options, environment)) check(pair, name, hardEdge);
+      });
+    }
   });
-  await test.step('in fog', async () => {
-    for (const pair of await drawAll(page, { fog: true }, false, 2)) check(pair, 'fog');
-  });
-  await test.step('under lights of one kind', async () => {
-    for (const [turn, mix] of mixes.entries())
-      for (const pair of await drawAll(page, { mix }, false, turn)) check(pair, mix);
-    // few: stock three has each in the text of its shaders
-    for (const pair of await drawAll(page, { mix: 'area', count: 4 }, false, 0)) check(pair, 'area');
-    // only the edge may differ where a position is rebuilt
-    for (const pair of await drawAll(page, { mix: 'spot', penumbra: 0 }, false, 2)) check(pair, 'hard edges', true);
-  });
-});
+}

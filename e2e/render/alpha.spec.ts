@@ -5,7 +5,7 @@ test('a canvas and a target that are seen through have the alpha of stock three,
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { alphaBench, alphaScene, compareImages, drawn, effects } = window.testPage;
+    const { alphaBench, alphaScene, compareImages, drawn, effects, techniquesInTurn } = window.testPage;
     const { bench, toCanvas } = alphaBench(144, 96);
     bench.farol.inferredScale = 1;
     const { scene, camera } = alphaScene(144, 96);
@@ -14,7 +14,7 @@ test('a canvas and a target that are seen through have the alpha of stock three,
       const target = bench.stock(scene, camera);
       const canvas = toCanvas(() => bench.webgl.render(scene, camera));
       const values = new Set(target.data.filter((_, i) => i % 4 === 3)).size;
-      return drawn.map((technique) => {
+      return techniquesInTurn(3, drawn).map((technique) => {
         const difference = compareImages(target, bench.byTechnique(technique, scene, camera));
         const onCanvas = compareImages(
           canvas,

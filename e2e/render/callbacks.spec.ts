@@ -67,6 +67,12 @@ test('what callbacks of the host change while a frame is drawn counts for the fr
       'the fog',
       'what the ground receives',
     ];
+    const techniques = window.testPage.techniquesInTurn(1, [
+      'forward',
+      'forward-plus',
+      'clustered-deferred',
+      'light-prepass',
+    ]);
     const results: { name: string; technique: string; difference: ReturnType<typeof compareImages> }[] = [];
     for (const [where, place] of Object.entries(shared)) {
       for (const [name, [change, back]] of Object.entries(changes)) {
@@ -80,7 +86,7 @@ test('what callbacks of the host change while a frame is drawn counts for the fr
           return image;
         };
         const stock = draw(() => bench.stock(scene, camera));
-        for (const technique of ['forward', 'forward-plus', 'clustered-deferred', 'light-prepass'] as const) {
+        for (const technique of techniques) {
           const difference = compareImages(
             stock,
             draw(() => bench.byTechnique(technique, scene, camera)),
@@ -161,7 +167,7 @@ test('a lit ShaderMaterial of cloned light uniforms is drawn by stock three and 
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, three } = window.testPage;
+    const { Bench, compareImages, drawn, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(48, 36);
     const { webgl } = bench;
     webgl.shadowMap.enabled = true;
@@ -193,9 +199,7 @@ test('a lit ShaderMaterial of cloned light uniforms is drawn by stock three and 
     point.position.set(1, -1, 2);
     const sun = new three.DirectionalLight(0xffffff, 1);
     scene.add(spot, point, sun, new three.HemisphereLight(0xffffff, 0x222222, 0.2));
-    const names = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter(
-      (name) => name !== 'auto',
-    );
+    const names = techniquesInTurn(0, drawn);
     const stock = bench.stock(scene, camera);
     return names.map((name) => {
       const by = bench.byTechnique(name, scene, camera);
@@ -215,10 +219,10 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, three } = window.testPage;
+    const { Bench, compareImages, techniquesInTurn, three } = window.testPage;
     const width = 64;
     const height = 48;
-    const names = Object.keys(farol.techniques) as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(3);
     type Scene = InstanceType<typeof three.Scene>;
     type Material = InstanceType<typeof three.MeshStandardMaterial>;
     const TINT = '#include <color_fragment>\ndiffuseColor.rgb *= tint;';

@@ -11,12 +11,12 @@ test('cameras of other kinds: scaled, mirrored, sheared, without planes of their
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, isFlat, farol, shadowScene, three } = window.testPage;
+    const { Bench, compareImages, isFlat, shadowScene, techniquesInTurn, three } = window.testPage;
     const width = 64;
     const height = 48;
     const bench = new Bench(width, height);
     bench.farol.inferredScale = 1;
-    const names = Object.keys(farol.techniques) as TechniqueName[];
+    const names = techniquesInTurn(3);
     const found: (Difference & { name: string; technique: TechniqueName; flat: boolean })[] = [];
     const compare = (name: string, scene: Three.Scene, camera: Three.Camera) => {
       const stock = bench.stock(scene, camera);

@@ -1,4 +1,5 @@
 import { checkAgreement } from '../support/agreement';
+import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 import type { Difference } from '../support/images';
 
@@ -31,8 +32,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
 }) => {
   const results = await page.evaluate(
     (texts): Result[] => {
-      const { Bench, chunkScene, compareImages, farol, three: THREE } = window.testPage;
-      const drawn = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter((n) => n !== 'auto');
+      const { Bench, chunkScene, compareImages, drawn, techniquesInTurn, three: THREE } = window.testPage;
       const bench = new Bench(96, 64);
       // three maps tones for the canvas, and for what stands in for it
       Object.assign(bench.target, { isXRRenderTarget: true });
@@ -55,7 +55,10 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
         const wanted = bench.stock(scene, camera);
         if (compareImages(plain, wanted).psnr > 45) throw new Error(`${name}: does not show`);
         // one by all techniques, the rest by two or three in turn
-        const turn = drawn.filter((_, i) => name === 'light loops' || (i + index) % 4 === 0);
+        const turn = techniquesInTurn(
+          index,
+          drawn.filter((_, i) => name === 'light loops' || (i + index) % 4 === 0),
+        );
         const found = turn.map((technique) => ({
           name,
           technique,
@@ -89,10 +92,10 @@ test('what a page changes in ShaderLib is in the picture of every technique, and
   benchPage: page,
 }) => {
   const results = await page.evaluate((shaders): Result[] => {
-    const { Bench, chunkScene, compareImages, farol, three: THREE } = window.testPage;
-    const drawn = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter((n) => n !== 'auto');
+    const { Bench, chunkScene, compareImages, drawn, techniquesInTurn, three: THREE } = window.testPage;
     const all: Result[] = [];
-    for (const [shader, stage, from, more] of shaders) {
+    for (const [i, [shader, stage, from, more]] of shaders.entries()) {
+      const names = techniquesInTurn(i + 1, drawn);
       const bench = new Bench(64, 44);
       bench.farol.inferredScale = 1;
       bench.webgl.shadowMap.enabled = true;
@@ -109,20 +112,20 @@ test('what a page changes in ShaderLib is in the picture of every technique, and
       // before anything is drawn: programs of three's own depth material are for good
       library[stage] = own.replace(from, `${from}\n${more}`);
       const wanted = bench.stock(scene, camera);
-      for (const technique of drawn)
+      for (const technique of names)
         all.push({ name: `${shader}, ${stage}`, technique, ...compareImages(wanted, bench.byTechnique(technique, scene, camera)) });
       library[stage] = own;
       if (shader !== 'depth') {
         reset();
         const plain = bench.stock(scene, camera);
         if (compareImages(plain, wanted).psnr > 45) throw new Error(`${shader}: does not show`);
-        for (const technique of drawn.slice(0, 3))
+        for (const technique of names.slice(0, 3))
           all.push({ name: `${shader}, ${stage}, undone`, technique, ...compareImages(plain, bench.byTechnique(technique, scene, camera)) });
       }
       bench.webgl.dispose();
     }
     return all;
-  }, shaders); // prettier-ignore
+  }, inTurn(shaders, 0, 2)); // prettier-ignore
   for (const { name, technique, ...difference } of results)
     expect
       .soft(() => checkAgreement(technique, difference, name, technique === 'inferred' ? {} : SHADOWS))
@@ -133,8 +136,7 @@ test("three's cascaded shadow maps come out as by stock three, in every techniqu
   benchPage: page,
 }) => {
   const results = await page.evaluate((): Result[] => {
-    const { Bench, addons, chunkScene, compareImages, farol, three: THREE } = window.testPage;
-    const drawn = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter((n) => n !== 'auto');
+    const { Bench, addons, chunkScene, compareImages, drawn, techniquesInTurn, three: THREE } = window.testPage;
     const bench = new Bench(96, 64);
     bench.webgl.shadowMap.enabled = true;
     const { scene, camera, lights } = chunkScene(96, 64);
@@ -160,7 +162,7 @@ test("three's cascaded shadow maps come out as by stock three, in every techniqu
       csm.updateFrustums();
       csm.update();
       const wanted = bench.stock(scene, camera);
-      for (const technique of drawn) {
+      for (const technique of techniquesInTurn(4, drawn)) {
         const difference = compareImages(wanted, bench.byTechnique(technique, scene, camera));
         results.push({ name: fade ? 'CSM, fading' : 'CSM', technique, ...difference });
       }

@@ -65,7 +65,7 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
       const without = bench.stock(scene, camera);
       decal.visible = true;
       bench.farol.effects = list;
-      const figures = techniques.map((technique) => {
+      const figures = window.testPage.techniquesInTurn(2, techniques).map((technique) => {
         const { psnr, share } = compareImages(wanted, bench.byTechnique(technique, scene, camera), 6);
         return { technique, psnr, share };
       });

@@ -7,12 +7,12 @@ import { expect, test } from '../support/test';
 /** What depth cannot hold: positions are then not rebuilt from it, and what is far off is not taken for nothing. */
 test('cameras that see very near and very far, or through an oblique plane', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, isFlat, three } = window.testPage;
+    const { Bench, compareImages, isFlat, techniquesInTurn, three } = window.testPage;
     const width = 128;
     const height = 72;
     const bench = new Bench(width, height);
     bench.farol.inferredScale = 1;
-    const names = Object.keys(farol.techniques) as TechniqueName[];
+    const names = techniquesInTurn(4);
     const found: (Difference & { name: string; technique: TechniqueName; flat: boolean })[] = [];
     const compare = (name: string, scene: Three.Scene, camera: Three.Camera) => {
       const stock = bench.stock(scene, camera);
@@ -123,7 +123,7 @@ test('cameras that see very near and very far, or through an oblique plane', asy
 /** As composers' own buffers, and canvases made with `depth: false`: the background lies behind, though no depth says so. */
 test('targets and canvases without a depth buffer', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, isFlat, three } = window.testPage;
+    const { Bench, compareImages, isFlat, techniquesInTurn, three } = window.testPage;
     const [width, height] = [96, 64];
     const scene = new three.Scene();
     scene.background = new three.Color(0x334455);
@@ -139,7 +139,7 @@ test('targets and canvases without a depth buffer', async ({ benchPage: page }) 
     const camera = new three.PerspectiveCamera(50, width / height, 0.1, 20);
     camera.position.z = 5;
     const found: (Difference & { name: string; technique: TechniqueName; flat: boolean })[] = [];
-    const names = Object.keys(farol.techniques) as TechniqueName[];
+    const names = techniquesInTurn(0);
     const target = new Bench(width, height, { target: { depthBuffer: false } });
     target.farol.inferredScale = 1;
     const inTarget = target.stock(scene, camera);

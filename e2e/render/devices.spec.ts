@@ -6,14 +6,13 @@ import { expect, test } from '../support/test';
 
 /**
  * Devices by subtraction: what a device lacks is hidden from the page, and what is drawn must be as by stock three there, or
- * be refused or left out by one sentence. `npm test` takes a few devices and techniques; `npm run devices` all, with a larger
- * scene and every effect.
+ * be refused or left out by one sentence. `npm test` takes one device of each class by two techniques; `npm run devices` all,
+ * with a larger scene and every effect.
  */
 
-const FEW: readonly TechniqueName[] = ['auto', 'forward', 'deferred', 'inferred', 'tiled-deferred', 'forward-plus'];
-const OTHERS: readonly TechniqueName[] = [
-  ...(['forward-single-pass', 'light-prepass', 'tiled-forward'] as const),
-  ...(['clustered-deferred', 'clustered-forward'] as const),
+const TECHNIQUES: readonly TechniqueName[] = [
+  ...(['auto', 'forward', 'deferred', 'inferred', 'tiled-deferred', 'forward-plus', 'forward-single-pass'] as const),
+  ...(['light-prepass', 'tiled-forward', 'clustered-deferred', 'clustered-forward'] as const),
 ];
 const EFFECTS: readonly EffectName[] = [
   ...(['decals', 'ambient-occlusion', 'order-independent-transparency', 'smaa', 'edges', 'taa'] as const),
@@ -21,13 +20,16 @@ const EFFECTS: readonly EffectName[] = [
 /** Those that change the picture of a scene without decals. */
 const CHANGES: readonly EffectName[] = ['smaa', 'edges', 'taa', 'ambient-occlusion'];
 
-/** Devices by what they lack, with the effects that are drawn in `npm test`; null for those that `npm run devices` has. */
-const LACKS: Record<DeviceName, readonly EffectName[] | null> = {
+/** Techniques and effects that `npm test` draws on a device. */
+type Few = readonly [techniques: readonly TechniqueName[], effects: readonly EffectName[]];
+
+/** Devices by what they lack; null for those that `npm run devices` alone has. */
+const LACKS: Record<DeviceName, Few | null> = {
   nothing: null,
-  'colour buffers of whole floats': [],
-  'float colour buffers': EFFECTS,
-  'blending of floats': [],
-  'linear filtering of floats': ['smaa'],
+  'colour buffers of whole floats': [['forward', 'clustered-deferred'], []],
+  'float colour buffers': [['auto', 'deferred', 'forward'], EFFECTS],
+  'blending of floats': [['forward', 'deferred'], []],
+  'linear filtering of floats': [['inferred', 'forward-plus'], ['smaa']],
   timers: null,
   'a fifth draw buffer': null,
   'textures above 2048': null,
@@ -35,11 +37,14 @@ const LACKS: Record<DeviceName, readonly EffectName[] | null> = {
   'texture units above 16': null,
   'varyings above 15': null,
   'fragment uniforms above 224': null,
-  'highp in fragments': [],
+  'highp in fragments': [['tiled-forward', 'light-prepass'], []],
   'several draws a call': null,
   'anisotropic filtering': null,
   'compiling aside': null,
-  'anything above the least limits': ['decals', 'ambient-occlusion'],
+  'anything above the least limits': [
+    ['tiled-deferred', 'forward-plus'],
+    ['decals', 'ambient-occlusion'],
+  ],
   'anything but WebGL 2 itself': null,
 };
 
@@ -47,15 +52,12 @@ const LACKS: Record<DeviceName, readonly EffectName[] | null> = {
 const WHOLE_SCENE = { psnr: 55, share: 0.006 };
 const SCENE = { psnr: 60, share: 0.001 };
 
-for (const name of Object.keys(LACKS) as DeviceName[]) {
-  if (LACKS[name] === null && !isWhole) continue;
+for (const [name, few] of Object.entries(LACKS) as [DeviceName, Few | null][]) {
+  if (few === null && !isWhole) continue;
   test(`a device without ${name}: the picture of stock three, or one sentence`, async ({ benchPage: page, watch }) => {
     test.setTimeout(isWhole ? 600_000 : 120_000);
-    const run = {
-      names: isWhole ? [...FEW, ...OTHERS] : FEW,
-      effectNames: isWhole ? EFFECTS : LACKS[name]!,
-      whole: isWhole,
-    };
+    const [names, effectNames] = isWhole ? [TECHNIQUES, EFFECTS] : few!;
+    const run = { names, effectNames, whole: isWhole };
     const { results, beyond, stockPSNR } = await page.evaluate(([name, run]) => window.testPage.drawDevice(name, run), [
       name,
       run,

@@ -144,7 +144,7 @@ test('a geometry with normals of zero length, and light beyond half floats, are 
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { effects, farol, three } = window.testPage;
+    const { effects, farol, techniquesInTurn, three } = window.testPage;
     const [width, height] = [64, 48];
     const webgl = new three.WebGLRenderer({ antialias: false });
     webgl.setSize(width, height, false);
@@ -173,7 +173,7 @@ test('a geometry with normals of zero length, and light beyond half floats, are 
     const stock = read();
     const renderer = new farol.FarolRenderer(webgl);
     const occlusion = new effects.AmbientOcclusion();
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).flatMap((technique) =>
+    return techniquesInTurn(0).flatMap((technique) =>
       (technique === 'deferred' ? [[], [occlusion]] : [[]]).map((list) => {
         renderer.technique = technique;
         renderer.effects = list;

@@ -1,4 +1,8 @@
+import { byExtent } from '@farol/tools/extent';
 import { expect, test } from '../support/test';
+
+/** Scenes that are opened and closed. */
+const SCENES = byExtent({ slice: 12, verify: 50 });
 
 test('scenes that were opened and closed leave nothing, also where few frames are drawn', async ({
   benchPage: page,
@@ -50,11 +54,11 @@ test('scenes that were opened and closed leave nothing, also where few frames ar
     };
     // the textures of lights, which take turns, are all there after a few
     for (let i = 0; i < 5; i++) opened();
-    Object.assign(window, { heldState: state, openScenes: () => Array.from({ length: 50 }, opened) });
+    Object.assign(window, { heldState: state, openScenes: (count: number) => Array.from({ length: count }, opened) });
   });
   const held = () => page.evaluate(() => (window as unknown as { heldState(): { geometries: number } }).heldState());
   await expect.poll(async () => (await held()).geometries, 'those of the open scene, and its merged casters').toBe(3);
   const first = await held();
-  await page.evaluate(() => (window as unknown as { openScenes(): void }).openScenes());
+  await page.evaluate((count) => (window as unknown as { openScenes(n: number): void }).openScenes(count), SCENES);
   await expect.poll(held).toEqual(first);
 });

@@ -5,7 +5,7 @@ test('the host finds its scene, renderer, device and three as they were, and sto
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, hostSnapshot, materialScene, three } = window.testPage;
+    const { Bench, compareImages, hostSnapshot, materialScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(80, 60);
     const { scene, camera } = materialScene(80, 60, { count: 8, onlyDeferred: true });
     // what Farol switches for a moment: nested lights, order, transmission, clearing
@@ -18,7 +18,7 @@ test('the host finds its scene, renderer, device and three as they were, and sto
     const { webgl } = bench;
     webgl.setClearColor(0x123456, 0.5);
     const first = bench.stock(scene, camera);
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+    return techniquesInTurn(3).map((technique) => {
       bench.byTechnique(technique, scene, camera);
       bench.stock(scene, camera);
       const before = hostSnapshot(webgl, scene, camera);
@@ -96,13 +96,13 @@ test('classes of the host with accessors over private fields are drawn as stock 
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, drawn, effects, isFlat, privateScene } = window.testPage;
+    const { Bench, compareImages, drawn, effects, isFlat, privateScene, techniquesInTurn } = window.testPage;
     const bench = new Bench(96, 64);
     bench.webgl.shadowMap.enabled = true;
     bench.farol.inferredScale = 1;
     const { scene, camera, material } = privateScene(96, 64);
     const stock = bench.stock(scene, camera);
-    const results = drawn.map((technique) => ({
+    const results = techniquesInTurn(1, drawn).map((technique) => ({
       technique,
       difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
     }));

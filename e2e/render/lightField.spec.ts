@@ -5,7 +5,7 @@ import { expect, test } from '../support/test';
 
 test('lights of fields look as the same lights one by one, by every technique', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, lightFields, three } = window.testPage;
+    const { Bench, compareImages, lightFields, techniquesInTurn, three } = window.testPage;
     const width = 64;
     const height = 48;
     const bench = new Bench(width, height);
@@ -95,8 +95,8 @@ test('lights of fields look as the same lights one by one, by every technique', 
     const found: (Difference & { name: string; technique: TechniqueName })[] = [];
     const seen: Record<string, number> = {};
     const counts: Record<string, number> = {};
-    const all = Object.keys(farol.techniques) as TechniqueName[];
-    const some: TechniqueName[] = ['forward', 'deferred', 'tiled-deferred', 'clustered-forward'];
+    const all = techniquesInTurn(3);
+    const some = techniquesInTurn(1, ['forward', 'deferred', 'tiled-deferred', 'clustered-forward']);
     for (const [name, fields] of Object.entries({ points: [points], 'points and spots': [mixed, points] })) {
       for (const technique of name === 'points' ? all : some) {
         show(fields, false);

@@ -4,7 +4,7 @@ test('with lightLayers a light reaches only what shares a layer with it, by ever
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, farol, three } = window.testPage;
+    const { Bench, techniquesInTurn, three } = window.testPage;
     const [width, height] = [96, 32];
     const bench = new Bench(width, height);
     bench.webgl.shadowMap.enabled = true;
@@ -45,7 +45,7 @@ test('with lightLayers a light reaches only what shares a layer with it, by ever
     });
     for (const light of lights) light.visible = true;
     const all = masks.map((_, i) => middle(bench.stock(scene, camera).data, i));
-    const names = Object.keys(farol.techniques) as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(0);
     return {
       wanted,
       all,

@@ -12,7 +12,7 @@ test('lights with photometric profiles light a floor by every technique as the f
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, farol, lightProfiles, three } = window.testPage;
+    const { Bench, drawn, farol, lightProfiles, techniquesInTurn, three } = window.testPage;
     const { IESLoader } = lightProfiles;
     const { setLightProfile } = farol;
     const size = 32;
@@ -104,7 +104,7 @@ test('lights with photometric profiles light a floor by every technique as the f
       return (3 * part * factors.get(lamp)!(d) * -away.z) / Math.PI;
     };
     const built = scenes.map((lamps) => ({ lamps, scene: sceneOf(lamps) }));
-    const names = Object.keys(farol.techniques).filter((name) => name !== 'auto') as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(4, drawn);
     const results = names.map((technique) => {
       const worst = built.map(({ lamps, scene }) => {
         const { data } = bench.byTechnique(technique, scene, camera);
@@ -159,7 +159,6 @@ test('lights with photometric profiles light a floor by every technique as the f
     const limit = FORWARD.has(technique) ? LARGEST : technique === 'inferred' ? LARGEST_INFERRED : LARGEST_DEFERRED;
     for (const { lamp, error } of worst) expect.soft(error, `${technique}, ${lamp}`).toBeLessThan(limit);
   }
-  expect(seen.results.length).toBeGreaterThan(9);
   expect(seen.programs, 'programs made by more lights').toBe(0);
   for (const c of [0, 1, 2]) expect(seen.halved[c] / seen.before[c]).toBeCloseTo(0.5, 2);
   expect(seen.without[0]).toBeGreaterThan(seen.before[0] * 1.05);

@@ -2,13 +2,14 @@ import type { CaseResult } from '../pages/matrix/runSheet';
 import { isException } from './matrixExceptions';
 import { figuresOf } from '../support/images';
 import { recordComparison } from '../support/comparison';
-import { inTurn, parts } from '../support/parts';
+import { parts } from '../support/parts';
 import { expect, test } from '../support/test';
 
 /**
- * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by techniques in turn, by all
- * of them in `npm run agree`, in linear float against stock three. A cell that is off is named. The forward family runs three's own shaders; what a G-buffer or
- * light buffer holds is rounded there. One pixel of a cell is 0.098%.
+ * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by one forward technique and one
+ * with a G-buffer, by all of them in `npm run verify`, in linear float against stock three. A cell that is off is named. The
+ * forward family runs three's own shaders; what a G-buffer or light buffer holds is rounded there. One pixel of a cell is
+ * 0.098%.
  */
 const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
 const LARGEST = 1e-4;
@@ -40,13 +41,12 @@ const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'sh
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {
-  test(`each case of each sheet, by techniques in turn, part ${part + 1}`, async ({ benchPage: page }) => {
+  test(`each case of each sheet, part ${part + 1}`, async ({ benchPage: page }) => {
     for (const sheet of listed) {
-      const techniques = await page.evaluate(() => [...window.testPage.drawn]);
-      const { results, unseen } = await page.evaluate(([name, names]) => window.testPage.runSheet(name, names), [
-        sheet,
-        inTurn(techniques, sheets.indexOf(sheet), 2),
-      ] as const);
+      const { results, unseen } = await page.evaluate((name) => {
+        const { drawn, runSheet, techniquesInTurn } = window.testPage;
+        return runSheet(name, techniquesInTurn(4, drawn));
+      }, sheet);
       expect
         .soft(
           unseen.filter((name) => !HIDDEN.has(name)),
@@ -58,18 +58,15 @@ for (const [part, listed] of parts(sheets, 1).entries()) {
   });
 }
 
-/** Of the settings: each is drawn by two techniques in turn, by all of them where many browsers share the work. */
+/** The settings are split among as many tests as there are cores, where all techniques draw them. */
 const EIGHTHS = [0, 1, 2, 3, 4, 5, 6, 7];
 for (const [part, shares] of parts(EIGHTHS, 1).entries()) {
-  test(`each setting of renderer, scene and camera, by techniques in turn, part ${part + 1}`, async ({
-    benchPage: page,
-  }) => {
+  test(`each setting of renderer, scene and camera, part ${part + 1}`, async ({ benchPage: page }) => {
     const results = await page.evaluate(
       ([shares, eighths]) => {
-        const { drawn, runSettings, settingNames } = window.testPage;
-        if (shares.length === eighths) return runSettings();
+        const { drawn, runSettings, settingNames, techniquesInTurn } = window.testPage;
         const names = settingNames.filter((_, index) => shares.includes(index % eighths));
-        return runSettings(names, () => drawn);
+        return runSettings(names, techniquesInTurn(3, drawn));
       },
       [shares, EIGHTHS.length] as const,
     );

@@ -1,3 +1,4 @@
+import { byExtent } from '@farol/tools/extent';
 import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/test';
 
@@ -5,12 +6,10 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
   benchPage: page,
 }) => {
   const results = await page.evaluate(async () => {
-    const { Bench, compareImages, effects, farol, nodeScene } = window.testPage;
+    const { Bench, compareImages, drawn, effects, farol, nodeScene, techniquesInTurn } = window.testPage;
     const bench = new Bench(96, 64);
     const { scene, camera, sun } = (await nodeScene()).nodeScene(bench.webgl, 96, 64);
-    const names = (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).filter(
-      (name) => name !== 'auto',
-    );
+    const names = techniquesInTurn(3, drawn);
     const { webgl } = bench;
     // attributes of its nodes are there from the second frame on
     bench.stock(scene, camera);
@@ -49,10 +48,13 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
   expect(results.again, 'stock three afterwards').toBe(0);
 });
 
+/** Techniques that draw each kind of node material. */
+const TURNS = byExtent({ slice: 1, verify: 2 });
+
 test('each kind of node material on each kind of object, under area lights and shadows, in fog, by techniques in turn', async ({
   benchPage: page,
 }) => {
-  const results = await page.evaluate(async () => {
+  const results = await page.evaluate(async (turns) => {
     const { Bench, compareImages, drawn, isFlat, nodeCases } = window.testPage;
     const { nodeCase, nodeCases: cases, nodesHandler } = await nodeCases();
     const bench = new Bench(64, 48);
@@ -66,7 +68,7 @@ test('each kind of node material on each kind of object, under area lights and s
       bench.stock(scene, camera);
       await Promise.resolve();
       const stock = bench.stock(scene, camera);
-      for (const turn of [0, 1]) {
+      for (let turn = 0; turn < turns; turn++) {
         const technique = drawn[(i * 2 + turn) % drawn.length];
         bench.byTechnique(technique, scene, camera);
         await Promise.resolve();
@@ -75,8 +77,8 @@ test('each kind of node material on each kind of object, under area lights and s
       }
     }
     return results;
-  });
-  expect(results.length).toBeGreaterThan(60);
+  }, TURNS);
+  expect(results.length).toBeGreaterThan(30 * TURNS);
   for (const { name, technique, difference, flat } of results) {
     expect(flat, `${name}: stock picture is flat`).toBe(false);
     checkAgreement(technique, difference, `node material, ${name}`);
@@ -88,7 +90,7 @@ test('glass of nodes is drawn as stock three draws it, which knows no transmissi
   watch,
 }) => {
   const results = await page.evaluate(async () => {
-    const { alphaBench, compareImages, drawn, nodeCases } = window.testPage;
+    const { alphaBench, compareImages, drawn, nodeCases, techniquesInTurn } = window.testPage;
     const { nodeCase, nodeGlass, nodesHandler } = await nodeCases();
     const { bench, toCanvas } = alphaBench(64, 48);
     bench.webgl.setNodesHandler(nodesHandler());
@@ -102,7 +104,7 @@ test('glass of nodes is drawn as stock three draws it, which knows no transmissi
     };
     const stock = await draw(() => bench.webgl.render(scene, camera));
     const results = [];
-    for (const technique of drawn) {
+    for (const technique of techniquesInTurn(0, drawn)) {
       bench.farol.technique = technique;
       const difference = compareImages(stock, await draw(() => bench.farol.render(scene, camera)));
       results.push({ technique, difference });

@@ -4,9 +4,9 @@ test('500 lights added one by one, toggled and removed compile nothing, and none
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, farol, materialScene, three } = window.testPage;
+    const { Bench, materialScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(32, 24);
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+    return techniquesInTurn(4).map((technique) => {
       const { scene, camera, lights } = materialScene(32, 24, { count: 4 });
       bench.byTechnique(technique, scene, camera);
       // 'auto' compiles a technique when it first picks it: it has been through both ends before the count
@@ -58,7 +58,7 @@ test('500 lights added one by one, toggled and removed compile nothing, and none
 
 test('4,096 lights on a floor: nothing is dropped, every technique draws all of them', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
-    const { Bench, farol, three } = window.testPage;
+    const { Bench, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(128, 128);
     const camera = new three.OrthographicCamera(-8, 8, 8, -8, 0.1, 20);
     camera.position.z = 5;
@@ -69,7 +69,7 @@ test('4,096 lights on a floor: nothing is dropped, every technique draws all of 
       light.position.set(((i % 64) + 0.5) / 4 - 8, (Math.floor(i / 64) + 0.5) / 4 - 8, 0.1);
       scene.add(light);
     }
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+    return techniquesInTurn(2).map((technique) => {
       const { data } = bench.byTechnique(technique, scene, camera);
       // two pixels a light: each light's cell of 2 × 2 pixels is lit alike, and a dropped light leaves its cell black
       const cells: number[] = [];

@@ -5,7 +5,7 @@ for (const samples of [0, 4]) {
     benchPage: page,
   }) => {
     const results = await page.evaluate((samples) => {
-      const { Bench, compareImages, farol, three } = window.testPage;
+      const { Bench, compareImages, techniquesInTurn, three } = window.testPage;
       const { webgl, farol: renderer } = new Bench(64, 48);
       const gl = webgl.getContext() as WebGL2RenderingContext;
       const target = new three.WebGLRenderTarget(64, 48, { count: 3, type: three.HalfFloatType, samples });
@@ -62,7 +62,7 @@ for (const samples of [0, 4]) {
         drawsFirst(false);
         return [
           { name: 'stock three', error: stock.error, differences: [] as number[] },
-          ...(Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+          ...techniquesInTurn(samples).map((technique) => {
             renderer.technique = technique;
             const { error, images } = draw(() => renderer.render(scene, camera));
             const differences = images.map((image, i) => compareImages(image, stock.images[i]).psnr);

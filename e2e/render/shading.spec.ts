@@ -7,7 +7,7 @@ test('flat and Gouraud shading by every technique: as three has flatShading, and
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, farol, three } = window.testPage;
+    const { Bench, compareImages, drawn, farol, techniquesInTurn, three } = window.testPage;
     const { setShading } = farol;
     const bench = new Bench(96, 48);
     const camera = new three.PerspectiveCamera(40, 2, 0.1, 20);
@@ -103,7 +103,7 @@ test('flat and Gouraud shading by every technique: as three has flatShading, and
     const reference = sceneOf(oracle(phong.color, 0x808080, 12, 0, 2), oracle(lambert.color, 0, 0, 0x100804, 0));
     const gouraud = bench.stock(reference, camera);
 
-    const names = Object.keys(farol.techniques).filter((name) => name !== 'auto') as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(1, drawn);
     const versions = [phong.version, lambert.version];
     const results = names.map((technique) => {
       const by = (shading: Parameters<typeof setShading>[1]) => {
@@ -156,7 +156,7 @@ test('lights of a LightField light what is Gouraud-shaded as single lights do, b
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, farol, lightFields, three } = window.testPage;
+    const { Bench, compareImages, farol, lightFields, techniquesInTurn, three } = window.testPage;
     const { setShading } = farol;
     const bench = new Bench(96, 48);
     const camera = new three.PerspectiveCamera(40, 2, 0.1, 20);
@@ -201,7 +201,7 @@ test('lights of a LightField light what is Gouraud-shaded as single lights do, b
       }
       lights.push(light);
     }
-    const names = Object.keys(farol.techniques) as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(3);
     return names.map((technique) => {
       const dark = bench.byTechnique(technique, scene, camera);
       scene.add(...lights);
@@ -224,7 +224,7 @@ test('area lights light what is flat as faces of their own, and what is Gouraud-
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, farol, three } = window.testPage;
+    const { Bench, compareImages, drawn, farol, techniquesInTurn, three } = window.testPage;
     const { setShading } = farol;
     const bench = new Bench(96, 48);
     const camera = new three.PerspectiveCamera(40, 2, 0.1, 20);
@@ -255,7 +255,7 @@ test('area lights light what is flat as faces of their own, and what is Gouraud-
     const faces = new three.Mesh(coarse.toNonIndexed(), standard);
     faces.geometry.computeVertexNormals();
     faces.position.copy(left.position);
-    const names = Object.keys(farol.techniques).filter((name) => name !== 'auto') as (keyof typeof farol.techniques)[];
+    const names = techniquesInTurn(0, drawn);
     return names.map((technique) => {
       const draw = () => bench.byTechnique(technique, scene, camera);
       const by = (shading: Parameters<typeof setShading>[1], draws = draw) => {

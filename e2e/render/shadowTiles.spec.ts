@@ -23,7 +23,8 @@ const ways: Record<string, Way> = {
 };
 
 for (const [name, way] of Object.entries(ways)) {
-  test(`a hall of shadows ${name}: as while it was new, and as stock three`, async ({ benchPage: page }) => {
+  const tag = name === 'at rest' ? '' : ' @verify';
+  test(`a hall of shadows ${name}: as while it was new, and as stock three${tag}`, async ({ benchPage: page }) => {
     const result = await page.evaluate(({ renderer, isPart }) => {
       const { Bench, compareImages, three } = window.testPage;
       const bench = new Bench(192, 128, { renderer });

@@ -4,7 +4,7 @@ import { expect, test } from '../support/test';
 // with the killed tabs of editor/kills.spec.ts about a minute; far more by hand: npm run soak -- --minutes 30
 test.describe.configure({ timeout: 240_000 });
 
-test('a renderer that goes through chaos draws what a fresh one draws, says nothing, and leaves nothing', async ({
+test('a renderer that goes through chaos draws what a fresh one draws, says nothing, and leaves nothing @verify', async ({
   page,
   pagesURL,
   watch,

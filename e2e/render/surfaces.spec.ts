@@ -1,7 +1,5 @@
-import type { TechniqueName } from '@farol/renderer';
 import { readFileSync } from 'node:fs';
 import { checkAgreement } from '../support/agreement';
-import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 
 const WIDTH = 128;
@@ -12,18 +10,21 @@ test.describe.configure({ timeout: 240_000 });
 test('a surface that displaces and paints is what stock three draws of displaced geometries by the same formula; one that does nothing changes no bit', async ({
   benchPage: page,
 }) => {
-  const results = await page.evaluate(
+  const { results, some } = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, farol, isFlat, surfaces, surfaceScene } = window.testPage;
+      const { Bench, compareImages, isFlat, surfaces, surfaceScene, techniquesInTurn } = window.testPage;
       const bench = new Bench(width, height);
       bench.webgl.shadowMap.enabled = true;
       const expected = surfaceScene(width, height, 'oracle');
       const stock = bench.stock(expected.scene, expected.camera);
       const [worn, none] = (['surface', 'none'] as const).map((wear) => surfaceScene(width, height, wear));
-      const some = ['forward-single-pass', 'deferred', 'light-prepass'];
+      const names = techniquesInTurn(1);
+      const some = ['forward-single-pass', 'deferred', 'light-prepass'].filter((name) =>
+        names.includes(name as 'auto'),
+      );
       const text = 'void surface(inout SurfaceData s) {}\nvoid displace(inout VertexData v) {}';
       const nothing = new surfaces.Surface('nothing', text);
-      return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+      const results = names.map((technique) => {
         const draw = ({ scene, camera }: typeof worn) => {
           bench.byTechnique(technique, scene, camera);
           return bench.byTechnique(technique, scene, camera);
@@ -44,10 +45,12 @@ test('a surface that displaces and paints is what stock three draws of displaced
           changed: compareImages(plain, picture).share,
         };
       });
+      return { results, some };
     },
     [WIDTH, HEIGHT] as const,
   );
-  expect(results.filter((result) => result.none === 0)).toHaveLength(3);
+  expect(some.length).toBeGreaterThan(1);
+  expect(results.filter((result) => result.none === 0)).toHaveLength(some.length);
   for (const { technique, flat, difference, none, changed } of results) {
     expect(flat).toBe(false);
     checkAgreement(technique, difference, 'surfaces');
@@ -257,63 +260,59 @@ test('the surfaces that the editor begins with are drawn alike by every techniqu
   benchPage: page,
 }) => {
   const texts = Object.fromEntries(builtins.map((name) => [name, builtinText(name)]));
-  const known = await page.evaluate(() => Object.keys(window.testPage.farol.techniques));
-  const results = await page.evaluate(
-    ([given, names]) => {
-      const { Bench, compareImages, isFlat, surfaces, three } = window.testPage;
-      const bench = new Bench(160, 96);
-      bench.webgl.shadowMap.enabled = true;
-      const scene = new three.Scene();
-      const camera = new three.PerspectiveCamera(45, 160 / 96, 0.1, 30);
-      camera.position.set(0, 3, 7);
-      camera.lookAt(0, 0.4, 0);
-      const worn = Object.entries(given).map(([name, text], i) => {
-        const surface = new surfaces.Surface(name, text);
-        surface.time.value = 1.5;
-        const material = new three.MeshStandardMaterial({ color: 0x887766, side: three.DoubleSide });
-        const values = surfaces.setSurface(material, surface);
-        const geometry =
-          name === 'water'
-            ? new three.PlaneGeometry(2, 2, 48, 48).rotateX(-Math.PI / 2)
-            : new three.SphereGeometry(0.7, 48, 32);
-        const mesh = new three.Mesh(geometry, material);
-        mesh.position.set((i % 4) * 1.8 - 2.7, i < 4 ? 0.8 : 0.7, i < 4 ? -1.4 : 1.2);
-        mesh.castShadow = mesh.receiveShadow = true;
-        scene.add(mesh);
-        return { name, mesh, material, values, displaces: surface.displaces };
-      });
-      const floor = new three.Mesh(
-        new three.PlaneGeometry(12, 12).rotateX(-Math.PI / 2),
-        new three.MeshStandardMaterial({ color: 0x777777 }),
-      );
-      floor.receiveShadow = true;
-      const spot = new three.SpotLight(0xfff0e0, 120, 20, 0.8, 0.5);
-      spot.position.set(2, 7, 4);
-      spot.castShadow = true;
-      spot.shadow.mapSize.set(256, 256);
-      spot.shadow.bias = -0.003;
-      const point = new three.PointLight(0x88aaff, 8, 8);
-      point.position.set(-3, 2, 3);
-      scene.add(floor, spot, spot.target, point, new three.AmbientLight(0x404040));
-      const expected = bench.byTechnique('forward-single-pass', scene, camera);
-      const plain = () => {
-        for (const { material } of worn) surfaces.setSurface(material, null);
-        return bench.byTechnique('forward-single-pass', scene, camera);
-      };
-      const pictures = names.map((technique) => {
-        bench.byTechnique(technique, scene, camera);
-        const picture = bench.byTechnique(technique, scene, camera);
-        return { technique, flat: isFlat(picture), difference: compareImages(expected, picture) };
-      });
-      const reaches = worn.map(({ name, material, displaces }) => ({
-        name,
-        displaces,
-        reach: surfaces.surfaceReach(material),
-      }));
-      return { pictures, reaches, changed: compareImages(expected, plain()).share };
-    },
-    [texts, inTurn(known, 2, 3) as TechniqueName[]] as const,
-  );
+  const results = await page.evaluate((given) => {
+    const { Bench, compareImages, isFlat, surfaces, techniquesInTurn, three } = window.testPage;
+    const bench = new Bench(160, 96);
+    bench.webgl.shadowMap.enabled = true;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(45, 160 / 96, 0.1, 30);
+    camera.position.set(0, 3, 7);
+    camera.lookAt(0, 0.4, 0);
+    const worn = Object.entries(given).map(([name, text], i) => {
+      const surface = new surfaces.Surface(name, text);
+      surface.time.value = 1.5;
+      const material = new three.MeshStandardMaterial({ color: 0x887766, side: three.DoubleSide });
+      const values = surfaces.setSurface(material, surface);
+      const geometry =
+        name === 'water'
+          ? new three.PlaneGeometry(2, 2, 48, 48).rotateX(-Math.PI / 2)
+          : new three.SphereGeometry(0.7, 48, 32);
+      const mesh = new three.Mesh(geometry, material);
+      mesh.position.set((i % 4) * 1.8 - 2.7, i < 4 ? 0.8 : 0.7, i < 4 ? -1.4 : 1.2);
+      mesh.castShadow = mesh.receiveShadow = true;
+      scene.add(mesh);
+      return { name, mesh, material, values, displaces: surface.displaces };
+    });
+    const floor = new three.Mesh(
+      new three.PlaneGeometry(12, 12).rotateX(-Math.PI / 2),
+      new three.MeshStandardMaterial({ color: 0x777777 }),
+    );
+    floor.receiveShadow = true;
+    const spot = new three.SpotLight(0xfff0e0, 120, 20, 0.8, 0.5);
+    spot.position.set(2, 7, 4);
+    spot.castShadow = true;
+    spot.shadow.mapSize.set(256, 256);
+    spot.shadow.bias = -0.003;
+    const point = new three.PointLight(0x88aaff, 8, 8);
+    point.position.set(-3, 2, 3);
+    scene.add(floor, spot, spot.target, point, new three.AmbientLight(0x404040));
+    const expected = bench.byTechnique('forward-single-pass', scene, camera);
+    const plain = () => {
+      for (const { material } of worn) surfaces.setSurface(material, null);
+      return bench.byTechnique('forward-single-pass', scene, camera);
+    };
+    const pictures = techniquesInTurn(4).map((technique) => {
+      bench.byTechnique(technique, scene, camera);
+      const picture = bench.byTechnique(technique, scene, camera);
+      return { technique, flat: isFlat(picture), difference: compareImages(expected, picture) };
+    });
+    const reaches = worn.map(({ name, material, displaces }) => ({
+      name,
+      displaces,
+      reach: surfaces.surfaceReach(material),
+    }));
+    return { pictures, reaches, changed: compareImages(expected, plain()).share };
+  }, texts);
   for (const { technique, flat, difference } of results.pictures) {
     expect(flat).toBe(false);
     // what a hash of noise decides, a hole or none, may fall on its other side in a pixel: no bound of the largest difference

@@ -8,7 +8,7 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, farol, three } = window.testPage;
+    const { Bench, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(33, 33);
     const camera = new three.OrthographicCamera(-2, 2, 2, -2, 0.1, 10);
     camera.position.z = 5;
@@ -35,7 +35,7 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
     };
     const pixel = (data: Float32Array, x: number) =>
       Array.from(data.slice(4 * (16 * 33 + 16 + x), 4 * (16 * 33 + 16 + x) + 3));
-    return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => {
+    return techniquesInTurn(3).map((technique) => {
       const seen: Record<string, number[]> = {};
       for (const [name, { spot, data, x }] of Object.entries(lights)) {
         const scene = new three.Scene();
@@ -83,7 +83,6 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
     // Blinn-Phong right below: F = 1, G = 1/4, D = (10 / 2 + 1) / π
     specular: [0, 0.5 * 1.5, 0],
   };
-  expect(results.length).toBeGreaterThan(2);
   // inferred lighting takes its light at half the resolution, half a pixel beside
   for (const { technique, seen } of results) {
     for (const [name, colour] of Object.entries(wanted)) {

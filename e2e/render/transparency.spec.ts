@@ -14,7 +14,7 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
 }) => {
   const results = await page.evaluate(
     ([width, height, techniques]) => {
-      const { Bench, compareImages, effects, three } = window.testPage;
+      const { Bench, compareImages, effects, techniquesInTurn, three } = window.testPage;
       const bench = new Bench(width, height);
       const scene = new three.Scene();
       scene.background = new three.Color(0.2, 0.3, 0.4);
@@ -47,7 +47,7 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
       };
       const pair = (technique: (typeof techniques)[number]) =>
         compareImages(draw(technique, false), draw(technique, true));
-      return techniques.map((technique) => {
+      return techniquesInTurn(1, techniques).map((technique) => {
         blue.visible = glow.visible = false;
         red.visible = true;
         const one = pair(technique).largest;

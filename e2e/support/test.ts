@@ -1,5 +1,6 @@
 import { basename, dirname } from 'node:path';
 import { type Page, test as base } from '@playwright/test';
+import { extent } from '@farol/tools/extent';
 
 export { expect } from '@playwright/test';
 
@@ -83,7 +84,7 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
   ],
 
   benchPage: async ({ page, pagesURL }, use) => {
-    await page.goto(pagesURL);
+    await page.goto(`${pagesURL}?tests=${extent}`);
     await page.waitForFunction(() => 'testPage' in window);
     await use(page);
   },

@@ -2,7 +2,7 @@ import { WebGLRenderTarget } from 'three';
 import type { TechniqueName } from '@farol/renderer';
 import { Bench, type PageImage } from '../Bench';
 import { compareImages } from '../../support/images';
-import { type CaseResult, drawn } from './runSheet';
+import type { CaseResult } from './runSheet';
 import { settings } from './settings';
 import { type Render, type Setting, Stage } from './Stage';
 
@@ -31,16 +31,10 @@ function readTarget(bench: Bench, target: Bench['target']): PageImage {
   };
 }
 
-/** The techniques take the settings by turns, two at a time, so that the whole costs little. */
-const byTurns = (setting: number) => [0, 1].map((i) => drawn[(setting * 3 + i) % drawn.length]);
-
-/** Draws the stage under each setting by stock three and by two techniques, all of which have their turn. */
-export function runSettings(
-  names: readonly string[] = Object.keys(settings),
-  only: (setting: number) => readonly TechniqueName[] = byTurns,
-): CaseResult[] {
+/** Draws the stage under each setting by stock three and by each technique. */
+export function runSettings(names: readonly string[], techniques: readonly TechniqueName[]): CaseResult[] {
   const benches = new Map<string, Bench>();
-  return names.flatMap((name, index) => {
+  return names.flatMap((name) => {
     const setting: Setting = settings[name];
     const key = JSON.stringify(setting.renderer ?? {});
     let bench = benches.get(key);
@@ -69,7 +63,7 @@ export function runSettings(
       return image;
     };
     const stock = picture(null);
-    return only(index)
+    return techniques
       .filter((technique) => !setting.except?.(technique))
       .map((technique) => ({
         sheet: setting.canvas || setting.target ? 'settings, 8 bits' : 'settings',

@@ -1,5 +1,4 @@
 import type { TechniqueName } from '@farol/renderer';
-import { techniques } from '@farol/renderer';
 import { Group } from 'three';
 import { Bench } from '../Bench';
 import type { Difference } from '../../support/images';
@@ -35,9 +34,6 @@ export interface SheetResult {
   readonly unseen: string[];
 }
 
-/** The techniques of the matrix: 'auto' is one of the others. */
-export const drawn = (Object.keys(techniques) as TechniqueName[]).filter((name) => name !== 'auto');
-
 /** Of all sheets of a page: what is compiled for one of them need not be for the next. */
 let sharedBench: Bench | null = null;
 
@@ -50,10 +46,7 @@ function makeBench(): Bench {
 }
 
 /** Draws all cases of a sheet by stock three and by each technique. */
-export async function runSheet(
-  name: keyof typeof sheets,
-  only: readonly TechniqueName[] = drawn,
-): Promise<SheetResult> {
+export async function runSheet(name: keyof typeof sheets, techniques: readonly TechniqueName[]): Promise<SheetResult> {
   const listed: Cases | (() => Promise<Cases>) = sheets[name];
   const cases = typeof listed === 'function' ? await listed() : listed;
   const { width, height } = sheetSize(cases);
@@ -65,7 +58,7 @@ export async function runSheet(
   const nothing = bench.stock(empty.scene, empty.camera);
   const stock = bench.stock(sheet.scene, sheet.camera);
   const unseen = sheet.compare(nothing, stock).filter(({ largest }) => largest === 0);
-  const results = only.flatMap((technique) =>
+  const results = techniques.flatMap((technique) =>
     sheet
       .compare(stock, bench.byTechnique(technique, sheet.scene, sheet.camera))
       .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference })),
