@@ -255,7 +255,7 @@ test('a second save goes to the same file, through its handle; a failed one leav
     const writes: string[] = [];
     const handle = {
       name: 'kept.json',
-      getFile: async () => new File([], 'kept.json'),
+      getFile: async () => new File(writes.slice(-1), 'kept.json'),
       createWritable: async () => {
         const failure = Reflect.get(window, 'failure') as [string, string] | undefined;
         if (failure?.[1] === 'Error') throw new Error(failure[0]);
@@ -322,6 +322,59 @@ test('a second save goes to the same file, through its handle; a failed one leav
   expect(before).not.toContain('aborted');
   await expect(notices).not.toContainText('refused the file');
   await expect(notices).not.toContainText('aborted');
+});
+
+test('a save over what another tab has saved asks, and loses nothing @verify', async ({ page, context }) => {
+  const openShared = async (tab: Page): Promise<void> => {
+    await tab.goto('./?scene=empty');
+    await waitUntilReady(tab);
+    await tab.evaluate(async () => {
+      const folder = await navigator.storage.getDirectory();
+      const handle = await folder.getFileHandle('shared.json', { create: true });
+      const file = await handle.getFile();
+      const scene = file.size > 0 ? await file.arrayBuffer() : new TextEncoder().encode(window.editor.serialize());
+      const { editor } = window as unknown as {
+        editor: { openFileBytes(bytes: Uint8Array, file: object): Promise<boolean> };
+      };
+      await editor.openFileBytes(new Uint8Array(scene), { name: 'shared.json', handle });
+    });
+  };
+  const text = (): Promise<string> =>
+    page.evaluate(async () => {
+      const folder = await navigator.storage.getDirectory();
+      return (await (await folder.getFileHandle('shared.json')).getFile()).text();
+    });
+  const saved = (tab: Page): Promise<boolean> => tab.evaluate(() => !window.editor.commands.isDirty);
+  await openShared(page);
+  await addObject(page, 'Mesh', 'Torus');
+  await page.keyboard.press('Control+s');
+  // nobody has seen the empty file
+  await page.getByRole('button', { name: 'Save over it' }).click();
+  await expect.poll(() => saved(page)).toBe(true);
+  const other = await context.newPage();
+  await openShared(other);
+  await addObject(other, 'Mesh', 'Cone');
+  await other.keyboard.press('Control+s');
+  await expect.poll(() => saved(other)).toBe(true);
+  const theirs = await text();
+  expect(theirs).toContain('Cone');
+
+  await addObject(page, 'Mesh', 'Box');
+  await page.keyboard.press('Control+s');
+  const dialog = page.getByRole('dialog', { name: '“shared.json” has changed' });
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  expect(await text()).toBe(theirs);
+  expect(await saved(page)).toBe(false);
+  // as a tab that was ended left it
+  await stored(page);
+  await page.reload();
+  await waitUntilReady(page);
+  await page.getByRole('button', { name: 'Recover' }).click();
+  await expect(page.getByRole('treeitem', { name: 'Box' })).toBeVisible();
+  await page.keyboard.press('Control+s');
+  await dialog.getByRole('button', { name: 'Save over it' }).click();
+  await expect.poll(() => saved(page)).toBe(true);
+  expect(await text()).toContain('Box');
 });
 
 test('a save that ends once another scene is open is not that one’s: it keeps no file of the other', async ({

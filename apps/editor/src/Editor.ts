@@ -211,7 +211,8 @@ export class Editor implements EditorApi {
     fileOf?: (path: string) => Blob | null,
   ): Promise<boolean> {
     try {
-      const { deserialize, readSceneFile } = await import('./files/readScene');
+      const { deserialize, readSceneFile, seenFile } = await import('./files/readScene');
+      const seen = typeof bytes === 'string' ? file : await seenFile(bytes, file);
       const content = typeof bytes === 'string' ? { text: bytes, fileOf } : await readSceneFile(bytes, this.mayUnpack);
       const mayFetch = async (addresses: readonly ForeignAddress[]): Promise<boolean> => {
         const { askForHosts } = await import('./files/askForHosts');
@@ -237,7 +238,7 @@ export class Editor implements EditorApi {
         if (assets !== this.document.assets) assets.dispose();
         return false;
       }
-      this.show(scene, file, await this.mayRunScripts(scene));
+      this.show(scene, seen, await this.mayRunScripts(scene));
       if (typeof bytes !== 'string') this.remember(bytes);
       return true;
     } catch (error) {

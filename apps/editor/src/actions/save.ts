@@ -37,7 +37,8 @@ const failures = new WeakMap<EditorApi, number>();
 async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
   const { notices } = editor;
   try {
-    const name = await writeTo(editor, handle);
+    const { mayReplace } = await import('../files/saveFile');
+    const name = await writeTo(editor, handle && (await mayReplace(editor, handle)));
     notices.remove(failures.get(editor) ?? 0);
     notices.show('info', t('Saved {name}', { name }));
   } catch (error) {
@@ -50,7 +51,7 @@ async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Pr
 async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<string> {
   const { scene } = editor.document;
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
-  const { saveFile } = await import('../files/saveFile');
+  const { saveFile, seenFile } = await import('../files/saveFile');
   const step = editor.commands.last;
   // the picker gives the file; a browser without one downloads, and gives none
   let content = await bytesFor(scene, fileName);
@@ -63,7 +64,7 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const name = saved?.name ?? fileName;
   // another scene that was opened meanwhile is in no file yet, and would be written over this one
   if (editor.document.scene !== scene) return name;
-  editor.saved({ name, handle: saved }, step);
+  editor.saved(await seenFile(content, { name, handle: saved }), step);
   const { noteRecent } = await import('../files/recent/noteRecent');
   void noteRecent(editor, content, true);
   return name;

@@ -33,6 +33,8 @@ export interface OpenFile {
   readonly name: string | null;
   /** Where the browser lets us write again; null where it does not. */
   readonly handle: FileSystemFileHandle | null;
+  /** Mark of the bytes that the document was read from, or written as, last (see `seenFile`); absent where it is not known. */
+  readonly seen?: string;
 }
 
 /** What stores the document's changes for a tab that is killed. */

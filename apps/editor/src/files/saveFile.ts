@@ -2,6 +2,10 @@ import { t } from '@farol/editing';
 import { fileSave, type FirstFileSaveOptions } from 'browser-fs-access';
 import { browserReason } from './browserReason';
 
+// what a save needs is fetched together
+export { mayReplace } from './mayReplace';
+export { seenFile } from './seenFile';
+
 export interface SaveRequest extends FirstFileSaveOptions {
   /** Name that the picker proposes, or that a download gets. */
   readonly fileName: string;

@@ -116,14 +116,14 @@ export class Autosave implements DraftKeeper {
   }
 
   /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. @throws Error when another tab has taken it */
-  private async recover({ id, name, fileName, handle }: SessionInfo): Promise<void> {
+  private async recover({ id, name, fileName, handle, seen }: SessionInfo): Promise<void> {
     const { editor } = this;
     await this.opened;
     if (!(await this.store.lost()).some((each) => each.id === id)) {
       throw new Error(t('{name} is not here any more: another tab has recovered or discarded it.', { name }));
     }
     const { text, files } = await this.store.read(id);
-    if (!(await editor.openFileBytes(text, { name: fileName, handle }, (path) => files.get(path) ?? null))) return;
+    if (!(await editor.openFileBytes(text, { name: fileName, handle, seen }, (path) => files.get(path) ?? null))) return;
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
@@ -235,6 +235,7 @@ export class Autosave implements DraftKeeper {
       fileName: file.name,
       // what stands in for one cannot be stored
       handle: 'FileSystemFileHandle' in window && file.handle instanceof FileSystemFileHandle ? file.handle : null,
+      seen: file.seen,
       time: Date.now(),
       objects: document.scene.size,
       edit: commands.last?.label ?? null,

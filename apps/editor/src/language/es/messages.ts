@@ -30,6 +30,10 @@ export const messages: Texts = {
   'There is nothing to recover: no tab was closed with unsaved work':
     'No hay nada que recuperar: ninguna pestaña se cerró con trabajo sin guardar',
   'Saved {name}': 'Guardado {name}',
+  '“{name}” has changed': '«{name}» ha cambiado',
+  'Another tab or program has written “{name}” since it was opened or saved here. To save over it loses what it holds now; under another name both are kept.':
+    'Otra pestaña u otro programa ha escrito «{name}» desde que se abrió o guardó aquí. Guardar encima pierde lo que contiene ahora; con otro nombre se conservan los dos.',
+  'Save over it': 'Guardar encima',
   ' and {count} more': ' y {count} más',
   '{name} asks for files of other hosts': '{name} pide archivos de otros servidores',
   'They would learn that you open it, and when. Without them the rest of the scene opens. It asks for:':

@@ -1,0 +1,39 @@
+import { t } from '@farol/editing';
+import type { EditorApi } from '../api/EditorApi';
+import { stampOf } from './seenFile';
+
+/**
+ * Asks before a save would take the place of what another tab or program has written since the document was read from the
+ * file, or saved to it.
+ * @returns the file, if it may be written over, or is gone; null where another one is to be chosen
+ * @throws DOMException (AbortError) when the user turned back
+ */
+export async function mayReplace(
+  { dialogs, file }: EditorApi,
+  handle: FileSystemFileHandle,
+): Promise<FileSystemFileHandle | null> {
+  for (let seen = file.seen; ;) {
+    const there = await handle.getFile().then(stampOf, () => undefined);
+    if (there === undefined || there === seen) return handle;
+    let savesAs = false;
+    const replaces = await dialogs.show({
+      kind: 'confirm',
+      title: t('“{name}” has changed', { name: handle.name }),
+      text: t(
+        'Another tab or program has written “{name}” since it was opened or saved here. To save over it loses what it holds now; under another name both are kept.',
+        { name: handle.name },
+      ),
+      action: t('Save over it'),
+      other: {
+        label: t('Save as…'),
+        choose: () => {
+          savesAs = true;
+        },
+      },
+    });
+    if (savesAs) return null;
+    if (!replaces) throw new DOMException('The user turned back.', 'AbortError');
+    // it may have changed once more while this was asked
+    seen = there;
+  }
+}
