@@ -123,7 +123,8 @@ export class Autosave implements DraftKeeper {
       throw new Error(t('{name} is not here any more: another tab has recovered or discarded it.', { name }));
     }
     const { text, files } = await this.store.read(id);
-    if (!(await editor.openFileBytes(text, { name: fileName, handle, seen }, (path) => files.get(path) ?? null))) return;
+    if (!(await editor.openFileBytes(text, { name: fileName, handle, seen }, (path) => files.get(path) ?? null)))
+      return;
     editor.commands.markUnsaved();
     this.replaced = id;
     this.wake();
