@@ -234,7 +234,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    * calls try again), and when this renderer is disposed.
    */
   get ready(): Promise<void> {
-    return warmUpCode.load().then((code) => code.whenReady(this));
+    return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
   }
 
   /** Figures of the last frame. */
@@ -356,7 +356,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
 
   /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */
   async addLazyMicroShaders(): Promise<void> {
-    return warmUpCode.load().then((code) => code.addLazyMicroShaders(this.microshaders));
+    return warmUpCode.load().then((code) => code.addLazyMicroShaders(this.microshaders, lazyCode));
   }
 
   /**
@@ -373,7 +373,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    return warmUpCode.load().then((code) => code.compileByDrawing(this, scene, camera));
+    const find = () => this.finder.find(scene, camera, this.lightLayers);
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, this.last.lacking, find, scene, camera));
   }
 
   /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */

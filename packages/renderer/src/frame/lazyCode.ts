@@ -1,3 +1,4 @@
+import { lightFieldMade } from '../light-field/lightFieldMade';
 import { Lazy } from './Lazy';
 
 /** Shadow maps, cookies, photometric profiles and light layers. */
@@ -21,6 +22,7 @@ export const lightFieldCode = new Lazy(
   () => import('../lazy/light-fields'),
   'their lights light nothing',
 );
+lightFieldMade.tell = () => lightFieldCode.ask();
 
 /** Lights at the vertices. */
 export const gouraudCode = new Lazy('gouraud', () => import('../lazy/gouraud'), 'light is in pixels');

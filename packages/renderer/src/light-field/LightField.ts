@@ -1,6 +1,6 @@
 import { Light } from 'three';
-import { lightFieldCode } from '../frame/lazyCode';
 import { LightArray } from './LightArray';
+import { lightFieldMade } from './lightFieldMade';
 import type { LightTextures } from './LightTextures';
 
 /** What a LightField can be made with. */
@@ -65,7 +65,7 @@ export class LightField extends Light {
     this.spheres = new LightArray(room);
     this.emissions = new LightArray(room);
     this.cones = spots ? new LightArray(room) : null;
-    lightFieldCode.ask();
+    lightFieldMade.tell();
   }
 
   /**

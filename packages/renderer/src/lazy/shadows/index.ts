@@ -14,7 +14,6 @@ import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
 import hostShadowMap from './draw/hostShadowMap.glsl?raw';
 import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
-import type { SceneDraws } from '../../SceneDraws';
 import { ShadowMapCalls } from './draw/ShadowMapCalls';
 
 /** The microshaders of shadows, by name. */
@@ -36,6 +35,11 @@ export const microShaders = {
 /** How materials that show nothing but shadows are recognised and drawn. */
 const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
 
+/** Runs work as a pass of the frame, of this name in its figures. */
+interface PassRunner {
+  run(name: string, work: () => void): void;
+}
+
 /** Texels a side of the smallest atlas of depths. */
 const SMALLEST_ATLAS = 512;
 
@@ -43,7 +47,7 @@ const SMALLEST_ATLAS = 512;
  * Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders.
  * @param limit of the atlas of depths, texels a side; default: by the pictures that are drawn
  */
-export function makeShadowMaps(frame: Frame, draws: SceneDraws, limit?: number): ShadowMaps {
+export function makeShadowMaps(frame: Frame, draws: PassRunner, limit?: number): ShadowMaps {
   const { webgl, microshaders, queue } = frame;
   addMicroShaders(microshaders, 'shadows', microShaders);
   const shadows = new ShadowMaps(webgl, microshaders, limit === undefined ? null : Math.max(SMALLEST_ATLAS, limit));

@@ -1,21 +1,36 @@
-import { type Camera, type Object3D, WebGLRenderTarget } from 'three';
-import type { FarolRenderer } from '../../FarolRenderer';
+import { type Camera, type Object3D, type WebGLRenderer, WebGLRenderTarget } from 'three';
 import { Lazy } from '../../frame/Lazy';
 import { programsOf } from '../../three/WaitingPrograms';
 
 const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
 
+/** A FarolRenderer as {@link compileByDrawing} sees it. */
+export interface Compiled {
+  readonly webgl: WebGLRenderer;
+  readonly techniques: Readonly<Record<string, { readonly lazy?: Lazy<object> }>>;
+  readonly technique: string;
+  render(scene: Object3D, camera: Camera): void;
+}
+
 /**
  * Fetches the code that a frame of the scene asks for, draws one pixel, which starts the compilation of everything the scene
  * needs, then waits until the device is done.
+ *
+ * @param lacking parts of the code that the last frame of `farol` lacked
+ * @param findLights looks for lights as a frame does
  * @throws Error when code cannot be fetched
  */
-export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, camera: Camera): Promise<void> {
-  const { lacking } = farol['last'];
+export async function compileByDrawing(
+  farol: Compiled,
+  lacking: ReadonlySet<Lazy<object>>,
+  findLights: () => void,
+  scene: Object3D,
+  camera: Camera,
+): Promise<void> {
   const outer = Lazy.lacking;
   const asked = (Lazy.lacking = new Set());
   // most code is asked for by lights; a frame without it would compile in vain
-  farol['finder'].find(scene, camera, farol.lightLayers);
+  findLights();
   Lazy.lacking = outer;
   await Promise.all([load(asked), farol.techniques[farol.technique].lazy?.load()]);
   drawOnePixel(farol, scene, camera);
@@ -29,7 +44,7 @@ export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, ca
 }
 
 /** Draws a scene to a target of one pixel. */
-export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
+export function drawOnePixel(farol: Pick<Compiled, 'webgl' | 'render'>, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();

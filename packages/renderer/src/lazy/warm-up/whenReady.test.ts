@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { FarolRenderer } from '../../FarolRenderer';
 import { LastFrame } from '../../frame/LastFrame';
 import { Lazy } from '../../frame/Lazy';
 import { whenReady } from './whenReady';
@@ -24,7 +23,7 @@ class FakeRenderer {
   /** Notes what becomes of a promise. */
   wait(): { state: string } {
     const seen = { state: 'waits' };
-    whenReady(this as unknown as FarolRenderer).then(
+    whenReady(this.last, this.picker, () => this.disposed).then(
       () => (seen.state = 'ready'),
       (error: Error) => (seen.state = error.message),
     );

@@ -1,15 +1,17 @@
-import type { FarolRenderer } from '../../FarolRenderer';
+import type { LastFrame } from '../../frame/LastFrame';
 
 /**
  * Fulfilled when the last frame lacked no code and no change of technique is under way: at once where that is so, else
  * after a frame of the host's.
  * @throws Error when code cannot be fetched, or the renderer is disposed
  */
-export async function whenReady(farol: FarolRenderer): Promise<void> {
-  const last = farol['last'];
-  const picker = farol['picker'];
+export async function whenReady(
+  last: LastFrame,
+  picker: { readonly isChanging: boolean },
+  isDisposed: () => boolean,
+): Promise<void> {
   for (;;) {
-    if (farol['disposed'])
+    if (isDisposed())
       throw new Error('Farol: the renderer was disposed before it was ready; make a new FarolRenderer.');
     const isComplete = last.isDrawn && last.lacking.size === 0;
     if (isComplete && !picker.isChanging) return;
