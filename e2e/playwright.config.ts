@@ -21,6 +21,7 @@ const leftOut = [...(isWhole ? [] : ['@verify']), gpu ? '@software' : '@gpu'];
 
 export default defineConfig({
   testDir: '.',
+  testMatch: '**/*.spec.ts',
   testIgnore: [
     'packages/**', // by a configuration of its own
     ...(process.env.FAROL_MODELS ? [] : ['models/**']), // by `npm run agree`: glTF models of a folder

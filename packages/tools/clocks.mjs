@@ -93,7 +93,6 @@ function isOfVerify(node, textOf) {
  */
 export const clockLimits = [
   { file: 'e2e/support/loseContext.ts', most: 1, reason: 'WebGL restores a context in a later task than its loss' },
-  { file: 'e2e/render/losses.spec.ts', most: 1, reason: 'the event of a lost context comes in a later task' },
   { file: 'e2e/editor/commands.spec.ts', most: 1, reason: 'the panels are drawn in a task of their own' },
   { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws: used on a GPU alone' },
   { file: 'e2e/editor/assets.spec.ts', most: 4, reason: 'the longest wait of the page for its turn' },
