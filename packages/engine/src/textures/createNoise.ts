@@ -11,8 +11,9 @@ export function createNoise(cells: number, seed: number): (x: number, y: number)
     const [fx, fy] = [x * cells, y * cells];
     const [ix, iy] = [Math.floor(fx), Math.floor(fy)];
     const [tx, ty] = [ease(fx - ix), ease(fy - iy)];
-    const [x0, x1] = [wrap(ix), wrap(ix + 1)];
-    const [y0, y1] = [wrap(iy) * cells, wrap(iy + 1) * cells];
+    const [column, row] = [wrap(ix), wrap(iy)];
+    const [x0, x1] = [column, column + 1 === cells ? 0 : column + 1];
+    const [y0, y1] = [row * cells, row + 1 === cells ? 0 : (row + 1) * cells];
     const top = lattice[y0 + x0] * (1 - tx) + lattice[y0 + x1] * tx;
     const bottom = lattice[y1 + x0] * (1 - tx) + lattice[y1 + x1] * tx;
     return top * (1 - ty) + bottom * ty;
@@ -27,6 +28,11 @@ export function createFractalNoise(
   gain = 0.5,
 ): (x: number, y: number) => number {
   const layers = Array.from({ length: octaves }, (_, i) => createNoise(cells * 2 ** i, seed + i * 101));
-  const total = layers.reduce((sum, _, i) => sum + gain ** i, 0);
-  return (x, y) => layers.reduce((sum, layer, i) => sum + layer(x, y) * gain ** i, 0) / total;
+  const weights = layers.map((_, i) => gain ** i);
+  const total = weights.reduce((sum, weight) => sum + weight, 0);
+  return (x, y) => {
+    let sum = 0;
+    for (let i = 0; i < octaves; i++) sum += layers[i](x, y) * weights[i];
+    return sum / total;
+  };
 }

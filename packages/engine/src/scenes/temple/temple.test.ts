@@ -1,9 +1,12 @@
 import { expect, test } from 'vitest';
+import { AssetLibrary } from '../../assets/AssetLibrary';
 import { Light } from '../../components/Light';
 import { temple } from './temple';
 
+const assets = new AssetLibrary();
+
 const places = async (time: number, seed = 1): Promise<number[]> => {
-  const scene = await temple(7, { seed });
+  const scene = await temple(7, { seed, assets });
   scene.setTime(time);
   scene.three.updateMatrixWorld();
   const result = scene.componentsOf(Light).flatMap((light) => light.position.toArray());
