@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
 import type { AssetLibrary, Scene } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
+import type { Prefab } from '@farol/engine/prefabs';
 import type { Texture } from 'three';
 import { canRename, splitName } from '../model/assetNames';
 
@@ -41,15 +42,20 @@ export const kindLabel = (kind: AssetKind, isMany = false): string =>
     bake: t('Baked light'),
   })[kind];
 
-/** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab */
+const shared = { folder: '', isVariant: false, isBuiltin: false };
+
+function prefabEntry({ id, name }: Prefab): AssetEntry {
+  const { folder, leaf } = splitName(name);
+  return { ...shared, kind: 'prefab', name: id, folder, label: leaf };
+}
+
+/** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab, which goes first */
 export function assetEntry(scene: Scene, name: string): AssetEntry | null {
-  const { assets } = scene;
   const prefab = scene.prefabs.get(name);
-  const shared = { name, folder: '', isVariant: false, isBuiltin: false };
-  if (prefab) {
-    const place = splitName(prefab.name);
-    return { ...shared, kind: 'prefab', folder: place.folder, label: place.leaf };
-  }
+  return prefab ? prefabEntry(prefab) : libraryEntry(scene.assets, name);
+}
+
+function libraryEntry(assets: AssetLibrary, name: string): AssetEntry | null {
   const kind = assets.typeOf(name);
   if (!kind) return null;
   const { folder, leaf } = canRename(assets, name) ? splitName(name) : { folder: '', leaf: name };
@@ -57,6 +63,7 @@ export function assetEntry(scene: Scene, name: string): AssetEntry | null {
   return {
     ...shared,
     kind,
+    name,
     folder: isPart ? splitName(assets.modelOf(name)!).folder : folder,
     label: isPart ? splitName(name).leaf : leaf,
     isBuiltin: assets.isBuiltin(name),
@@ -67,10 +74,9 @@ export function assetEntry(scene: Scene, name: string): AssetEntry | null {
 /** Everything that can be used in a scene: its own first, parts of models after them. */
 export function assetEntries(scene: Scene): AssetEntry[] {
   const { assets } = scene;
-  const names = [...scene.prefabs.list.map(({ id }) => id), ...assets.list()];
   const pictures = new Set<unknown>();
-  const entries = names.flatMap((name): AssetEntry[] => {
-    const entry = assetEntry(scene, name);
+  const entries = assets.list().flatMap((name): AssetEntry[] => {
+    const entry = libraryEntry(assets, name);
     if (!entry) return [];
     const picture = pictureOf(assets, entry);
     if (picture === null) return [entry];
@@ -78,11 +84,8 @@ export function assetEntries(scene: Scene): AssetEntry[] {
     pictures.add(picture);
     return [isTwice ? { ...entry, isVariant: true } : entry];
   });
-  const rank = ({ kind, name, isBuiltin }: AssetEntry): number => {
-    if (kind === 'prefab') return -1;
-    return isBuiltin ? 2 : assets.modelOf(name) ? 1 : 0;
-  };
-  return entries.toSorted((a, b) => rank(a) - rank(b));
+  const rank = ({ name, isBuiltin }: AssetEntry): number => (isBuiltin ? 2 : assets.modelOf(name) ? 1 : 0);
+  return [...scene.prefabs.list.map(prefabEntry), ...entries.toSorted((a, b) => rank(a) - rank(b))];
 }
 
 /** A built-in texture of another size than the usual one: 'stone@512'. */
