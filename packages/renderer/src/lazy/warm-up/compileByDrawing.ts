@@ -1,6 +1,7 @@
 import { type Camera, type Object3D, WebGLRenderTarget } from 'three';
 import type { FarolRenderer } from '../../FarolRenderer';
 import { Lazy } from '../../frame/Lazy';
+import { setDrawnAsCanvas } from '../../three/drawnAsCanvas';
 import { programsOf } from '../../three/WaitingPrograms';
 
 const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
@@ -28,13 +29,17 @@ export async function compileByDrawing(farol: FarolRenderer, scene: Object3D, ca
   }
 }
 
-/** Draws a scene to a target of one pixel. */
+/** Draws a scene to a target of one pixel, by the programs that draw it to the current target. */
 export function drawOnePixel(farol: FarolRenderer, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();
   const level = webgl.getActiveMipmapLevel();
   const target = new WebGLRenderTarget(1, 1);
+  if (before === null) {
+    setDrawnAsCanvas(target, true);
+    target.texture.colorSpace = webgl.outputColorSpace;
+  }
   webgl.setRenderTarget(target);
   try {
     farol.render(scene, camera);
