@@ -146,6 +146,19 @@ export class LateCase {
     return this.bench.farol.info.pending;
   }
 
+  /** Draws a frame to the canvas after `compileAsync`. @returns what is pending then, and how many programs it compiled */
+  async drawCompiled(): Promise<{ pending: readonly string[]; programs: number }> {
+    const { farol, webgl } = this.bench;
+    const { scene, camera } = this.made;
+    await farol.compileAsync(scene, camera);
+    const before = new Set(webgl.info.programs);
+    farol.render(scene, camera);
+    const { pending } = farol.info;
+    const programs = webgl.info.programs!.filter((program) => !before.has(program)).length;
+    this.dispose();
+    return { pending, programs };
+  }
+
   /** Draws no frame but those that the renderer asks for. @returns fulfilled when the picture is as it stays */
   async wait(): Promise<void> {
     await this.bench.farol.ready;

@@ -69,6 +69,36 @@ for (const [turns, title] of [
   });
 }
 
+test('after compileAsync the first frame on the canvas lacks no code and compiles nothing, whatever part it needs', async ({
+  page,
+  pagesURL,
+}) => {
+  await openLazy(page, pagesURL);
+  const results = await page.evaluate(async () => {
+    const { farol, LateCase } = window.testPage;
+    const results: [string, { pending: readonly string[]; programs: number }][] = [];
+    for (const part of farol.FarolRenderer.parts) results.push([part, await (await LateCase.of(part)).drawCompiled()]);
+    return results;
+  });
+  for (const [part, frame] of results) expect.soft(frame, part).toEqual({ pending: [], programs: 0 });
+});
+
+test('what will need code has it fetched before the first frame', async ({ page, pagesURL }) => {
+  await openLazy(page, pagesURL);
+  const needs = ['a technique', 'a view', 'a LightField', 'an area light'] as const;
+  for (const need of needs) {
+    const fetched = page.waitForRequest('**/*');
+    await page.evaluate((need) => {
+      const { Bench, farol, lightFields, three } = window.testPage;
+      if (need === 'a technique') new Bench(8, 8).farol.technique = 'forward';
+      if (need === 'a view') new Bench(8, 8).farol.view = 'normal';
+      if (need === 'a LightField') new lightFields.LightField(1);
+      if (need === 'an area light') farol.setAreaLightShape(new three.RectAreaLight(), 'disc');
+    }, need);
+    await fetched;
+  }
+});
+
 test('shadow maps that are asked for once are drawn also where their code comes after three has taken the request back', async ({
   page,
   pagesURL,

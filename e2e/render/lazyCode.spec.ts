@@ -51,34 +51,84 @@ test('before lazy code is there three draws the shadows and deferred shading the
   }
 });
 
-test('a page that was offline gets its shadows when it is online again, with one warning meanwhile', async ({
+test('a page that was offline gets its shadows when it is online again, with one warning meanwhile, and ready says so', async ({
   page,
   pagesURL,
   watch,
 }) => {
   await page.goto(`${pagesURL}?lazy`);
   await page.waitForFunction(() => 'testPage' in window);
-  await page.evaluate(() => {
-    const { Bench, shadowScene } = window.testPage;
+  await page.evaluate(async () => {
+    const { Bench, farol, shadowScene } = window.testPage;
     const bench = new Bench(64, 48);
     bench.webgl.shadowMap.enabled = true;
     const { scene, camera } = shadowScene(64, 48, { caster: 'spot' });
+    await farol.FarolRenderer.preload(['warm-up']);
     const maps = () => {
       bench.byTechnique('forward-single-pass', scene, camera);
       const { drawn, kept } = bench.farol.info.shadows;
       return drawn + kept;
     };
-    Object.assign(window, { maps });
+    const ready = () =>
+      bench.farol.ready.then(
+        () => 'ready',
+        (error: Error) => error.message,
+      );
+    Object.assign(window, { maps, ready });
   });
   const maps = () => page.evaluate(() => (window as unknown as { maps(): number }).maps());
+  const ready = () => page.evaluate(() => (window as unknown as { ready(): Promise<string> }).ready());
   await page.context().setOffline(true);
   expect(await maps()).toBe(0);
   await expect.poll(() => watch.problems.filter((problem) => problem.includes('the code of shadows')).length).toBe(1);
   expect(await maps()).toBe(0);
+  expect(await ready()).toMatch(/the code of shadows cannot be fetched.*Serve the files of @farol\/renderer together/);
   await page.context().setOffline(false);
   await expect.poll(maps).toBe(2);
+  expect(await ready()).toBe('ready');
   watch.forgive(/ERR_INTERNET_DISCONNECTED/);
   expect(watch.forgive(/console warning: Farol: the code of shadows cannot be fetched; .* three draws shadows/)).toBe(
     1,
   );
+});
+
+test('ready waits for the first frame, and for one after a lost context; a renderer that is disposed rejects it', async ({
+  benchPage: page,
+  watch,
+}) => {
+  const seen = await page.evaluate(async () => {
+    const { Bench, shadowScene } = window.testPage;
+    const bench = new Bench(32, 24);
+    const { farol } = bench;
+    const { scene, camera } = shadowScene(32, 24, { caster: 'spot' });
+    const draw = () => bench.byTechnique('deferred', scene, camera);
+    const steps: string[] = [];
+    const wait = (name: string) =>
+      farol.ready.then(
+        () => steps.push(`${name}: ready`),
+        (error: Error) => steps.push(`${name}: ${error.message}`),
+      );
+    const first = wait('first');
+    steps.push('draws');
+    draw();
+    await first;
+    await wait('at rest');
+    await bench.loseContext();
+    const restored = wait('restored');
+    steps.push('draws again');
+    draw();
+    await restored;
+    farol.dispose();
+    await wait('disposed');
+    return steps;
+  });
+  expect(watch.forgive(/a WebGL context was lost|Context Lost|Context Restored/i)).toBeGreaterThan(0);
+  expect(seen).toEqual([
+    'draws',
+    'first: ready',
+    'at rest: ready',
+    'draws again',
+    'restored: ready',
+    'disposed: Farol: the renderer was disposed before it was ready; make a new FarolRenderer.',
+  ]);
 });

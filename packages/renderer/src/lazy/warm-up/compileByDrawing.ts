@@ -1,5 +1,6 @@
 import { type Camera, type Object3D, type WebGLRenderer, WebGLRenderTarget } from 'three';
 import { Lazy } from '../../frame/Lazy';
+import { setDrawnAsCanvas } from '../../three/drawnAsCanvas';
 import { programsOf } from '../../three/WaitingPrograms';
 
 const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
@@ -43,13 +44,17 @@ export async function compileByDrawing(
   }
 }
 
-/** Draws a scene to a target of one pixel. */
+/** Draws a scene to a target of one pixel, by the programs that draw it to the current target. */
 export function drawOnePixel(farol: Pick<Compiled, 'webgl' | 'render'>, scene: Object3D, camera: Camera): void {
   const { webgl } = farol;
   const before = webgl.getRenderTarget();
   const face = webgl.getActiveCubeFace();
   const level = webgl.getActiveMipmapLevel();
   const target = new WebGLRenderTarget(1, 1);
+  if (before === null) {
+    setDrawnAsCanvas(target, true);
+    target.texture.colorSpace = webgl.outputColorSpace;
+  }
   webgl.setRenderTarget(target);
   try {
     farol.render(scene, camera);
