@@ -32,7 +32,6 @@ export default defineConfig(({ command }) => ({
       'three/addons/lights/RectAreaLightTexturesLib.js',
       'three/addons/loaders/EXRLoader.js',
       'three/addons/loaders/GLTFLoader.js',
-      'three/addons/loaders/HDRLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       'three/addons/loaders/MTLLoader.js',
       'three/addons/loaders/STLLoader.js',

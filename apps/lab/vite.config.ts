@@ -28,7 +28,6 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/DRACOLoader.js',
       'three/addons/loaders/EXRLoader.js',
       'three/addons/loaders/GLTFLoader.js',
-      'three/addons/loaders/HDRLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       'three/webgpu',
     ],

@@ -1,4 +1,4 @@
-import { makeKTX2Loader } from '@farol/engine/files';
+import { makeKTX2Loader, showWhole } from '@farol/engine/files';
 import type { LoadingManager, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
@@ -14,7 +14,7 @@ export async function createLoader(
   manager: LoadingManager,
   renderer: WebGLRenderer,
 ): Promise<{ loader: GLTFLoader; dispose: () => void }> {
-  const loader = new GLTFLoader(manager);
+  const loader = new GLTFLoader(manager).register(showWhole);
   const disposables: { dispose(): unknown }[] = [];
   if (extensions.includes('KHR_draco_mesh_compression')) {
     const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js');

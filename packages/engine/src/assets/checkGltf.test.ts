@@ -249,9 +249,23 @@ describe('what is wrong with a model is said in one sentence before memory is ta
     await expect(checkModel(scene)).rejects.toThrow(/a mesh reaches beyond/);
   });
 
+  test('a file without scenes is all of its nodes, or its meshes', async () => {
+    const json = plain();
+    json.nodes = [{ name: 'Below' }, { name: 'Wall', mesh: 0, children: [0] }, { name: 'Beside' }];
+    delete json.scene;
+    for (const scenes of [undefined, []]) {
+      const { scene } = await readModel(glb({ ...json, scenes }));
+      expect(scene.children.map(({ name }) => name)).toEqual(['Wall', 'Beside']);
+      expect(scene.children[0].children.map(({ name }) => name)).toContain('Below');
+    }
+    const alone = await readModel(glb({ ...plain(), scene: undefined, scenes: undefined, nodes: undefined }));
+    expect(alone.scene.children).toHaveLength(1);
+    expect((await readModel(glb({ asset: { version: '2.0' } }))).scene.children).toEqual([]);
+  });
+
   test('what an engine or a loader throws', () => {
     expect(modelError(new TypeError("Cannot read properties of undefined (reading 'count')")).message).toBe(
-      'its glTF data are damaged or cut short (something in it is missing, or of another kind than glTF says): export it again.',
+      "three's loader cannot read it (Cannot read properties of undefined (reading 'count')): export it again.",
     );
     expect(modelError(new Error('THREE.GLTFLoader: Unsupported asset.')).message).toMatch(/\(Unsupported asset\.\)/);
     expect(modelError(new Error('x'.repeat(1e6))).message.length).toBeLessThan(300);

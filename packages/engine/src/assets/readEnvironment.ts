@@ -1,24 +1,23 @@
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
 import { shortText } from '@farol/renderer';
 import { checkExr } from '../exr/checkExr';
-import { checkPixels, imageSize, PixelsError } from './imageSize';
+import { PixelsError } from './imageSize';
+import { readHdr } from './readHdr';
+
+async function readExr(bytes: ArrayBuffer): Promise<Texture> {
+  const { EXRLoader } = await import('three/addons/loaders/EXRLoader.js');
+  await checkExr(bytes);
+  return new EXRLoader().createDataTexture(bytes);
+}
 
 /**
  * Reads an equirectangular picture of linear light. The loader is fetched when it is first needed.
  * @throws Error that says what is wrong with the bytes
  */
 export async function readEnvironment(bytes: ArrayBuffer, format: 'HDR' | 'EXR'): Promise<Texture> {
-  const loader =
-    format === 'HDR'
-      ? new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader()
-      : new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader();
   let texture: Texture;
-  const size = imageSize(new Uint8Array(bytes));
-  if (size) checkPixels(size.width, size.height);
   try {
-    if (format === 'EXR') await checkExr(bytes);
-    else if (!size) throw new Error('its header says no size');
-    texture = loader.createDataTexture(bytes);
+    texture = format === 'EXR' ? await readExr(bytes) : readHdr(new Uint8Array(bytes));
   } catch (cause) {
     if (cause instanceof PixelsError) throw cause;
     const reason = cause instanceof Error ? shortText(cause.message.replace(/^THREE\.\w+:\s*/, ''), 160) : '';

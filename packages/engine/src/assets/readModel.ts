@@ -1,6 +1,6 @@
 import { shortText } from '@farol/renderer';
 import type { WebGLRenderer } from 'three';
-import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import type { GLTFLoader, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';
 import type { ReadOptions } from './loadAsset';
@@ -17,7 +17,7 @@ async function loaderFor(
   renderer: WebGLRenderer | null,
 ): Promise<{ loader: GLTFLoader; dispose(): void }> {
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-  const loader = new GLTFLoader();
+  const loader = new GLTFLoader().register(showWhole);
   const disposables: { dispose(): unknown }[] = [];
   if (extensions.includes('KHR_texture_basisu')) {
     if (!renderer) throw new Error('it has KTX2 textures: give the AssetLibrary the renderer that draws them.');
@@ -98,13 +98,35 @@ export function checkModelFile(
   return pictures;
 }
 
+/** For `loader.register`: a file without scenes, which glTF allows, is shown as all that it holds. @see glTF 2.0, 3.5.1 */
+export function showWhole({ json }: GLTFParser): { name: string } {
+  const content = json as GltfContent;
+  const { meshes = [], scenes = [] } = content;
+  if (scenes.length === 0) {
+    content.nodes ??= meshes.map((_, mesh) => ({ mesh }));
+    const { nodes } = content;
+    const below = new Set(nodes.flatMap(({ children = [] }) => children));
+    json.scenes = [{ nodes: nodes.flatMap((_, i) => (below.has(i) ? [] : [i])) }];
+    json.scene = 0;
+  }
+  return { name: 'FAROL_whole_file' };
+}
+
+/** What a glTF shows. */
+interface GltfContent {
+  readonly meshes?: readonly object[];
+  readonly scenes?: readonly object[];
+  nodes?: readonly { readonly mesh?: number; readonly children?: readonly number[] }[];
+}
+
 /** What a loader threw, as one sentence on the file. */
 export function modelError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   if (cause instanceof Error && said.endsWith(' export it again.')) return cause;
-  // what an engine says of a value that is not there tells a user nothing
+  const reason = shortText(said, 160);
+  // three has come upon what it does not expect; whether the file is to blame is not known, since it passed the checks
   const isRaw = cause instanceof TypeError || cause instanceof RangeError;
-  const reason = isRaw ? 'something in it is missing, or of another kind than glTF says' : shortText(said, 160);
+  if (isRaw) return new Error(`three's loader cannot read it (${reason}): export it again.`, { cause });
   return new Error(`its glTF data are damaged or cut short (${reason}): export it again.`, { cause });
 }
 

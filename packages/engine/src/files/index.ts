@@ -34,4 +34,4 @@ export { packIES } from './packIES';
 export { packFbx } from './packFbx';
 export { packObj } from './packObj';
 export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
-export { checkModelFile, modelError } from '../assets/readModel';
+export { checkModelFile, modelError, showWhole } from '../assets/readModel';

@@ -26,6 +26,8 @@ export const engine: MessageTable = {
   'it begins as {format}, and is damaged or cut short': 'empieza como {format}, y está dañado o cortado',
   'its glTF data are damaged or cut short ({reason}): export it again.':
     'sus datos glTF están dañados o cortados ({reason}): hay que exportarlo de nuevo.',
+  "three's loader cannot read it ({reason}): export it again.":
+    'el cargador de three no puede leerlo ({reason}): hay que exportarlo de nuevo.',
   'its FBX data cannot be read ({reason}): export it again as FBX 7.4, or as glTF.':
     'sus datos FBX no se pueden leer ({reason}): hay que exportarlo de nuevo como FBX 7.4, o como glTF.',
   'it is cut short: its header says {length} bytes, and it has {found}.':

@@ -63,6 +63,8 @@ endsolid square
 it.each([
   ['binary', binaryStl(square)],
   ['text', textStl],
+  ['Text', textStl.replace('solid', 'Solid')],
+  ['TEXT', `\n${textStl.toUpperCase()}`],
 ])('a %s STL becomes a mesh of shared vertices with normals', async (_, content) => {
   const { json, notes, vertices, indices, floats } = await pack('Part.STL', content);
   expect([vertices, indices]).toEqual([4, 6]);

@@ -341,6 +341,20 @@ describe('a material of an MTL file', () => {
     expect(map).toEqual({ path: 'my map -o.png', scale: [4, 1], offset: [0, 0], isClamped: false, bump: 2 });
     expect(parseMtlMap('-bm 2')).toBeUndefined();
   });
+
+  it('reads options that stand after the name, and leaves names that look like some', () => {
+    expect(parseMtlMap('x.png -bm 0.5')).toMatchObject({ path: 'x.png', bump: 0.5 });
+    expect(parseMtlMap('-s 2 2 my x.png -clamp on -o 0.5 -BM 3')).toEqual({
+      path: 'my x.png',
+      scale: [2, 2],
+      offset: [0.5, 0],
+      isClamped: true,
+      bump: 3,
+    });
+    expect(parseMtlMap('"a b.png" -t 1 1 1 -imfchan r')).toMatchObject({ path: 'a b.png' });
+    for (const path of ['a -bm.png', 'a -s 2.png', 'a -bm x', 'a -clamp maybe', 'a -s', 'a -type of.png'])
+      expect(parseMtlMap(path)).toMatchObject({ path, bump: 1, scale: [1, 1] });
+  });
 });
 
 describe('pictures', () => {

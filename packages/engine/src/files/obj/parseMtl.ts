@@ -57,14 +57,23 @@ const optionLengths: Readonly<Record<string, number>> = {
   '-type': 1,
 };
 
+/** Options whose one value is a word. */
+const wordValues: Readonly<Record<string, RegExp>> = {
+  '-blendu': /^(on|off)$/i,
+  '-blendv': /^(on|off)$/i,
+  '-cc': /^(on|off)$/i,
+  '-clamp': /^(on|off)$/i,
+  '-imfchan': /^[rgbmlz]$/i,
+  '-type': /^(sphere|cube_\w+)$/i,
+};
+
+const isOption = (word: string | undefined): boolean => Object.hasOwn(optionLengths, word?.toLowerCase() ?? '');
 const isNumber = (word: string | undefined): word is string => word !== undefined && /^[-+]?[\d.]/.test(word);
 
-/** Reads what follows `map_Kd` and the like: options, then a path, which may have blanks in it. */
-export function parseMtlMap(text: string): MtlMap | undefined {
-  const words = text.trim().split(/\s+/);
-  const options = new Map<string, string[]>();
-  let at = 0;
-  while (Object.hasOwn(optionLengths, words[at]?.toLowerCase() ?? '')) {
+/** Reads options from words on into `options`. @returns the place after them */
+function readOptions(words: readonly string[], from: number, options: Map<string, string[]>): number {
+  let at = from;
+  while (isOption(words[at])) {
     const name = words[at++].toLowerCase();
     const most = optionLengths[name];
     const values: string[] = [];
@@ -72,9 +81,41 @@ export function parseMtlMap(text: string): MtlMap | undefined {
     else while (values.length < most && isNumber(words[at])) values.push(words[at++]);
     options.set(name, values);
   }
+  return at;
+}
+
+/** Whether values are what an option takes, and so no part of a name that looks like one. */
+function areValues(name: string, values: readonly string[]): boolean {
+  const word = wordValues[name];
+  if (word) return word.test(values[0]);
+  return values.length > 0 && values.every((value) => value !== '' && Number.isFinite(Number(value)));
+}
+
+/** Words at the end of a line among which options are looked for: twice as many as all options can take. */
+const TRAILING = 64;
+
+/** The options at the end of some words, where programs write them too. @returns the place of the first; the end for none */
+function trailingOptions(words: readonly string[], from: number, options: Map<string, string[]>): number {
+  for (let start = Math.max(from, words.length - TRAILING); start < words.length; start++) {
+    const found = new Map<string, string[]>();
+    if (readOptions(words, start, found) !== words.length) continue;
+    if (![...found].every(([name, values]) => areValues(name, values))) continue;
+    for (const [name, values] of found) options.set(name, values);
+    return start;
+  }
+  return words.length;
+}
+
+/** Reads what follows `map_Kd` and the like: options, then a path, which may have blanks in it, then options again. */
+export function parseMtlMap(text: string): MtlMap | undefined {
+  const words = text.trim().split(/\s+/);
+  const options = new Map<string, string[]>();
+  const from = readOptions(words, 0, options);
+  const to = trailingOptions(words, from + 1, options);
   // blanks within the path as they are
   let path = text.trim();
-  for (let i = 0; i < at; i++) path = path.replace(/^\S+\s*/, '');
+  for (let i = 0; i < from; i++) path = path.replace(/^\S+\s*/, '');
+  for (const word of words.slice(to).toReversed()) path = path.slice(0, -word.length).trimEnd();
   path = path.replace(/^"(.*)"$/, '$1');
   if (!path) return undefined;
   const pair = (name: string, otherwise: number): [number, number] => {

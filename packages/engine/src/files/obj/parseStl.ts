@@ -10,7 +10,7 @@ import type { ObjFile } from './parseObj';
 const HEADER = 84;
 const FACET = 50;
 
-const isText = (bytes: Uint8Array): boolean => /^\W{0,5}solid/.test(String.fromCharCode(...bytes.subarray(0, 16)));
+const isText = (bytes: Uint8Array): boolean => /^\W{0,5}solid/i.test(String.fromCharCode(...bytes.subarray(0, 16)));
 
 /** Lines from one step to the next: about a millisecond of work. */
 const STEP = 4096;
