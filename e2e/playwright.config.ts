@@ -1,5 +1,5 @@
 import { availableParallelism } from 'node:os';
-import { extent, isWhole } from '@farol/tools/extent';
+import { byExtent, extent, isWhole } from '@farol/tools/extent';
 import { findBrowser } from '@farol/tools/findBrowser';
 import { gpuFlags, softwareFlags } from '@farol/tools/browserFlags';
 import { defineConfig } from '@playwright/test';
@@ -17,7 +17,7 @@ if (!browser) throw new Error('No Chromium found: run npm test once, which insta
 const gpu = Boolean(process.env.FAROL_GPU);
 
 /** Tags of the tests that this run leaves out. */
-const leftOut = [...(isWhole ? [] : ['@verify']), gpu ? '@software' : '@gpu'];
+const leftOut = [...byExtent({ slice: ['@verify', '@long'], verify: ['@long'], long: [] }), gpu ? '@software' : '@gpu'];
 
 export default defineConfig({
   testDir: '.',

@@ -1,5 +1,5 @@
 import { findBrowser } from '@farol/tools/findBrowser';
-import { softwareFlags } from '@farol/tools/browserFlags';
+import { gpuFlags, softwareFlags } from '@farol/tools/browserFlags';
 import { defineConfig } from '@playwright/test';
 
 /** Tests of the packages as a stranger gets them: packed, and installed into a folder beside three alone. */
@@ -20,6 +20,6 @@ export default defineConfig({
     viewport: { width: 640, height: 360 },
     trace: 'off',
     video: 'off',
-    launchOptions: { executablePath: browser.path, args: [...softwareFlags] },
+    launchOptions: { executablePath: browser.path, args: [...(process.env.FAROL_GPU ? gpuFlags : softwareFlags)] },
   },
 });

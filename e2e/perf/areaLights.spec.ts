@@ -5,12 +5,13 @@ import { expect, test } from './perfTest';
  * What area lights cost beside as many point lights of the same reach: 1,000 of them at 1280 × 720 on a GPU, where the
  * figures mean something, fewer in a small picture on the software rasteriser, where only what is far off is held:
  *
- * FAROL_GPU=1 npx playwright test -c e2e/playwright.config.ts e2e/perf/areaLights.spec.ts
+ * FAROL_GPU=1 FAROL_TESTS=long npm run e2e -- perf/areaLights --workers=1
  */
 const onGpu = Boolean(process.env.FAROL_GPU);
 const most = onGpu ? 4 : 8;
 
-test('rectangle lights cost a few times what point lights of the same reach cost', async ({ page }) => {
+const when = onGpu ? '@long' : '@verify';
+test(`rectangle lights cost a few times what point lights of the same reach cost ${when}`, async ({ page }) => {
   test.setTimeout(300_000);
   const size = onGpu
     ? { lights: 1000, width: 1280, height: 720, rounds: 15, frames: 8, gpuTimes: true }

@@ -55,7 +55,7 @@ function frameOf(rows: readonly Measured[], competitor: string, index = 0): numb
 const times = (rows: readonly Measured[], slow: string, fast: string, index: number): number =>
   frameOf(rows, slow, index) / frameOf(rows, fast, index);
 
-test('many lights cost stock three and a naive multipass many times what they cost by lists and rectangles', async ({
+test('many lights cost stock three and a naive multipass many times what they cost by lists and rectangles @verify @software', async ({
   page,
 }) => {
   const rows = await measure(
@@ -79,7 +79,7 @@ test('many lights cost stock three and a naive multipass many times what they co
   }
 });
 
-test.describe('on a graphics card @gpu', () => {
+test.describe('on a graphics card @gpu @long', () => {
   const lights = [10, 100, 500];
 
   test('forward falls behind deferred as in the thesis', async ({ page }) => {

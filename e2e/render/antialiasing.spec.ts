@@ -12,7 +12,7 @@ function note(figures: Figures): void {
   test.info().annotations.push({ type: 'anti-aliasing', description: text.join(', ') });
 }
 
-test('as stock three with 4 samples are the forward techniques in a multisampled target, and deferred shading by MultisampledEdges', async ({
+test('as stock three with 4 samples are the forward techniques in a multisampled target, and deferred shading by MultisampledEdges @software', async ({
   benchPage: page,
 }) => {
   const { figures, apart, stays, green, drawn } = await page.evaluate(
@@ -163,7 +163,7 @@ test('on a canvas with antialias, forward techniques are as stock three there, a
   }
 });
 
-test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is nearer than 4 samples, and nothing of the past stays', async ({
+test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is nearer than 4 samples, and nothing of the past stays @software', async ({
   benchPage: page,
 }) => {
   const figures = await page.evaluate(
@@ -235,7 +235,7 @@ test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is ne
   expect(figures['TAA, an object flying off']).toBeGreaterThan(38.7);
 });
 
-test('TAA knows the motion of objects, skins, morphs, instances and batches: alone in view, each stays where it is drawn', async ({
+test('TAA knows the motion of objects, skins, morphs, instances and batches: alone in view, each stays where it is drawn @software', async ({
   benchPage: page,
 }) => {
   const figures = await page.evaluate(
