@@ -89,10 +89,28 @@ test('r3f: an effect is put on and taken off, and outlives a Farol that was', as
 });
 
 test('r3f: lights reach only what shares their layers where that is asked for', async ({ page, watch }) => {
+  await page.setViewportSize({ width: 320, height: 180 });
   await page.goto('./examples/r3f/index.html?still&technique=deferred&layers');
   await page.waitForFunction(() => 'example' in window);
   await page.evaluate(() => window.example.ready);
   expect(await page.evaluate(() => window.example.farol.lightLayers)).toBe(true);
+  // three has every light reach everything
+  const all = await drawExample(page, 'three');
+  // the code that tells layers apart is fetched late
+  await expect.poll(async () => compareImages(await drawExample(page, 'deferred'), all).share).toBeGreaterThan(0.3);
+  const layered = await drawExample(page, 'deferred');
+  // the same as without the lanterns of the other layer
+  const hidden = await page.evaluate(() => {
+    let count = 0;
+    window.example.scene!.traverse((object) => {
+      if (!('isPointLight' in object) || object.layers.mask !== 2) return;
+      object.visible = false;
+      count++;
+    });
+    return count;
+  });
+  expect(hidden).toBe(12);
+  expect(compareImages(layered, await drawExample(page, 'three')).psnr).toBeGreaterThan(60);
   watch.forgive(/THREE\.Clock: This module has been deprecated/);
 });
 

@@ -5,12 +5,14 @@ import { Farol } from '@farol/renderer/r3f';
 import { advance, Canvas, useFrame } from '@react-three/fiber';
 import { StrictMode, use, useMemo, useRef, useState } from 'react';
 import { createRoot } from 'react-dom/client';
-import type { Group, Mesh, WebGLRenderer } from 'three';
+import type { Group, Mesh, Scene, WebGLRenderer } from 'three';
 import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
 
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
 const hues = Array.from({ length: 24 }, (_, i) => i * 15);
+/** With `?layers` every other lantern is on layer 1, where nothing is that it could light. */
+const hasLayers = address.has('layers');
 
 /** For the browser tests. */
 const page: {
@@ -18,7 +20,8 @@ const page: {
   suspend(promise: Promise<unknown>): void;
   farol: FarolRenderer | null;
   webgl: WebGLRenderer | null;
-} = { choose: () => {}, suspend: () => {}, farol: null, webgl: null };
+  scene: Scene | null;
+} = { choose: () => {}, suspend: () => {}, farol: null, webgl: null, scene: null };
 const made = new Set<FarolRenderer>();
 
 /** Loads something. */
@@ -39,6 +42,7 @@ function Lanterns() {
           color={`hsl(${hue}, 70%, 60%)`}
           intensity={6}
           distance={5}
+          layers={hasLayers ? i % 2 : 0}
           position={[(2 + (i % 3)) * Math.cos(i), 0.6 + (i % 4) / 2, (2 + (i % 3)) * Math.sin(i)]}
         />
       ))}
@@ -84,8 +88,9 @@ function App() {
         gl={{ antialias: address.has('antialias') }}
         camera={{ position: [0, 3.4, 8.5], fov: 50 }}
         frameloop={still ? 'never' : 'always'}
-        onCreated={({ gl, camera }) => {
-          page.webgl = gl;
+        onCreated={({ gl, scene, camera }) => {
+          Object.assign(page, { webgl: gl, scene });
+          if (hasLayers) camera.layers.enableAll();
           camera.lookAt(0, 1.4, 0);
         }}
       >
@@ -93,7 +98,7 @@ function App() {
           enabled={by !== 'three'}
           effects={effects}
           technique={by === 'three' ? 'auto' : (by satisfies TechniqueName)}
-          lightLayers={address.has('layers')}
+          lightLayers={hasLayers}
           ref={(farol) => {
             page.farol = farol;
             if (farol) made.add(farol);
@@ -132,6 +137,9 @@ window.example = {
   },
   get webgl() {
     return page.webgl!;
+  },
+  get scene() {
+    return page.scene!;
   },
   get made() {
     return made.size;
