@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { checkAgreement } from '../support/agreement';
-import { compareImages, isFlat } from '../support/images';
+import { compareImages, type FloatImage, isFlat } from '../support/images';
 import { inTurn, parts } from '../support/parts';
 import { expect, test, type Watch } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
@@ -38,7 +38,18 @@ const load = (page: Page, scene: string): Promise<number[]> =>
     [scene, few] as const,
   );
 
-/** Every technique draws something in every view, views by turns, without a word from the console. */
+/** Reads a view as the current technique draws it to a float target: past the viewer, which would draw to the canvas too. */
+async function readView(page: Page, view: string): Promise<FloatImage> {
+  await page.evaluate((name) => void (window.viewer.farol.view = name as 'final'), view);
+  const image = await readImage(page);
+  expect(image.width * image.height, 'pixels').toBe(WIDTH * HEIGHT);
+  return image;
+}
+
+/**
+ * Every technique draws something in every view, views by turns, without a word from the console. The views of surfaces are
+ * those of `deferred`: they are drawn by one pass, from a G-buffer of its own, whatever the technique.
+ */
 async function checkViews(page: Page, watch: Watch, scene: string, index: number): Promise<void> {
   const { techniques, views } = await page.evaluate(() => {
     const { techniques, views } = window.viewer.known;
@@ -46,19 +57,26 @@ async function checkViews(page: Page, watch: Watch, scene: string, index: number
   });
   expect(techniques.length * views.length).toBeGreaterThan(0);
   const surfaces = views.filter((view) => !ofTechnique.has(view));
+  const byDeferred = new Map<string, FloatImage>();
+  await page.evaluate(() => window.viewer.setTechnique('deferred'));
+  for (const view of surfaces) byDeferred.set(view, await readView(page, view));
+  await page.evaluate(() => void (window.viewer.farol.view = 'final'));
   for (const [turn, technique] of techniques.entries()) {
     const own = inTurn(
       views.filter((view) => ofTechnique.has(view) && view !== 'final'),
       turn + index,
       2,
     );
-    // To the canvas once, then each view to a float target; past the viewer, which would draw to the canvas too.
+    // to the canvas once, then each view to a float target
     await page.evaluate((name) => window.viewer.setTechnique(name), technique);
     const flat: string[] = [];
     for (const view of ['final', ...own, surfaces[turn % surfaces.length]]) {
-      await page.evaluate((name) => void (window.viewer.farol.view = name as 'final'), view);
-      const image = await readImage(page);
-      expect(image.width * image.height, 'pixels').toBe(WIDTH * HEIGHT);
+      const image = await readView(page, view);
+      const other = byDeferred.get(view);
+      if (other !== undefined) {
+        const { largest } = compareImages(other, image);
+        expect.soft(largest, `${scene}: ${view} by ${technique}, beside deferred`).toBe(0);
+      }
       if (isFlat(image) && !mayBeFlat.has(view)) flat.push(view);
       expect(watch.problems, `${scene}, ${technique}, ${view}`).toEqual([]);
     }
