@@ -65,12 +65,17 @@ const tarballName = ({ name, version }: { name: string; version: string }): stri
 /** Copies packages of the repository's node_modules, and what they depend on: within them where another version is there. */
 function copyInstalled(names: readonly string[], to: string): void {
   const { repositoryModules } = installed();
+  const optionalPeers = new Set(
+    publishedPackages().flatMap(({ manifest }) => Object.keys(manifest.peerDependenciesMeta ?? {})),
+  );
   const copy = (name: string, folder: string): void => {
     const from = join(repositoryModules, name);
     const { version, dependencies = {} } = readManifest(from);
     const shared = join(to, 'node_modules', name);
     const isTaken = existsSync(shared) && readManifest(shared).version !== version;
-    const place = isTaken ? join(folder, 'node_modules', name) : shared;
+    // @types/three depends on a Rapier of its own: this host is one without that of the engine
+    const isForOne = folder !== to && optionalPeers.has(name);
+    const place = isTaken || isForOne ? join(folder, 'node_modules', name) : shared;
     if (existsSync(place)) return;
     cpSync(from, place, { recursive: true });
     for (const dependency of Object.keys(dependencies)) copy(dependency, place);

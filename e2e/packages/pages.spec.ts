@@ -72,6 +72,9 @@ async function checkPage(page: Page, url: string): Promise<void> {
   const engine = await call((host) => host.byEngine());
   expect(engine).toEqual({ drawCalls: expect.any(Number), isOneRenderer: true });
   expect(engine.drawCalls).toBeGreaterThan(0);
+  const [physics, scripts] = await call((host) => host.byMissing());
+  expect(physics).toMatch(/Physics needs the package @dimforge\/rapier3d-compat, .*npm install/);
+  expect(scripts).toMatch(/Scripts need the package sucrase, .*npm install/);
   const baked = await call((host) => host.byBake());
   expect(baked.corners).toBe(4);
   // right below the lamp, 1 m away

@@ -20,6 +20,22 @@ for (const { manifest } of publishedPackages()) {
       expect([...files.keys()].sort()).toEqual([...papers, ...scripts, ...types, ...maps].sort());
     });
 
+    test('imports what it declares, and declares what it imports', () => {
+      const { files } = readTarball(manifest.name);
+      const { packages } = reachedFrom(files, [...entries(manifest, 'js'), ...entries(manifest, 'd.ts')]);
+      const declared = Object.keys({ ...manifest.dependencies, ...manifest.peerDependencies });
+      // types have no package of their own to import
+      expect([...packages].sort()).toEqual(declared.filter((name) => !name.startsWith('@types/')).sort());
+    });
+
+    test('needs no optional peer for what its own name exports', () => {
+      const { files } = readTarball(manifest.name);
+      const optional = Object.keys(manifest.peerDependenciesMeta ?? {});
+      const atStart = reachedFrom(files, ['dist/index.js'], true).packages;
+      const inTypes = reachedFrom(files, ['dist/index.d.ts']).packages;
+      expect(optional.filter((name) => atStart.has(name) || inTypes.has(name))).toEqual([]);
+    });
+
     test('has source maps with the sources in them, all of them its own', () => {
       const { files } = readTarball(manifest.name);
       const maps = [...files.keys()].filter((path) => path.endsWith('.map'));

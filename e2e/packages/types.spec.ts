@@ -12,14 +12,14 @@ const modes = [
   { resolution: 'nodenext', module: 'nodenext' },
 ];
 
-/** Import specifiers of all entries, apart by whether they import a peer that the host need not have. */
+/** Import specifiers of all entries, apart by whether their types import a peer that the host need not have. */
 function specifiers(): { alone: string[]; withPeers: string[] } {
   const found = { alone: [] as string[], withPeers: [] as string[] };
   for (const { files } of readTarballs()) {
     const manifest = JSON.parse(files.get('package.json')!) as Manifest;
     const optional = Object.keys(manifest.peerDependenciesMeta ?? {});
     for (const { name, specifier } of entriesOf(manifest)) {
-      const { packages } = reachedFrom(files, [`dist/${name}.js`]);
+      const { packages } = reachedFrom(files, [`dist/${name}.d.ts`]);
       const list = optional.some((peer) => packages.has(peer)) ? found.withPeers : found.alone;
       list.push(specifier);
     }

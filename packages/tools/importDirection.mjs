@@ -42,8 +42,8 @@ const editorRules = editorFolders.map((folder, i) => ({
  * may be imported, `fetches` folders that `import()` alone may fetch, `ofThree` the only names of three's. Packages must
  * also be declared by the file's workspace, and their exports name what may be imported of them.
  *
- * microshaders <- the rest of renderer; renderer, engine, editing and bake speak plain three; engine -> renderer; attach -> all
- * three; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
+ * microshaders <- the rest of renderer; renderer, engine, editing and bake speak plain three; engine and attach -> editing,
+ * renderer; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
  * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
  * optional effects, or serve authors: its core knows none of them. Of lazy/ the core knows types, and frame/lazyCode.ts
@@ -79,30 +79,33 @@ export const importRules = [
   { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [lazyFolder] },
   {
     from: 'packages/engine/src/core',
-    may: ['packages/engine', 'three', '@farol/renderer'],
+    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'],
     not: ['packages/engine/src/components', 'packages/engine/src/files', 'packages/engine/src/scenes'],
   },
   {
     from: 'packages/engine/src/assets',
-    may: ['packages/engine', 'three', '@farol/renderer'],
+    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'],
     not: ['packages/engine/src/components', 'packages/engine/src/files', 'packages/engine/src/scenes'],
   },
   {
     from: 'packages/engine/src/picture/chain',
-    may: ['packages/engine', 'three', '@farol/renderer', 'postprocessing'],
+    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', 'postprocessing'],
   },
   {
     from: 'packages/engine/src/physics',
-    may: ['packages/engine', 'three', '@farol/renderer', '@dimforge/rapier3d-compat'],
+    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', '@dimforge/rapier3d-compat'],
   },
-  { from: 'packages/engine/src/scripts', may: ['packages/engine', 'three', '@farol/renderer', 'sucrase'] },
-  { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/renderer'] },
+  {
+    from: 'packages/engine/src/scripts',
+    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', 'sucrase'],
+  },
+  { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'] },
   {
     from: 'packages/bake',
     may: ['packages/bake', 'three', 'three-mesh-bvh', 'xatlas-wasm'],
   },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
-  { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/engine', '@farol/editing'] },
+  { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   {
     // of the Lab types alone: the rest is bundled apart from it
@@ -115,6 +118,9 @@ export const importRules = [
   { from: 'apps/editor', may: ['apps/editor', '*'] },
   { from: 'e2e', may: ['e2e', '*'] },
 ];
+
+/** Packages that a build takes in, whole: who installs what was built does not need them. */
+const takenIn = ['xatlas-wasm'];
 
 /** Packages of the repository that nobody imports: an app is an end, not a part. */
 const apps = ['@farol/viewer', '@farol/editor', '@farol/lab'];
@@ -236,8 +242,8 @@ function declared(name, path, manifests) {
   if (workspace === undefined) return name.startsWith('@farol/') || name in (manifests.get('')?.devDependencies ?? {});
   const own = manifests.get(workspace);
   // an app is built, not published
-  const ofApp = path.startsWith('apps/') ? own?.devDependencies : {};
-  return name in { ...own?.dependencies, ...own?.peerDependencies, ...ofApp };
+  const isBuilt = path.startsWith('apps/') || takenIn.includes(name);
+  return name in { ...own?.dependencies, ...own?.peerDependencies, ...(isBuilt ? own?.devDependencies : {}) };
 }
 
 /**

@@ -62,7 +62,7 @@ describe('the direction of imports', () => {
     ['packages/engine/src/X.ts', "import { attachEditor } from '@farol/attach';", /may import/],
     ['packages/editing/src/X.ts', "import type { Field } from '@farol/engine';", /may import/],
     ['packages/editing/src/X.ts', "import { useEffect } from 'react';", /may import/],
-    ['packages/engine/src/X.ts', "import { Signal } from '@farol/editing';", /may import/],
+    ['packages/attach/src/X.ts', "import { number } from '@farol/engine/fields';", /may import/],
     ['packages/renderer/src/adapters/three-pass/X.ts', "import 'postprocessing';", /may import/],
     ['packages/engine/src/X.ts', "import { readFileSync } from 'node:fs';", /no Node modules/],
     [

@@ -84,6 +84,14 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     }
   });
 
+  it('takes a range of versions of others, so that a host has each once', () => {
+    const ranges = Object.entries({ ...manifest.dependencies, ...manifest.peerDependencies });
+    const pinned = ranges.filter(
+      ([name, range]) => !name.startsWith('@farol/') && !/^>=\d[\d.]* <\d[\d.]*$/.test(range),
+    );
+    expect(pinned).toEqual([]);
+  });
+
   it("has the repository's licence and a changelog of its version", () => {
     expect(read(path, 'LICENSE')).toBe(read(root, 'LICENSE'));
     expect(read(path, 'CHANGELOG.md')).toContain(`## [${manifest.version}]`);

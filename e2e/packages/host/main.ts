@@ -1,6 +1,8 @@
 import { attachEditor } from '@farol/attach';
 import { bakeLightmaps } from '@farol/bake';
 import { App, GameObject, Light, ObjectRenderer } from '@farol/engine';
+import { loadRapier } from '@farol/engine/physics';
+import { compileScript } from '@farol/engine/scripts';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import {
   DataUtils,
@@ -70,6 +72,12 @@ const page = {
     const isOneRenderer = app.renderer instanceof FarolRenderer;
     app.dispose();
     return { drawCalls, isOneRenderer };
+  },
+
+  /** Errors of what the engine does by packages that this host has not installed. */
+  async byMissing() {
+    const error = (promise: Promise<unknown>) => promise.then(() => 'none', String);
+    return [await error(loadRapier()), await error(compileScript('Spin', 'export default class {}'))];
   },
 
   /** Bakes a floor, with the worker that unwraps it. */

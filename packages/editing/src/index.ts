@@ -2,20 +2,14 @@ export { sharedIcons } from './appearance/sharedIcons';
 export { Signal } from './Signal';
 export { Selection } from './Selection';
 export { countLabel, namesOf } from './labels';
+export { shortText } from './shortText';
 
 export type { Command, CommandSelection } from './history/Command';
 export { CommandStack } from './history/CommandStack';
 export type { EditRecorder } from './history/EditRecorder';
 export { Gesture } from './history/Gesture';
 
-export {
-  type FieldDescription,
-  type FieldTarget,
-  type FieldValue,
-  type Keys,
-  sameValue,
-  type Triple,
-} from './fields/FieldTarget';
+export type { FieldDescription, FieldTarget } from './fields/FieldTarget';
 export { FieldGesture, type FieldUpdate } from './fields/FieldGesture';
 export { type FieldEdit, SetFields } from './fields/SetFields';
 export { sharedValue, type SharedValue, withCoordinate } from './fields/sharedValue';

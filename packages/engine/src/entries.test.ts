@@ -129,6 +129,6 @@ describe('what is loaded with the main entry', () => {
 
   test('holds nothing that reads the bytes of an asset; the text of a clip is read where it is played', () => {
     const readers = loaded.filter((path) => /(read|check|parse|pack)[A-Z]\w+\.ts$/.test(path));
-    expect(readers).toEqual(['animation/parseClip.ts', 'fields/checkFieldValue.ts']);
+    expect(readers).toEqual(['animation/parseClip.ts']);
   });
 });

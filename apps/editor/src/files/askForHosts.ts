@@ -1,6 +1,5 @@
-import { formatCount, t } from '@farol/editing';
+import { formatCount, shortText, t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
 import type { Dialogs } from '../model/Dialogs';
 
 /** Names of assets that are listed for a host, and hosts that are listed. */

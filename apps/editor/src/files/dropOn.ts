@@ -1,8 +1,7 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Container } from '../model/commands/Placement';
-import { t } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { type FileMap, isContainer } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
 import type { DraggedAsset } from './dragAsset';
 import { importFiles, importOnly, isImportable } from './importFiles';
 import { pointInPicture } from './landInPicture';

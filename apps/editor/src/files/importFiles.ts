@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { AssetError } from '@farol/engine';
 import {
   decodedUri,
@@ -10,7 +10,6 @@ import {
   readableEndings,
   typeOfUrl,
 } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
 import type { EditorApi } from '../api/EditorApi';
 import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';

@@ -1,7 +1,6 @@
-import { t } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { AssetError, type AssetLibrary, type TakenAsset } from '@farol/engine';
 import { type FileAsset, foreignAddresses } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
 import type { EditorApi } from '../api/EditorApi';
 import { freeNameAmong } from '../model/assetNames';
 import { nameInScene, type ReadAsset } from '../model/bringAssets';

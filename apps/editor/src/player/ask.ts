@@ -1,5 +1,4 @@
-import { t } from '@farol/editing';
-import { shortText } from '@farol/renderer';
+import { shortText, t } from '@farol/editing';
 import type { ForeignAddress } from '@farol/engine/files';
 
 /** Asks something over the page. @param answers - what each button stands for, by its label */

@@ -9,8 +9,8 @@ import {
   roundPose,
   SetFields,
   TransformDrag,
-  type Triple,
 } from '@farol/editing';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { GameObject } from '@farol/engine';
 import { type Camera, Euler, MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
@@ -293,9 +293,9 @@ export class Gizmo {
     const { commands } = this.document;
     this.gesture = commands.begin();
     this.before = objects.map(({ transform }) => ({
-      position: commands.valueOf(transform, 'position') as Triple,
-      rotation: commands.valueOf(transform, 'rotation') as Triple,
-      scale: commands.valueOf(transform, 'scale') as Triple,
+      position: commands.valueOf(transform, 'position') as Vector3Tuple,
+      rotation: commands.valueOf(transform, 'rotation') as Vector3Tuple,
+      scale: commands.valueOf(transform, 'scale') as Vector3Tuple,
     }));
     this.transform = new TransformDrag(
       this.proxy,

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**

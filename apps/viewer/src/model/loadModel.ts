@@ -7,7 +7,7 @@ import {
   packObj,
   readGltfJson,
 } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine/files';

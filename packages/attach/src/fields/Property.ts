@@ -1,5 +1,5 @@
 import type { FieldTarget } from '@farol/editing';
-import { checkFieldValue, type Field, FieldError, type FieldValue } from '@farol/engine/fields';
+import { checkFieldValue, type Field, FieldError, type FieldValue } from '@farol/editing/fields';
 
 /** A value of something of three's, declared as a field of the editor is: kind, unit, range and a line of help. */
 export interface Property<Target = unknown> {

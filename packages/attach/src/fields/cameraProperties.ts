@@ -1,4 +1,4 @@
-import { number } from '@farol/engine/fields';
+import { number } from '@farol/editing/fields';
 import type { PerspectiveCamera } from 'three';
 import { declare } from './declare';
 

@@ -1,4 +1,4 @@
-import type { Field, FieldValue, Vector3Tuple } from '@farol/engine/fields';
+import type { Field, FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type { Color, Euler, Vector3 } from 'three';
 import type { Property } from './Property';
 

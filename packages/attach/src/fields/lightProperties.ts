@@ -1,4 +1,4 @@
-import { angle, colour, number } from '@farol/engine/fields';
+import { angle, colour, number } from '@farol/editing/fields';
 import { declare } from './declare';
 
 /** Of lights; a light has those that three gives its kind. */

@@ -1,4 +1,4 @@
-import { boolean, colour, number } from '@farol/engine/fields';
+import { boolean, colour, number } from '@farol/editing/fields';
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
 import { declare, declareConstant } from './declare';
 

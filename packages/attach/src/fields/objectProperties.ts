@@ -1,4 +1,4 @@
-import { boolean, euler, number, string, vector3 } from '@farol/engine/fields';
+import { boolean, euler, number, string, vector3 } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 import { declare } from './declare';
 

@@ -1,4 +1,4 @@
-import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/engine/fields';
+import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/editing/fields';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { sectionsOf } from './sectionsOf';

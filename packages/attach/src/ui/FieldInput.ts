@@ -6,7 +6,7 @@ import {
   matchesFilter,
   numberDisplay,
 } from '@farol/editing';
-import { FieldError } from '@farol/engine/fields';
+import { FieldError } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 import type { PropertyOwner } from '../fields/Property';
 import type { Session } from '../model/Session';

@@ -15,7 +15,7 @@ import {
   withIntensity,
   withScreenColour,
 } from '@farol/editing';
-import type { Field, FieldValue, Vector3Tuple } from '@farol/engine/fields';
+import type { Field, FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import { element } from './element';
 
 /** A new value, or one made from each owner's own. */

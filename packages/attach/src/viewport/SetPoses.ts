@@ -1,9 +1,10 @@
-import type { Command, Pose, Triple } from '@farol/editing';
+import type { Command, Pose } from '@farol/editing';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 
 /** A pose with the angles that the page sees in `rotation` (rad), in the object's own order: a rotation has many. */
 export interface AngledPose extends Pose {
-  readonly angles: Triple;
+  readonly angles: Vector3Tuple;
 }
 
 /** Angles that differ by less are the same (rad). */

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { CommandStack } from '../history/CommandStack';
 import { FieldGesture } from './FieldGesture';
-import type { FieldTarget, FieldValue } from './FieldTarget';
+import type { FieldValue } from './Field';
+import type { FieldTarget } from './FieldTarget';
 import { SetFields } from './SetFields';
 import { withCoordinate } from './sharedValue';
 

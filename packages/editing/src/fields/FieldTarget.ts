@@ -1,16 +1,4 @@
-/**
- * A value that a field can have: what a scene file can hold. A triple is a vector, Euler angles or a linear colour; keys are
- * a curve or a gradient.
- */
-export type FieldValue = number | boolean | string | null | Triple | Keys;
-
-/** Keys by time, never changed in place: [time, value] of a curve, [time, colour, opacity] of a gradient. */
-export type Keys =
-  | readonly (readonly [time: number, value: number])[]
-  | readonly (readonly [time: number, colour: Triple | null, opacity: number | null])[];
-
-/** Three numbers, never changed in place: [x, y, z] or [r, g, b]. */
-export type Triple = readonly [number, number, number];
+import type { FieldValue } from './Field';
 
 /** What an editor reads of a field's declaration; the fields of @farol/engine have this shape. */
 export interface FieldDescription {
@@ -49,16 +37,4 @@ export interface FieldTarget {
    * @throws Error when the value is not allowed
    */
   check?(name: string, value: FieldValue): void;
-}
-
-/** Whether a value is three numbers. */
-export const isTriple = (value: FieldValue): value is Triple =>
-  Array.isArray(value) && value.length === 3 && typeof value[0] === 'number' && typeof value[1] === 'number';
-
-/** Whether two field values are the same value. */
-export function sameValue(a: FieldValue, b: FieldValue): boolean {
-  if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return a === b;
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (!sameValue(a[i] as FieldValue, b[i] as FieldValue)) return false;
-  return true;
 }

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import type { FieldTarget, FieldValue } from './FieldTarget';
+import type { FieldValue } from './Field';
+import type { FieldTarget } from './FieldTarget';
 import { SetFields } from './SetFields';
 
 /** Has the field `size` as long as `kind` is 'box'. */

@@ -1,5 +1,7 @@
 import type { Command } from '../history/Command';
-import { type FieldTarget, type FieldValue, sameValue } from './FieldTarget';
+import type { FieldValue } from './Field';
+import type { FieldTarget } from './FieldTarget';
+import { sameValue } from './sameValue';
 
 /** A field of a component, of a scene's settings or of an object, and what it shall be. */
 export interface FieldEdit<Owner extends FieldTarget = FieldTarget> {

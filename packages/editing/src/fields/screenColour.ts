@@ -1,4 +1,4 @@
-import type { Triple } from './FieldTarget';
+import type { Vector3Tuple } from './Field';
 
 /** The sRGB transfer function. @param linear 0 to 1 @see IEC 61966-2-1 */
 const encode = (linear: number): number => (linear <= 0.0031308 ? linear * 12.92 : 1.055 * linear ** (1 / 2.4) - 0.055);
@@ -16,7 +16,7 @@ export interface ScreenColour {
 }
 
 /** A linear colour as a screen colour and the factor by which it is brighter than that. */
-export function splitColour([r, g, b]: Triple): ScreenColour {
+export function splitColour([r, g, b]: Vector3Tuple): ScreenColour {
   const intensity = Math.max(1, r, g, b);
   const byte = (channel: number): string =>
     Math.round(255 * encode(Math.max(0, channel) / intensity))
@@ -26,7 +26,7 @@ export function splitColour([r, g, b]: Triple): ScreenColour {
 }
 
 /** A linear colour of a screen colour '#rrggbb' or '#rgb', times a factor; null when the text is no such colour. */
-export function joinColour(hex: string, intensity: number): Triple | null {
+export function joinColour(hex: string, intensity: number): Vector3Tuple | null {
   const digits = HEX.exec(hex.trim())?.[1];
   if (!digits) return null;
   const long = digits.length === 3 ? [...digits].map((digit) => digit + digit).join('') : digits;
@@ -38,7 +38,7 @@ export function joinColour(hex: string, intensity: number): Triple | null {
  * An update of what the screen shows of a colour, for `FieldGesture`: each owner keeps the intensity that it had when the
  * gesture began. Null when the text is no colour.
  */
-export function withScreenColour(hex: string): ((before: Triple) => Triple) | null {
+export function withScreenColour(hex: string): ((before: Vector3Tuple) => Vector3Tuple) | null {
   if (!joinColour(hex, 1)) return null;
   return (before) => joinColour(hex, splitColour(before).intensity)!;
 }
@@ -49,7 +49,7 @@ export function withScreenColour(hex: string): ((before: Triple) => Triple) | nu
  * @param intensity 1 or more
  * @throws RangeError for another one
  */
-export function withIntensity(intensity: number): (before: Triple) => Triple {
+export function withIntensity(intensity: number): (before: Vector3Tuple) => Vector3Tuple {
   if (!(intensity >= 1 && intensity < Infinity)) throw new RangeError('The intensity must be a number of at least 1.');
   return ([r, g, b]) => {
     const brightest = Math.max(r, g, b);
@@ -60,7 +60,7 @@ export function withIntensity(intensity: number): (before: Triple) => Triple {
 }
 
 /** What several colours have in common: a part that differs is null. @param colours at least one */
-export function sharedColour(colours: readonly Triple[]): { hex: string | null; intensity: number | null } {
+export function sharedColour(colours: readonly Vector3Tuple[]): { hex: string | null; intensity: number | null } {
   const [first, ...others] = colours.map(splitColour);
   return {
     hex: others.every(({ hex }) => hex === first.hex) ? first.hex : null,

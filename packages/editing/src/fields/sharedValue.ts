@@ -1,4 +1,5 @@
-import { type FieldValue, isTriple, sameValue, type Triple } from './FieldTarget';
+import type { FieldValue, Vector3Tuple } from './Field';
+import { isTriple, sameValue } from './sameValue';
 
 /** What several owners have in common in one field. */
 export interface SharedValue {
@@ -27,8 +28,8 @@ export function sharedValue(values: readonly FieldValue[]): SharedValue {
  */
 export const withCoordinate =
   (axis: number, value: number | ((before: number) => number)) =>
-  (before: Triple): Triple =>
+  (before: Vector3Tuple): Vector3Tuple =>
     before.map((each, i) => {
       if (i !== axis) return each;
       return typeof value === 'function' ? value(each) : value;
-    }) as unknown as Triple;
+    }) as unknown as Vector3Tuple;

@@ -1,5 +1,7 @@
 import { t } from '../language/translate';
-import { type FieldDescription, type FieldValue, isTriple, type Triple } from './FieldTarget';
+import type { FieldValue, Vector3Tuple } from './Field';
+import type { FieldDescription } from './FieldTarget';
+import { isTriple } from './sameValue';
 import { formatNumber } from './formatNumber';
 import { numberDisplay } from './NumberDisplay';
 import { splitColour } from './screenColour';
@@ -7,7 +9,7 @@ import { splitColour } from './screenColour';
 /** A value of a field in words, with its unit: '5 m', '45°', '#ff8800 × 2'; null where words say nothing, as of an id. */
 export function valueText(field: FieldDescription, value: FieldValue): string | null {
   if (field.kind === 'colour') {
-    const { hex, intensity } = splitColour(value as Triple);
+    const { hex, intensity } = splitColour(value as Vector3Tuple);
     return intensity > 1 ? `${hex} × ${formatNumber(intensity, 'short')}` : hex;
   }
   if (typeof value === 'number' || isTriple(value)) {

@@ -1,5 +1,5 @@
 import { Euler, type EulerOrder, Quaternion, Vector3 } from 'three';
-import type { Triple } from '../fields/FieldTarget';
+import type { Vector3Tuple } from '../fields/Field';
 
 const TURN = 2 * Math.PI;
 /** Below this cosine of the middle angle the other two turn about one axis. */
@@ -13,7 +13,7 @@ const axis = new Vector3();
 /** The angle, of all that are whole turns apart, that is nearest to another one. */
 const nearest = (angle: number, before: number): number => angle - TURN * Math.round((angle - before) / TURN);
 
-const distance = (angles: Triple, before: Triple): number =>
+const distance = (angles: Vector3Tuple, before: Vector3Tuple): number =>
   angles.reduce((sum, angle, i) => sum + Math.abs(angle - before[i]), 0);
 
 /**
@@ -21,7 +21,7 @@ const distance = (angles: Triple, before: Triple): number =>
  * (0, 170, 0) and (180, 10, 180) degrees.
  * @param before - what they were, so that a drag changes no angle without need
  */
-export function nearestEuler(quaternion: Quaternion, before: Triple, order: EulerOrder = 'XYZ'): Triple {
+export function nearestEuler(quaternion: Quaternion, before: Vector3Tuple, order: EulerOrder = 'XYZ'): Vector3Tuple {
   const { x, y, z } = euler.setFromQuaternion(quaternion, order);
   const [first, middle, last] = [...order].map((letter) => 'XYZ'.indexOf(letter));
   const found = [x, y, z];
@@ -33,8 +33,8 @@ export function nearestEuler(quaternion: Quaternion, before: Triple, order: Eule
     rest.copy(quaternion).multiply(turned(last)).multiply(turned(middle));
     found[first] = 2 * Math.atan2([rest.x, rest.y, rest.z][first], rest.w);
   }
-  const nearestOf = (angles: readonly number[]): Triple =>
-    angles.map((angle, i) => nearest(angle, before[i])) as unknown as Triple;
+  const nearestOf = (angles: readonly number[]): Vector3Tuple =>
+    angles.map((angle, i) => nearest(angle, before[i])) as unknown as Vector3Tuple;
   const other = found.map((angle, i) => (i === middle ? Math.PI - angle : angle + Math.PI));
   const [a, b] = [nearestOf(found), nearestOf(other)];
   return distance(b, before) < distance(a, before) - LOCKED ? b : a;

@@ -1,14 +1,14 @@
 import { Euler, type EulerOrder, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { toDegrees, toRadians } from '../fields/angles';
-import type { Triple } from '../fields/FieldTarget';
+import type { Vector3Tuple } from '../fields/Field';
 import { nearestEuler } from './nearestEuler';
 import { type PoseValues, roundPose } from './roundPose';
 
 const still: PoseValues = { position: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] };
-const turnOf = (angles: Triple, order: EulerOrder = 'XYZ'): Quaternion =>
+const turnOf = (angles: Vector3Tuple, order: EulerOrder = 'XYZ'): Quaternion =>
   new Quaternion().setFromEuler(new Euler(...angles, order));
-const degrees = (angles: Triple): number[] => angles.map((angle) => Math.round(toDegrees(angle) * 1e4) / 1e4 + 0);
+const degrees = (angles: Vector3Tuple): number[] => angles.map((angle) => Math.round(toDegrees(angle) * 1e4) / 1e4 + 0);
 
 describe('angles that are nearest to those before', () => {
   it('goes on beyond a right angle about y', () => {
@@ -28,8 +28,8 @@ describe('angles that are nearest to those before', () => {
     let state = 7;
     const random = (): number => ((state = (state * 16807) % 2147483647) / 2147483647 - 0.5) * 12;
     for (let i = 0; i < 300; i++) {
-      const angles: Triple = [random(), i % 3 === 0 ? (Math.PI / 2) * Math.sign(random()) : random(), random()];
-      const before: Triple = [random(), random(), random()];
+      const angles: Vector3Tuple = [random(), i % 3 === 0 ? (Math.PI / 2) * Math.sign(random()) : random(), random()];
+      const before: Vector3Tuple = [random(), random(), random()];
       const wanted = turnOf(angles, order);
       const found = nearestEuler(wanted, before, order);
       expect(turnOf(found, order).angleTo(wanted)).toBeLessThan(1e-6);
@@ -39,7 +39,7 @@ describe('angles that are nearest to those before', () => {
   });
 
   it('leaves angles as they are that describe the rotation already', () => {
-    const angles: Triple = [0.3, Math.PI / 2, -0.4];
+    const angles: Vector3Tuple = [0.3, Math.PI / 2, -0.4];
     nearestEuler(turnOf(angles), angles).forEach((angle, i) => expect(angle).toBeCloseTo(angles[i], 6));
   });
 });

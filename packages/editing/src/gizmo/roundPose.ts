@@ -1,14 +1,14 @@
 import type { EulerOrder } from 'three';
 import { toDegrees, toRadians } from '../fields/angles';
-import type { Triple } from '../fields/FieldTarget';
+import type { Vector3Tuple } from '../fields/Field';
 import { nearestEuler } from './nearestEuler';
 import type { Pose } from './TransformDrag';
 
 /** Place, rotation (rad) and size of an object in its parent, as numbers. */
 export interface PoseValues {
-  readonly position: Triple;
-  readonly rotation: Triple;
-  readonly scale: Triple;
+  readonly position: Vector3Tuple;
+  readonly rotation: Vector3Tuple;
+  readonly scale: Vector3Tuple;
 }
 
 /** Digits that are kept of the length of a drag, and of a size. */
@@ -19,11 +19,11 @@ const DEGREE_DECIMALS = 3;
 const NOISE = 1e-9;
 
 /** @param decimals - kept of each number that changes; what does not keeps all its digits */
-const rounded = (after: Triple, before: Triple, decimals: (value: number) => number): Triple =>
+const rounded = (after: Vector3Tuple, before: Vector3Tuple, decimals: (value: number) => number): Vector3Tuple =>
   after.map((value, i) => {
     if (Math.abs(value - before[i]) <= NOISE * Math.max(1, Math.abs(before[i]))) return before[i];
     return Number(value.toFixed(Math.min(Math.max(decimals(value), 0), 20))) + 0;
-  }) as unknown as Triple;
+  }) as unknown as Vector3Tuple;
 
 /** Decimals with which a number has so many digits. */
 const decimalsOf = (value: number, digits: number): number => digits - 1 - Math.floor(Math.log10(Math.abs(value) || 1));
@@ -46,10 +46,10 @@ export function roundPose(before: PoseValues, pose: Partial<Pose>, order: EulerO
   };
 }
 
-function roundedAngles(after: Triple, before: Triple): Triple {
-  const degrees = (angles: Triple): Triple => angles.map(toDegrees) as unknown as Triple;
+function roundedAngles(after: Vector3Tuple, before: Vector3Tuple): Vector3Tuple {
+  const degrees = (angles: Vector3Tuple): Vector3Tuple => angles.map(toDegrees) as unknown as Vector3Tuple;
   const [from, to] = [degrees(before), degrees(after)];
   return rounded(to, from, () => DEGREE_DECIMALS).map((angle, i) =>
     angle === from[i] ? before[i] : toRadians(angle),
-  ) as unknown as Triple;
+  ) as unknown as Vector3Tuple;
 }

@@ -1,4 +1,5 @@
-import type { FieldTarget, FieldValue } from '../fields/FieldTarget';
+import type { FieldValue } from '../fields/Field';
+import type { FieldTarget } from '../fields/FieldTarget';
 import type { Command } from './Command';
 import type { EditRecorder } from './EditRecorder';
 import { Gesture } from './Gesture';

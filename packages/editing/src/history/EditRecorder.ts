@@ -1,4 +1,5 @@
-import type { FieldTarget, FieldValue } from '../fields/FieldTarget';
+import type { FieldValue } from '../fields/Field';
+import type { FieldTarget } from '../fields/FieldTarget';
 import type { Command } from './Command';
 
 /** Takes edits of fields in place of the document, as an animation does that is recorded. See `CommandStack.recorder`. */

@@ -1,6 +1,5 @@
-import type { FieldValue } from '../fields/Field';
-
 /** How a value goes from a key to the next one. */
+import type { FieldValue } from '@farol/editing/fields';
 export type Easing = 'linear' | 'step' | 'bezier';
 
 /** A value at a time. */

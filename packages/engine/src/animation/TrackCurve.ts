@@ -1,5 +1,4 @@
-import type { Field, FieldValue } from '../fields/Field';
-import { checkFieldValue } from '../fields/checkFieldValue';
+import { checkFieldValue, type Field, type FieldValue } from '@farol/editing/fields';
 import type { ClipTrack } from './ClipData';
 import { cubicBezier } from './cubicBezier';
 

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { type Interpolant, type KeyframeTrack, type Object3D, PropertyBinding } from 'three';
 import type { ClipAsset } from '../assets/ClipAsset';
 import type { ModelClip } from '../assets/Model';

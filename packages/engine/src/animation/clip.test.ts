@@ -1,10 +1,10 @@
+import { angle, boolean, choice, colour, euler, number, vector3 } from '@farol/editing/fields';
 import { describe, expect, test } from 'vitest';
 import '../components/index';
 import { Light } from '../components/Light';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { angle, boolean, choice, colour, euler, number, vector3 } from '../fields/fields';
 import { serialize } from '../files/serialize';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 import { ClipPreview } from './ClipPreview';

@@ -1,5 +1,4 @@
-import type { FieldValue } from '../fields/Field';
-import { isTriple } from '../fields/FieldOwner';
+import { type FieldValue, isTriple } from '@farol/editing/fields';
 import type { ClipData, ClipKey, ClipTrack } from './ClipData';
 
 /** Nine digits tell all single-precision numbers apart, and more than anybody types. */

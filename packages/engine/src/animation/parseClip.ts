@@ -1,7 +1,6 @@
-import { shortText } from '@farol/renderer';
-import { describeValue, isFieldValue } from '../fields/checkFieldValue';
-import type { FieldValue } from '../fields/Field';
-import { copyValue, isTriple } from '../fields/FieldOwner';
+import { shortText } from '@farol/editing';
+import { describeValue, type FieldValue, isFieldValue, isTriple } from '@farol/editing/fields';
+import { copyValue } from '../fields/FieldOwner';
 import type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './ClipData';
 
 /** A clip's text that is none: says clip, track and key. */

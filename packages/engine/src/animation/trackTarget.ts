@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { Component, GameObject } from '../core/SceneGraph';
 import type { ClipTrack } from './ClipData';
 import { problemWithTrack } from './TrackCurve';

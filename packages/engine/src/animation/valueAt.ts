@@ -1,4 +1,4 @@
-import type { Field, FieldValue } from '../fields/Field';
+import type { Field, FieldValue } from '@farol/editing/fields';
 import type { ClipTrack } from './ClipData';
 import { curveOf } from './TrackCurve';
 

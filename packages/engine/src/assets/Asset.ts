@@ -1,6 +1,6 @@
+import type { AssetType, FieldValue } from '@farol/editing/fields';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
-import type { AssetType, FieldValue } from '../fields/Field';
 import type { BakedLight } from '../bake/BakedLight';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model, ModelClip } from './Model';

@@ -1,6 +1,5 @@
-import { shortText } from '@farol/renderer';
-
 /** An asset that is unknown, of another type, not loaded yet, or that failed to load. */
+import { shortText } from '@farol/editing';
 export class AssetError extends Error {
   constructor(
     readonly asset: string,

@@ -1,4 +1,5 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import type { AssetType, FieldValue } from '@farol/editing/fields';
 import {
   BufferGeometry,
   type Material,
@@ -8,7 +9,6 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import type { AssetType, FieldValue } from '../fields/Field';
 import type { BakedLight } from '../bake/BakedLight';
 import { cancellable } from '../core/cancellable';
 import {

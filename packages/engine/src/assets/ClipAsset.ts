@@ -1,7 +1,7 @@
+import { number, string } from '@farol/editing/fields';
 import type { ClipData } from '../animation/ClipData';
 import { clipText } from '../animation/clipText';
 import { parseClip } from '../animation/parseClip';
-import { number, string } from '../fields/fields';
 import { DataAsset } from './FieldAsset';
 
 /** What a clip is made of. */

@@ -1,5 +1,5 @@
-import type { AssetType, FieldValue } from '../fields/Field';
-import { type AssetNames, BaseFieldOwner, copyValue, sameValue } from '../fields/FieldOwner';
+import { type AssetType, type FieldValue, sameValue } from '@farol/editing/fields';
+import { type AssetNames, BaseFieldOwner, copyValue } from '../fields/FieldOwner';
 
 /** The types of assets that are made of fields, and edited as components are. */
 export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;

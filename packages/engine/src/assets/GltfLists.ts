@@ -1,4 +1,4 @@
-import { describeValue } from '../fields/checkFieldValue';
+import { describeValue } from '@farol/editing/fields';
 import { counted } from '../core/counted';
 import type { GltfJson } from './readGltfJson';
 

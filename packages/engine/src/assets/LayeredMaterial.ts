@@ -1,7 +1,7 @@
+import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type { SurfaceUniforms } from '@farol/renderer/surfaces';
 import { Color, type Material, type Vector3 } from 'three';
 import { derivedMaterial } from './derivedMaterial';
-import type { FieldTable, FieldValue } from '../fields/Field';
 import type { SurfaceAsset } from './SurfaceAsset';
 import { surfaceCode } from './surfaceCode';
 import { entryOf, readStored, storedValue } from '../fields/storedValues';

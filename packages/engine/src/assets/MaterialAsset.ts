@@ -1,3 +1,4 @@
+import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import {
   BackSide,
   ClampToEdgeWrapping,
@@ -9,7 +10,6 @@ import {
   RepeatWrapping,
   type Texture,
 } from 'three';
-import type { FieldValue, Vector3Tuple } from '../fields/Field';
 import type { AssetNames, FieldViews } from '../fields/FieldOwner';
 import { entryOf, readStored, storedValue } from '../fields/storedValues';
 import { StoredViews } from '../fields/StoredViews';

@@ -1,4 +1,4 @@
-import { string } from '../fields/fields';
+import { string } from '@farol/editing/fields';
 import { DataAsset } from './FieldAsset';
 
 /** What a script is made of. */

@@ -1,6 +1,5 @@
+import { type FieldTable, type FieldValue, string } from '@farol/editing/fields';
 import type { Surface } from '@farol/renderer/surfaces';
-import type { FieldTable, FieldValue } from '../fields/Field';
-import { string } from '../fields/fields';
 import { DataAsset, type FieldAssetHost } from './FieldAsset';
 import { loadSurfaceCode, surfaceCode } from './surfaceCode';
 import { uniformFieldsOf } from './uniformFields';

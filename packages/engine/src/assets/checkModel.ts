@@ -1,3 +1,4 @@
+import { shortText } from '@farol/editing';
 import {
   type BufferAttribute,
   type BufferGeometry,
@@ -5,7 +6,6 @@ import {
   Matrix4,
   type Object3D,
 } from 'three';
-import { shortText } from '@farol/renderer';
 import { Slices } from '../core/Slices';
 
 /** Largest coordinate and scale (m): beyond it cameras, lights and depths have no digits left. */

@@ -1,4 +1,4 @@
-import type { FieldTable } from '../fields/Field';
+import type { FieldTable } from '@farol/editing/fields';
 import { clipFields } from './ClipAsset';
 import type { FieldAssetType } from './FieldAsset';
 import { materialAssetFields } from './materialAssetFields';

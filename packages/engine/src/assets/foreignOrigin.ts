@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { AssetError } from './AssetError';
 
 /** What addresses of scenes are relative to where there is no page, as in Node. */

@@ -1,4 +1,5 @@
-import { shortText, setLightProfile } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import { setLightProfile } from '@farol/renderer';
 import { parseIES, PhotometricProfile } from '@farol/renderer/light-profiles';
 import { Group, PointLight } from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';

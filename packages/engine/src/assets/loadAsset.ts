@@ -1,6 +1,6 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import type { AssetType } from '@farol/editing/fields';
 import type { WebGLRenderer } from 'three';
-import type { AssetType } from '../fields/Field';
 import type { AssetMemory } from './Asset';
 
 export interface FetchOptions {

@@ -1,3 +1,4 @@
+import { isFieldVisible } from '@farol/editing/fields';
 import {
   DoubleSide,
   FrontSide,
@@ -12,7 +13,6 @@ import {
 } from 'three';
 import { setShading } from '@farol/renderer';
 import { hasAmbientReflection, setAmbientReflection } from './ambientReflection';
-import { isFieldVisible } from '../fields/isFieldVisible';
 import type { MaterialValues } from './materialFields';
 import { materialFields } from './materialFields';
 

@@ -1,5 +1,4 @@
-import type { FieldTable } from '../fields/Field';
-import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
+import { angle, asset, boolean, choice, colour, type FieldTable, number } from '@farol/editing/fields';
 import { materialFields, materialKinds } from './materialFields';
 import { fieldsOfMap, materialMapNames } from './materialMaps';
 import { surfaceValueFields } from './uniformFields';

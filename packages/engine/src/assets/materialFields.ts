@@ -1,6 +1,5 @@
+import { angle, asset, boolean, choice, colour, number, type ValuesOf } from '@farol/editing/fields';
 import type { Blending } from 'three';
-import type { ValuesOf } from '../fields/Field';
-import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
 
 const made = { visibleWhen: { field: 'material', equals: [null] } };
 const lit = { visibleWhen: { field: 'kind', equals: ['standard', 'physical', 'phong', 'lambert'] } };

@@ -1,5 +1,4 @@
-import type { FieldTable } from '../fields/Field';
-import { angle, asset, choice, number } from '../fields/fields';
+import { angle, asset, choice, type FieldTable, number } from '@farol/editing/fields';
 import { type materialKinds } from './materialFields';
 
 type Kind = (typeof materialKinds)[number];

@@ -1,3 +1,4 @@
+import { checkFieldValue, type FieldValue, sameValue, type Vector3Tuple } from '@farol/editing/fields';
 import {
   BackSide,
   type Color,
@@ -10,9 +11,6 @@ import {
   type Texture,
   type Vector2,
 } from 'three';
-import { checkFieldValue } from '../fields/checkFieldValue';
-import type { FieldValue, Vector3Tuple } from '../fields/Field';
-import { sameValue } from '../fields/FieldOwner';
 import { materialAssetFields } from './materialAssetFields';
 import type { MaterialValues } from './materialFields';
 import { materialMapNames, materialMaps } from './materialMaps';

@@ -1,5 +1,5 @@
+import { shortText } from '@farol/editing';
 import { ClampToEdgeWrapping, DataTexture, LinearFilter, NoColorSpace } from 'three';
-import { shortText } from '@farol/renderer';
 
 /** Largest side of a table: 64 is usual. */
 const MOST = 128;

@@ -1,5 +1,5 @@
+import { shortText } from '@farol/editing';
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
-import { shortText } from '@farol/renderer';
 import { checkExr } from '../exr/checkExr';
 import { PixelsError } from './imageSize';
 import { readHdr } from './readHdr';

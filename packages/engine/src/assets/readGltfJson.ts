@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { checkSignature } from './signature';
 
 /** The extension by which nodes have lights with photometric profiles. */

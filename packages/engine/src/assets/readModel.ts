@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { WebGLRenderer } from 'three';
 import type { GLTFLoader, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { checkGltf } from './checkGltf';

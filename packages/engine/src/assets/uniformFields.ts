@@ -1,6 +1,16 @@
+import {
+  asset,
+  boolean,
+  colour,
+  type Field,
+  type FieldTable,
+  type FieldValue,
+  number,
+  string,
+  vector3,
+  type Vector3Tuple,
+} from '@farol/editing/fields';
 import type { SurfaceUniform, SurfaceValues } from '@farol/renderer/surfaces';
-import type { Field, FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
-import { asset, boolean, colour, number, string, vector3 } from '../fields/fields';
 
 /** Before the names of fields that are uniforms of a surface. */
 export const UNIFORM = 'surface.';

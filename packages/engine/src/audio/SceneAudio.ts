@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { Audio, AudioListener, Matrix4, type Object3D, PositionalAudio } from 'three';
 import type { Scene, SceneSystem } from '../core/SceneGraph';
 import { tellFault } from '../core/tellFault';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { Mesh } from 'three';
 import { gameObjectOf } from '../core/gameObjectOf';
 import type { Scene } from '../core/SceneGraph';

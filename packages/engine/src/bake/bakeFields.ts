@@ -1,6 +1,5 @@
-import { asset, boolean, choice, number } from '../fields/fields';
-
 /** Widths of lightmaps to choose from (texels). */
+import { asset, boolean, choice, number } from '@farol/editing/fields';
 export const lightmapSizes = ['64', '128', '256', '512', '1024', '2048', '4096'] as const;
 
 /** Baked light of a scene, and how it is baked. */

@@ -1,3 +1,4 @@
+import type { FieldValue } from '@farol/editing/fields';
 import {
   AnimationClip,
   Bone,
@@ -18,7 +19,6 @@ import { Component } from '../core/Component';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import type { FieldValue } from '../fields/Field';
 import { serialize } from '../files/serialize';
 import { Animation } from './Animation';
 import { Light } from './Light';

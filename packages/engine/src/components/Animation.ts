@@ -1,3 +1,4 @@
+import { asset, boolean, choice, number } from '@farol/editing/fields';
 import { AnimationSystem, type Animated } from '../animation/AnimationSystem';
 import type { ClipEvent } from '../animation/ClipData';
 import type { ClipWrap } from '../animation/clipEvents';
@@ -5,7 +6,6 @@ import { ClipPlayer } from '../animation/ClipPlayer';
 import { modelBelow } from '../animation/modelsBelow';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
-import { asset, boolean, choice, number } from '../fields/fields';
 
 /** How `Animation.play` plays; what is absent is as the fields say. */
 export interface PlayOptions {

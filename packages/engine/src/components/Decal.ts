@@ -1,3 +1,4 @@
+import { angle, asset, choice, colour, number, vector3 } from '@farol/editing/fields';
 import type { Decal as ThreeDecal } from '@farol/renderer/decals';
 import {
   AdditiveBlending,
@@ -9,7 +10,6 @@ import {
 import type { MaterialValues } from '../assets/materialFields';
 import { materialFields } from '../assets/materialFields';
 import { component } from '../fields/component';
-import { angle, asset, choice, colour, number, vector3 } from '../fields/fields';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/SceneGraph';
 import { decalCode, decalsEffect, loadDecalCode } from './decalCode';

@@ -1,3 +1,4 @@
+import { type FieldValue, number } from '@farol/editing/fields';
 import { beforeEach, expect, test } from 'vitest';
 import './index';
 import { builtinComponents } from '../core/builtinComponents';
@@ -8,8 +9,6 @@ import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { makeUnknownComponent } from '../core/UnknownComponent';
 import { component } from '../fields/component';
-import type { FieldValue } from '../fields/Field';
-import { number } from '../fields/fields';
 import { serialize } from '../files/serialize';
 import { EventTrigger } from './EventTrigger';
 import { Light } from './Light';

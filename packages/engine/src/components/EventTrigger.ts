@@ -1,12 +1,11 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import { boolean, choice, colour, type FieldValue, number, object, string, vector3 } from '@farol/editing/fields';
 import { callEvent } from '../core/callEvent';
 import type { EngineKeyEvent } from '../core/events';
 import type { Component, CostlyEvents, GameObject, ObjectPointerEvent } from '../core/SceneGraph';
 import { tellFault } from '../core/tellFault';
 import { UnknownComponent } from '../core/UnknownComponent';
 import { component } from '../fields/component';
-import type { FieldValue } from '../fields/Field';
-import { boolean, choice, colour, number, object, string, vector3 } from '../fields/fields';
 import { methodsOf } from '../triggers/methodsOf';
 import { TriggerCalls } from '../triggers/TriggerCalls';
 

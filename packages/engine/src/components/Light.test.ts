@@ -1,8 +1,8 @@
+import { isFieldVisible } from '@farol/editing/fields';
 import { DirectionalLight, HemisphereLight, PointLight, RectAreaLight, SpotLight, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { isFieldVisible } from '../fields/isFieldVisible';
 import { Light } from './Light';
 
 function lamp(values: Parameters<GameObject['addComponent']>[1] = {}): Light {

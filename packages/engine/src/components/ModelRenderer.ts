@@ -1,3 +1,4 @@
+import { asset, boolean, number, string } from '@farol/editing/fields';
 import { setLightProfile } from '@farol/renderer';
 import {
   type Bone,
@@ -16,7 +17,6 @@ import { MorphTargets, morphTargetFields } from './MorphTargets';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { component } from '../fields/component';
 import type { FieldViews } from '../fields/FieldOwner';
-import { asset, boolean, number, string } from '../fields/fields';
 
 type Light = ThreeLight & { target?: Object3D };
 

@@ -1,7 +1,6 @@
+import { type Field, type FieldTable, type FieldValue, number, string } from '@farol/editing/fields';
 import { Mesh, type Object3D } from 'three';
 import type { Model } from '../assets/Model';
-import type { Field, FieldTable, FieldValue } from '../fields/Field';
-import { number, string } from '../fields/fields';
 
 /** Before the names of fields that are weights of morph targets, such as 'morph.Smile'. */
 const MORPH = 'morph.';

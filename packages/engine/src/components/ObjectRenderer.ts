@@ -1,8 +1,8 @@
+import { asset, boolean } from '@farol/editing/fields';
 import { type BufferGeometry, type Material, Mesh } from 'three';
 import { creaseAngleField, materialFields } from '../assets/materialFields';
 import { component } from '../fields/component';
 import type { FieldViews } from '../fields/FieldOwner';
-import { asset, boolean } from '../fields/fields';
 import type { Scene } from '../core/SceneGraph';
 import { shapeOf } from '../core/ShapeSource';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';

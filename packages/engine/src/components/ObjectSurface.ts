@@ -1,11 +1,10 @@
+import { asset, type FieldTable, type FieldValue } from '@farol/editing/fields';
 import { surfaceCode } from '../assets/surfaceCode';
 import type { LayeredMaterial } from '../assets/LayeredMaterial';
 import type { LayerUser } from '../assets/LayeredMaterials';
 import type { SurfaceAsset } from '../assets/SurfaceAsset';
 import { surfaceMaps, surfaceValueFields, UNIFORM } from '../assets/uniformFields';
 import type { Component, Scene } from '../core/SceneGraph';
-import type { FieldTable, FieldValue } from '../fields/Field';
-import { asset } from '../fields/fields';
 import { StoredViews, type ViewSource } from '../fields/StoredViews';
 import { type Material, type Mesh, Sphere } from 'three';
 

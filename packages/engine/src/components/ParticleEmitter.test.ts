@@ -1,3 +1,4 @@
+import { isFieldVisible } from '@farol/editing/fields';
 import { particleDefaults, particlePresets, type ParticleSettings } from '@farol/renderer/particles';
 import { BoxGeometry, Mesh } from 'three';
 import { expect, test } from 'vitest';
@@ -5,7 +6,6 @@ import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { particleValues } from './particleSettings';
-import { isFieldVisible } from '../fields/isFieldVisible';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';

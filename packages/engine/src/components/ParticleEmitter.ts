@@ -1,6 +1,6 @@
+import type { AssetType } from '@farol/editing/fields';
 import type { ParticleEmitter as ThreeEmitter } from '@farol/renderer/particles';
 import { type BufferGeometry, Mesh, type Object3D, type Texture } from 'three';
-import type { AssetType } from '../fields/Field';
 import { component } from '../fields/component';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/SceneGraph';

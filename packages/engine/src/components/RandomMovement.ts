@@ -1,7 +1,6 @@
+import { number, vector3, type Vector3Tuple } from '@farol/editing/fields';
 import { component } from '../fields/component';
-import { number, vector3 } from '../fields/fields';
 import { createRandom } from '../core/createRandom';
-import type { Vector3Tuple } from '../fields/Field';
 
 /** Shares of the two waves of each axis; together 1, so that the object stays within its extent. */
 const SHARES = [0.65, 0.35];

@@ -1,3 +1,4 @@
+import type { ValuesOf, Vector3Tuple } from '@farol/editing/fields';
 import {
   DirectionalLight,
   HemisphereLight,
@@ -8,7 +9,6 @@ import {
   type OrthographicCamera,
 } from 'three';
 import type { FarolLightData } from '@farol/renderer';
-import type { ValuesOf, Vector3Tuple } from '../fields/Field';
 import type { lightFields } from './lightFields';
 
 type LightValues = Readonly<ValuesOf<typeof lightFields>>;

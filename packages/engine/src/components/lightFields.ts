@@ -1,5 +1,3 @@
-import { angle, asset, boolean, choice, colour, number } from '../fields/fields';
-
 const withPlace = { visibleWhen: { field: 'type', equals: ['point', 'spot'] } };
 const withDirectColour = { visibleWhen: { field: 'type', equals: ['directional', 'point', 'spot'] } };
 const spot = { visibleWhen: { field: 'type', equals: ['spot'] } };
@@ -20,6 +18,7 @@ const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.ma
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
+import { angle, asset, boolean, choice, colour, number } from '@farol/editing/fields';
 export const lightFields = {
   type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube'], {
     help: 'How the light spreads.',

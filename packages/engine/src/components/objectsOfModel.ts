@@ -1,3 +1,4 @@
+import { checkFieldValue, type FieldValue } from '@farol/editing/fields';
 import {
   type DirectionalLight,
   type InstancedMesh,
@@ -21,8 +22,6 @@ import type { Model } from '../assets/Model';
 import { commonAncestor, partsText } from '../assets/modelNodes';
 import { modelParts } from '../assets/modelParts';
 import { GameObject } from '../core/GameObject';
-import { checkFieldValue } from '../fields/checkFieldValue';
-import type { FieldValue } from '../fields/Field';
 import { Camera } from './Camera';
 import { type KeptFor, type KeptPart, keptTogether } from './keptTogether';
 import { Light } from './Light';

@@ -1,7 +1,6 @@
+import { fullKeys, type ValuesOf } from '@farol/editing/fields';
 import type { ParticleSettings } from '@farol/renderer/particles';
 import type { BufferGeometry, Mesh, Texture } from 'three';
-import type { ValuesOf } from '../fields/Field';
-import { fullKeys } from '../fields/keys';
 import type { ColliderPose } from './ColliderPoses';
 import type { particleFields } from './particleFields';
 

@@ -1,5 +1,5 @@
-import type { FieldTable, FieldValue } from '../fields/Field';
-import { type AssetNames, BaseFieldOwner, own, sameValue } from '../fields/FieldOwner';
+import { type FieldTable, type FieldValue, sameValue } from '@farol/editing/fields';
+import { type AssetNames, BaseFieldOwner, own } from '../fields/FieldOwner';
 import { savedFields } from '../fields/savedFields';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';

@@ -1,5 +1,5 @@
-import { shortText } from '@farol/renderer';
-import type { FieldTable, FieldValue } from '../fields/Field';
+import { shortText } from '@farol/editing';
+import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type {
   Component,
   ComponentClass,

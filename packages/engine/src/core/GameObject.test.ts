@@ -1,3 +1,4 @@
+import { FieldError, object } from '@farol/editing/fields';
 import { Matrix4 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { Camera } from '../components/Camera';
@@ -7,10 +8,8 @@ import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { Transform } from '../core/Transform';
 import { component } from '../fields/component';
-import { object } from '../fields/fields';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { FieldError } from '../fields/FieldError';
 import { createRandom } from './createRandom';
 import { Component } from './Component';
 import { GameObject } from './GameObject';

@@ -1,6 +1,6 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import type { FieldValue } from '@farol/editing/fields';
 import { Object3D } from 'three';
-import type { FieldValue } from '../fields/Field';
 import type { PrefabLink } from '../prefabs/Prefab';
 import { builtinComponents } from './builtinComponents';
 import { createId } from './createId';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';

@@ -1,3 +1,4 @@
+import type { FieldTable, FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type {
   Camera as ThreeCamera,
   Matrix4,
@@ -10,7 +11,6 @@ import type {
 } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAsset } from '../assets/FieldAsset';
-import type { FieldTable, FieldValue, Vector3Tuple } from '../fields/Field';
 import type { FieldOwner } from '../fields/FieldOwner';
 import type { PrefabLink } from '../prefabs/Prefab';
 import type { PrefabTable } from '../prefabs/PrefabTable';

@@ -1,6 +1,6 @@
+import type { FieldValue, ValuesOf } from '@farol/editing/fields';
 import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { FieldValue, ValuesOf } from '../fields/Field';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
 import { bakeFields } from '../bake/bakeFields';

@@ -1,7 +1,5 @@
-import { describeValue } from '../fields/checkFieldValue';
-import type { Vector3Tuple } from '../fields/Field';
-
 /** From where a scene is looked at in an editor, under a name: a bookmark. */
+import { describeValue, type Vector3Tuple } from '@farol/editing/fields';
 export interface SceneView {
   readonly name: string;
   /** Of the eye, in the world (m). */

@@ -1,9 +1,6 @@
+import { checkFieldValue, euler, FieldError, type FieldValue, vector3, type Vector3Tuple } from '@farol/editing/fields';
 import { Euler, Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import type { FieldValue, Vector3Tuple } from '../fields/Field';
-import { checkFieldValue } from '../fields/checkFieldValue';
 import { component } from '../fields/component';
-import { FieldError } from '../fields/FieldError';
-import { euler, vector3 } from '../fields/fields';
 import type { ComponentClass, Transform as TransformType } from './SceneGraph';
 import { toVector3, type Vector3Input } from './toVector3';
 

@@ -1,9 +1,9 @@
+import { number, string, vector3 } from '@farol/editing/fields';
 import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { component } from '../fields/component';
-import { number, string, vector3 } from '../fields/fields';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { instantiatePrefab } from '../prefabs/instantiatePrefab';

@@ -1,7 +1,6 @@
+import { asset, FieldError } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
 import { component } from '../fields/component';
-import { FieldError } from '../fields/FieldError';
-import { asset } from '../fields/fields';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 

@@ -1,5 +1,4 @@
-import { checkFieldValue } from '../fields/checkFieldValue';
-import type { FieldValue } from '../fields/Field';
+import { checkFieldValue, type FieldValue } from '@farol/editing/fields';
 import { remake } from '../fields/FieldOwner';
 import type { Component, ComponentClass, Scene } from './SceneGraph';
 

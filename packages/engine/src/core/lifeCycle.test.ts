@@ -1,8 +1,8 @@
+import { number } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
 import '../components/index';
 import { Light } from '../components/Light';
 import { component } from '../fields/component';
-import { number } from '../fields/fields';
 import { serialize } from '../files/serialize';
 import { Component } from './Component';
 import { GameObject } from './GameObject';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { Matrix4, type Object3D } from 'three';
 import { maximumDepth } from './maximumDepth';
 import type { GameObject, GameObjectContainer, MoveOptions } from './SceneGraph';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { Component } from './SceneGraph';
 
 /** Tells of a fault of a component that the scene goes on with: to `Scene.onComponentError`, else on the console. */

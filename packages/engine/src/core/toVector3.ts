@@ -1,5 +1,5 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { Vector3, Vector3Like } from 'three';
-import type { Vector3Tuple } from '../fields/Field';
 
 /** A point or direction: [x, y, z], or anything with x, y and z. */
 export type Vector3Input = Vector3Tuple | Vector3Like;

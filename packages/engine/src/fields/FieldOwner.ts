@@ -1,16 +1,18 @@
-import { checkFieldValue } from './checkFieldValue';
-import type { AssetType, Field, FieldTable, FieldValue, Vector3Tuple } from './Field';
-import { FieldError } from './FieldError';
-
 /** Knows the names of assets. */
+import {
+  type AssetType,
+  checkFieldValue,
+  type Field,
+  FieldError,
+  type FieldTable,
+  type FieldValue,
+  isTriple,
+  sameValue,
+} from '@farol/editing/fields';
 export interface AssetNames {
   /** Null when `name` is an asset of this type, else what is wrong and the mend. */
   problemWith(type: AssetType, name: string): string | null;
 }
-
-/** Whether a value is a vector, Euler angles or a colour: neither one number nor keys. */
-export const isTriple = (value: FieldValue | undefined): value is Vector3Tuple =>
-  Array.isArray(value) && value.length === 3 && typeof value[0] === 'number' && typeof value[1] === 'number';
 
 /** A copy for JSON, which whoever gets it may change. */
 export function copyValue(value: FieldValue): FieldValue {
@@ -24,14 +26,6 @@ export function own(value: FieldValue): FieldValue {
   if (!Array.isArray(value)) return value;
   if (isTriple(value)) return Object.freeze([value[0] + 0, value[1] + 0, value[2] + 0] as const);
   return Object.freeze((value as readonly FieldValue[]).map(own)) as FieldValue;
-}
-
-/** Whether two field values are the same value. */
-export function sameValue(a: FieldValue, b: FieldValue): boolean {
-  if (a === b || !Array.isArray(a) || !Array.isArray(b)) return a === b;
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (!sameValue(a[i] as FieldValue, b[i] as FieldValue)) return false;
-  return true;
 }
 
 /** Fields that an owner has for a time besides its declared ones, each a part of a declared one: see `Field.viewOf`. */

@@ -1,6 +1,5 @@
-import type { AssetType, FieldTable } from './Field';
-
 /** A field that names an asset. */
+import type { AssetType, FieldTable } from '@farol/editing/fields';
 export interface NamedAssetField {
   readonly name: string;
   readonly assetType: AssetType;

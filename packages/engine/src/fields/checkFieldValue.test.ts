@@ -1,23 +1,24 @@
-import { describe, expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
-import { checkFieldValue } from './checkFieldValue';
-import type { Field, FieldType } from './Field';
 import {
   angle,
   asset,
   boolean,
+  checkFieldValue,
   choice,
   colour,
   curve,
   custom,
   euler,
+  type Field,
+  type FieldType,
   gradient,
+  isFieldVisible,
   number,
   object,
   string,
   vector3,
-} from './fields';
-import { isFieldVisible } from './isFieldVisible';
+} from '@farol/editing/fields';
+import { describe, expect, test } from 'vitest';
+import { createRandom } from '../core/createRandom';
 import { randomFieldValue } from './randomFieldValue';
 
 const help = 'For a test.';

@@ -1,7 +1,7 @@
+import type { FieldTable, ValuesOf } from '@farol/editing/fields';
 import { BaseComponent } from '../core/Component';
 import type { Component, ComponentClass } from '../core/SceneGraph';
 import { defineFieldProperties } from './defineFieldProperties';
-import type { FieldTable, ValuesOf } from './Field';
 
 /** What a class of components extends: its static members have defaults, `typeName` and `help` are to be given. */
 export type ComponentBase<F extends FieldTable> = Pick<

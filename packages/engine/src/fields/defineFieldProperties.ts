@@ -1,4 +1,4 @@
-import type { FieldTable, FieldValue } from './Field';
+import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type { FieldOwner } from './FieldOwner';
 
 /**

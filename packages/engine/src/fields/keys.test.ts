@@ -1,10 +1,19 @@
+import {
+  checkFieldValue,
+  colourKeys,
+  type Curve,
+  curveAt,
+  fullKeys,
+  type Gradient,
+  gradient,
+  gradientAt,
+  joinKeys,
+  opacityKeys,
+  sameValue,
+} from '@farol/editing/fields';
 import { expect, test } from 'vitest';
 import { createRandom } from '../core/createRandom';
-import { checkFieldValue } from './checkFieldValue';
-import type { Curve, Gradient } from './Field';
-import { own, sameValue } from './FieldOwner';
-import { gradient } from './fields';
-import { colourKeys, curveAt, fullKeys, gradientAt, joinKeys, opacityKeys } from './keys';
+import { own } from './FieldOwner';
 import { randomFieldValue } from './randomFieldValue';
 
 test('a curve is straight between keys, constant beyond them, and steps where two keys are at one time', () => {

@@ -1,8 +1,7 @@
-import type { FieldTable } from './Field';
-
 const known = new WeakMap<FieldTable, readonly string[]>();
 
 /** The names of the fields of a table that refer to objects: found once for each table. */
+import type { FieldTable } from '@farol/editing/fields';
 export function objectFields(fields: FieldTable): readonly string[] {
   let list = known.get(fields);
   if (!list) {

@@ -1,6 +1,5 @@
-import type { Field, FieldTable } from './Field';
-
 /** A field that a file holds. */
+import type { Field, FieldTable } from '@farol/editing/fields';
 export interface SavedField {
   readonly name: string;
   readonly field: Field;

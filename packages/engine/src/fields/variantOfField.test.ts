@@ -1,6 +1,6 @@
+import { variantOfField } from '@farol/editing/fields';
 import { describe, expect, it } from 'vitest';
 import { lightFields } from '../components/lightFields';
-import { variantOfField } from './variantOfField';
 
 const shown = (name: 'width' | 'height' | 'intensity' | 'range', type: unknown) =>
   variantOfField(lightFields[name], () => type);

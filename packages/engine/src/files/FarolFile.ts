@@ -1,5 +1,5 @@
+import type { AssetType, FieldValue } from '@farol/editing/fields';
 import type { SceneView } from '../core/SceneViews';
-import type { AssetType, FieldValue } from '../fields/Field';
 
 /**
  * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.

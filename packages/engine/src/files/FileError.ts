@@ -1,6 +1,5 @@
-import { shortText } from '@farol/renderer';
-
 /** One thing that is wrong with a file. */
+import { shortText } from '@farol/editing';
 export interface FileProblem {
   /** Where in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
   readonly path: string;

@@ -1,6 +1,5 @@
-import { shortText } from '@farol/renderer';
-
 /** A path in a file, or its text. */
+import { shortText } from '@farol/editing';
 export type PathLike = string | FilePath;
 
 /**

@@ -1,5 +1,5 @@
-import { shortText } from '@farol/renderer';
-import { describeValue } from '../fields/checkFieldValue';
+import { shortText } from '@farol/editing';
+import { describeValue } from '@farol/editing/fields';
 import { FileError, type FileProblem } from './FileError';
 import { fileLimits } from './fileLimits';
 import { FilePath, type PathLike } from './FilePath';

@@ -1,8 +1,8 @@
+import type { AssetType, FieldValue } from '@farol/editing/fields';
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
 import { assetFields, type NamedAssetField } from '../fields/assetFields';
-import type { AssetType, FieldValue } from '../fields/Field';
 import type { FarolFile, FileObject } from './FarolFile';
 
 /** A place in a file that names an asset. */

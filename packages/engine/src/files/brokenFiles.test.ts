@@ -1,10 +1,10 @@
+import { number } from '@farol/editing/fields';
 import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
 import { Component } from '../core/Component';
 import { component } from '../fields/component';
-import { number } from '../fields/fields';
 import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
 import { FileError } from './FileError';

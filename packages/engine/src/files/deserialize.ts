@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { AssetError } from '../assets/AssetError';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAssetType } from '../assets/FieldAsset';

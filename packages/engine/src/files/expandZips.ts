@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { FileMap } from '../assets/collectFiles';
 import { FileError } from './FileError';
 import type { MayUnpack } from './unpack';

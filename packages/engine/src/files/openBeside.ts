@@ -1,6 +1,5 @@
-import { shortText } from '@farol/renderer';
-
 /** A scene to be handed to another page. */
+import { shortText } from '@farol/editing';
 export interface HandedScene {
   readonly name: string;
   /** A scene file: see `writeContainer`. Asked for each time the other page asks; the bytes are given away. */

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { sampleOf } from './ProblemList';
 import { checkGltf } from '../assets/checkGltf';
 import {

@@ -1,12 +1,11 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import { type AssetType, describeValue } from '@farol/editing/fields';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import { isFileAssetType } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/SceneGraph';
 import { sceneFields } from '../core/SceneSettings';
-import type { AssetType } from '../fields/Field';
-import { describeValue } from '../fields/checkFieldValue';
 import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from './checkDepth';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';

@@ -1,8 +1,7 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
+import { checkFieldValue, describeValue, type FieldTable, type FieldValue, isFieldValue } from '@farol/editing/fields';
 import { scriptClasses } from '../core/scriptClasses';
 import type { ComponentClass, ComponentRegistry } from '../core/SceneGraph';
-import { checkFieldValue, describeValue, isFieldValue } from '../fields/checkFieldValue';
-import type { FieldTable, FieldValue } from '../fields/Field';
 import type { FileComponent } from './FarolFile';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';

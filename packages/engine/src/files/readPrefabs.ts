@@ -1,5 +1,5 @@
+import { describeValue } from '@farol/editing/fields';
 import type { ComponentRegistry } from '../core/SceneGraph';
-import { describeValue } from '../fields/checkFieldValue';
 import type { Prefab } from '../prefabs/Prefab';
 import { PrefabSizes } from '../prefabs/PrefabSizes';
 import type { FileObject } from './FarolFile';

@@ -1,5 +1,5 @@
+import { describeValue } from '@farol/editing/fields';
 import { MOST_VIEWS, type SceneView, viewProblem } from '../core/SceneViews';
-import { describeValue } from '../fields/checkFieldValue';
 import type { FileView } from './FarolFile';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { counted } from '../core/counted';
 import { crc32 } from './crc32';
 import { FileError } from './FileError';

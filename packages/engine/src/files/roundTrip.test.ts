@@ -1,3 +1,4 @@
+import { isFieldVisible } from '@farol/editing/fields';
 import { describe, expect, test } from 'vitest';
 import { Camera } from '../components/Camera';
 import { builtinComponents } from '../components/index';
@@ -5,7 +6,6 @@ import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { sceneFields } from '../core/SceneSettings';
-import { isFieldVisible } from '../fields/isFieldVisible';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from './deserialize';
 import { serialize } from './serialize';

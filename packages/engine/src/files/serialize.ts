@@ -1,3 +1,4 @@
+import { type FieldValue, sameValue } from '@farol/editing/fields';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAsset } from '../assets/FieldAsset';
 import type { GameObject } from '../core/SceneGraph';
@@ -5,8 +6,7 @@ import type { Scene } from '../core/SceneGraph';
 import type { SceneView } from '../core/SceneViews';
 import type { FieldOwner } from '../fields/FieldOwner';
 import { savedFields } from '../fields/savedFields';
-import { copyValue, sameValue } from '../fields/FieldOwner';
-import type { FieldValue } from '../fields/Field';
+import { copyValue } from '../fields/FieldOwner';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 

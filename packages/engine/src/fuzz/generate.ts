@@ -1,7 +1,7 @@
+import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
 import { builtinComponents } from '../components/index';
 import { sceneFields } from '../core/SceneSettings';
-import type { FieldTable, FieldValue } from '../fields/Field';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { type FarolFile, FILE_VERSION, type FileObject } from '../files/FarolFile';
 import type { Prefab } from '../prefabs/Prefab';

@@ -1,5 +1,5 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { BufferGeometry, Float32BufferAttribute, Matrix4, Vector3 } from 'three';
-import type { Vector3Tuple } from '../fields/Field';
 import { computeCreaseNormals } from './computeCreaseNormals';
 
 /** A point of a surface for u and v from 0 to 1. */

@@ -1,5 +1,5 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { Vector3Tuple } from '../fields/Field';
 
 /** Where the planes of a grid lie along x, y and z (m); in any order, also twice. */
 export type GridPlanes = readonly [x: readonly number[], y: readonly number[], z: readonly number[]];

@@ -1,3 +1,4 @@
+import { shortText } from '@farol/editing';
 import type { Collider as RapierCollider } from '@dimforge/rapier3d-compat';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
@@ -7,7 +8,6 @@ import { colliderShape } from './colliderShape';
 import type { Rapier } from './loadRapier';
 import { makeColliderDesc } from './makeColliderDesc';
 import { ObjectWatch } from './ObjectWatch';
-import { shortText } from '@farol/renderer';
 import type { CharacterPart, ColliderPart } from './PhysicsParts';
 
 const place = new Vector3();

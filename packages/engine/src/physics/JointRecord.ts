@@ -1,3 +1,4 @@
+import { shortText } from '@farol/editing';
 import type {
   ImpulseJoint,
   JointData,
@@ -5,7 +6,6 @@ import type {
   RevoluteImpulseJoint,
   World,
 } from '@dimforge/rapier3d-compat';
-import { shortText } from '@farol/renderer';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
 import { type Body, placeOf } from './Body';

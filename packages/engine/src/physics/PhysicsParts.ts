@@ -1,5 +1,5 @@
+import type { ValuesOf } from '@farol/editing/fields';
 import type { Component } from '../core/SceneGraph';
-import type { ValuesOf } from '../fields/Field';
 import type { BodyControl } from './BodyControl';
 import type { CharacterControl } from './CharacterControl';
 import type { characterFields } from './characterFields';

@@ -1,5 +1,5 @@
+import { shortText } from '@farol/editing';
 import type { EventQueue, World } from '@dimforge/rapier3d-compat';
-import { shortText } from '@farol/renderer';
 import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
 import type { Body } from './Body';
 import { type ColliderRecord, listens, makeCapsule, makeCollider, moveCollider } from './ColliderRecord';

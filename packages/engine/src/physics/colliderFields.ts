@@ -1,11 +1,10 @@
-import { boolean, choice, number, vector3 } from '../fields/fields';
-
 const simple = ['box', 'sphere', 'capsule', 'cylinder'] as const;
 const standing = { visibleWhen: { field: 'shape', equals: ['capsule', 'cylinder'] } };
 const byHand = { visibleWhen: { field: 'fit', equals: [false] } };
 const solid = { visibleWhen: { field: 'sensor', equals: [false] }, group: 'Surface' };
 
 /** The fields of a Collider. */
+import { boolean, choice, number, vector3 } from '@farol/editing/fields';
 export const colliderFields = {
   shape: choice('box', [...simple, 'hull', 'mesh'], {
     help: 'A hull is the smallest shape without hollows round the mesh; a mesh has every triangle, and cannot be that of a dynamic body.',

@@ -1,5 +1,3 @@
-import { angle, boolean, choice, number, object, vector3 } from '../fields/fields';
-
 const withAxis = { visibleWhen: { field: 'type', equals: ['hinge', 'slider'] } };
 const withLimits = { visibleWhen: { field: 'type', equals: ['hinge', 'slider', 'ball'] } };
 const ball = { field: 'type', equals: ['ball'] };
@@ -10,6 +8,7 @@ const motor = { group: 'Motor' };
 const spring = { visibleWhen: { field: 'type', equals: ['spring'] }, group: 'Spring' };
 
 /** The fields of a Joint. */
+import { angle, boolean, choice, number, object, vector3 } from '@farol/editing/fields';
 export const jointFields = {
   type: choice('hinge', ['fixed', 'hinge', 'ball', 'slider', 'spring'], {
     help: 'What the two bodies may do to each other: nothing, turn about an axis or a point, slide along an axis, or keep a distance.',

@@ -1,5 +1,5 @@
+import { shortText } from '@farol/editing';
 import type { World } from '@dimforge/rapier3d-compat';
-import { shortText } from '@farol/renderer';
 import { Quaternion, Vector3 } from 'three';
 import type { GameObject } from '../core/SceneGraph';
 import { Body, placeOf } from './Body';

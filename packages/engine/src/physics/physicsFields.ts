@@ -1,6 +1,5 @@
-import { vector3 } from '../fields/fields';
-
 /** Settings of a scene for its physics. */
+import { vector3 } from '@farol/editing/fields';
 export const physicsFields = {
   gravity: vector3([0, -9.81, 0], {
     unit: 'm/s²',

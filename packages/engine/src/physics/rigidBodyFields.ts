@@ -1,10 +1,9 @@
-import { boolean, choice, number, vector3 } from '../fields/fields';
-
 const dynamic = { visibleWhen: { field: 'type', equals: ['dynamic'] } };
 const start = { ...dynamic, group: 'At the start' };
 const locked = { ...dynamic, group: 'Locked axes' };
 
 /** The fields of a RigidBody. */
+import { boolean, choice, number, vector3 } from '@farol/editing/fields';
 export const rigidBodyFields = {
   type: choice('dynamic', ['dynamic', 'kinematic', 'fixed'], {
     help: 'Moved by forces and collisions, moved by animation and scripts, or never.',

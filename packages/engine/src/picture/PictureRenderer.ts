@@ -1,6 +1,7 @@
 import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
 import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
 import { followEffects } from '../app/followEffects';
+import { needsPackage } from '../core/needsPackage';
 import type { CameraComponent, Scene } from '../core/SceneGraph';
 import type { PictureChain } from './chain/PictureChain';
 import { PictureEffects } from './PictureEffects';
@@ -210,7 +211,7 @@ export class PictureRenderer {
   private ask(): PictureCode | null {
     if (this.code !== null || this.isFetching) return this.code;
     this.isFetching = true;
-    import('./chain').then(
+    needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')).then(
       (code) => {
         this.code = code;
         if (!this.isDisposed) this.redraw();

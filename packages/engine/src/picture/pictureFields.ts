@@ -1,5 +1,15 @@
-import type { FieldCondition, FieldType } from '../fields/Field';
-import { angle, asset, boolean, choice, colour, custom, number, string } from '../fields/fields';
+import {
+  angle,
+  asset,
+  boolean,
+  choice,
+  colour,
+  custom,
+  type FieldCondition,
+  type FieldType,
+  number,
+  string,
+} from '@farol/editing/fields';
 import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
 /** Shown only while a switch is on. */

@@ -1,5 +1,4 @@
-import { shortText } from '@farol/renderer';
-
+import { shortText } from '@farol/editing';
 export type { Prefab, PrefabLink } from '../files/FarolFile';
 
 /** Something that cannot be done with a prefab. */

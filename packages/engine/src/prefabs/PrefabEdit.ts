@@ -1,6 +1,6 @@
+import type { FieldValue } from '@farol/editing/fields';
 import type { Component } from '../core/SceneGraph';
 import type { GameObject } from '../core/SceneGraph';
-import type { FieldValue } from '../fields/Field';
 import type { PrefabLink } from './Prefab';
 
 /** One thing to do to an instance so that it follows its prefab. An editor makes commands of them. */

@@ -1,8 +1,8 @@
+import { sameValue } from '@farol/editing/fields';
 import { withViewedValue } from '../fields/storedValues';
 import type { Component } from '../core/SceneGraph';
 import type { GameObject } from '../core/SceneGraph';
 import type { FileComponent, FileObject } from '../files/FarolFile';
-import { sameValue } from '../fields/FieldOwner';
 import { InstanceUpdate } from './InstanceUpdate';
 import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';
 import { readPrefab } from './makePrefab';

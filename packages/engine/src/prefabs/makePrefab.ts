@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { builtinComponents } from '../components/index';
 import { createId } from '../core/createId';
 import type { GameObject } from '../core/SceneGraph';

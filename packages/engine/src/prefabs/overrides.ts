@@ -1,7 +1,6 @@
+import { type FieldValue, sameValue } from '@farol/editing/fields';
 import type { Component } from '../core/SceneGraph';
 import type { GameObject } from '../core/SceneGraph';
-import type { FieldValue } from '../fields/Field';
-import { sameValue } from '../fields/FieldOwner';
 import type { FileObject } from '../files/FarolFile';
 import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import type { Prefab } from './Prefab';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import { makeObjects } from '../files/makeObjects';

@@ -1,5 +1,4 @@
-import { checkFieldValue } from '../fields/checkFieldValue';
-import type { Field, FieldValue } from '../fields/Field';
+import { checkFieldValue, type Field, type FieldValue } from '@farol/editing/fields';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { viewedValue } from '../fields/storedValues';
 import type { Component } from '../core/SceneGraph';

@@ -1,3 +1,4 @@
+import { boolean, number, object, string } from '@farol/editing/fields';
 import { BoxGeometry, Mesh } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { Model } from '../assets/Model';
@@ -9,7 +10,6 @@ import { RandomMovement } from '../components/RandomMovement';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { component } from '../fields/component';
-import { boolean, number, object, string } from '../fields/fields';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
 import { deserialize } from '../files/deserialize';

@@ -1,3 +1,4 @@
+import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type { ComponentClass } from '../core/SceneGraph';
 import { createRandom } from '../core/createRandom';
 import { GameObject } from '../core/GameObject';
@@ -9,7 +10,6 @@ import { MouseController } from '../components/MouseController';
 import { lightShadows, meshShadows } from '../components/newShadows';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
-import type { FieldValue, Vector3Tuple } from '../fields/Field';
 import { hueColour } from './hueColour';
 import type { SceneBuildOptions } from './SceneDefinition';
 

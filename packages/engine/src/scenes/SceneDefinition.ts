@@ -1,8 +1,6 @@
+import { checkFieldValue, FieldError, type FieldTable, type FieldValue } from '@farol/editing/fields';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { Scene } from '../core/SceneGraph';
-import { checkFieldValue } from '../fields/checkFieldValue';
-import type { FieldTable, FieldValue } from '../fields/Field';
-import { FieldError } from '../fields/FieldError';
 
 /** What every function that makes a scene takes besides its own parameters. */
 export interface SceneBuildOptions {

@@ -1,6 +1,5 @@
-import { number } from '../fields/fields';
-
 /** The seed that every scene has as a parameter. */
+import { number } from '@farol/editing/fields';
 export const seedField = number(1, {
   integer: true,
   min: 0,

@@ -1,6 +1,5 @@
-import { boolean } from '../fields/fields';
-
 /** The switch for shadows of a scene. */
+import { boolean } from '@farol/editing/fields';
 export const shadowsField = boolean(false, {
   help: 'Meshes throw and receive shadows, in suns, spot lights and a few point lights.',
 });

@@ -1,8 +1,7 @@
+import { type FieldValue, sameValue } from '@farol/editing/fields';
 import { changeClass, fits } from '../core/changeClass';
 import type { Component, ComponentClass } from '../core/SceneGraph';
 import { unknownClass } from '../core/UnknownComponent';
-import type { FieldValue } from '../fields/Field';
-import { sameValue } from '../fields/FieldOwner';
 
 type Values = Readonly<Record<string, FieldValue>>;
 

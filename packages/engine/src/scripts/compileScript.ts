@@ -1,3 +1,4 @@
+import { needsPackage } from '../core/needsPackage';
 import type { CompiledScript } from './CompiledScript';
 import type { ScriptError } from './ScriptError';
 
@@ -7,8 +8,9 @@ import type { ScriptError } from './ScriptError';
  * @param name - of the script asset: TypeScript, or JavaScript where it ends in `.js`
  * @returns the error, with line and column, where the text cannot be read; errors that only the browser's own compiler finds
  * come when it is run
+ * @throws Error (as a rejection) when the package sucrase cannot be loaded
  */
 export async function compileScript(name: string, source: string): Promise<CompiledScript | ScriptError> {
-  const { transformScript } = await import('./transformScript');
+  const { transformScript } = await needsPackage('sucrase', 'Scripts need', import('./transformScript'));
   return transformScript(name, source);
 }

@@ -1,4 +1,5 @@
-import { getFormattedTokens } from 'sucrase';
+// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+import * as sucrase from 'sucrase';
 
 /** A token of JavaScript as sucrase labels it: 'for', '(', 'name', '_=' for `+=`, '++/--'. */
 export interface ScriptToken {
@@ -12,7 +13,8 @@ export function scriptTokens(code: string): ScriptToken[] {
   const starts = [0];
   for (let at = code.indexOf('\n'); at >= 0; at = code.indexOf('\n', at + 1)) starts.push(at + 1);
   const place = (line: string, column: string): number => starts[Number(line) - 1] + Number(column) - 1;
-  return getFormattedTokens(code, { transforms: [] })
+  return sucrase
+    .getFormattedTokens(code, { transforms: [] })
     .split('\n')
     .flatMap((row) => {
       const [, line, column, lastLine, lastColumn, label] = /^(\d+):(\d+)-(\d+):(\d+)\s+(\S+)/.exec(row) ?? [];

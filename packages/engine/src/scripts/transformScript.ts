@@ -1,4 +1,5 @@
-import { transform } from 'sucrase';
+// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+import * as sucrase from 'sucrase';
 import type { CompiledScript } from './CompiledScript';
 import { guardLoops } from './guardLoops';
 import { ScriptError } from './ScriptError';
@@ -7,7 +8,7 @@ import { isTypeScript, scriptUrl } from './scriptUrl';
 /** See `compileScript`, which fetches this. */
 export function transformScript(name: string, source: string): CompiledScript | ScriptError {
   try {
-    const { code } = transform(source, {
+    const { code } = sucrase.transform(source, {
       transforms: isTypeScript(name) ? ['typescript', 'imports'] : ['imports'],
       disableESTransforms: true,
     });

@@ -1,7 +1,7 @@
+import type { FieldKind } from '@farol/editing/fields';
 import { builtinComponents } from '../core/builtinComponents';
 import { BaseComponent } from '../core/Component';
 import type { Component, GameObject } from '../core/SceneGraph';
-import type { FieldKind } from '../fields/Field';
 
 /** What a GameObject can be told, and every component. */
 export const objectMethods = ['activate', 'deactivate', 'toggle'] as const;

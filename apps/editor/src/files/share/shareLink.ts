@@ -1,7 +1,6 @@
-import { formatCount, t } from '@farol/editing';
+import { formatCount, shortText, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { inlineAssets } from '@farol/engine/files';
-import { shortText } from '@farol/renderer';
 import { encodeLink } from './linkText';
 import { sharedContent, type ShareOptions } from './sharedContent';
 

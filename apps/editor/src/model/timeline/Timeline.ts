@@ -1,12 +1,5 @@
-import {
-  type Command,
-  type EditRecorder,
-  type FieldTarget,
-  type FieldValue,
-  type Gesture,
-  SetFields,
-  Signal,
-} from '@farol/editing';
+import { type Command, type EditRecorder, type FieldTarget, type Gesture, SetFields, Signal } from '@farol/editing';
+import type { FieldValue } from '@farol/editing/fields';
 import { type ClipAsset, type ClipData, ClipPreview, type Component, type GameObject } from '@farol/engine';
 import type { EditorDocument } from '../EditorDocument';
 import { clipDataOf, noteClipData, writeClip } from './clipDataOf';

@@ -1,8 +1,8 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { Box3, type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material, Sphere } from 'three';
 import type { InstanceOwner } from '../../core/gameObjectOf';
 import { IndexedList } from '../../core/IndexedList';
 import type { Component, GameObject } from '../../core/SceneGraph';
-import type { Vector3Tuple } from '../../fields/Field';
 import { fitBounds } from '../ObjectSurface';
 
 /** A component that is drawn as an instance: an ObjectRenderer. */

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { counted } from '../../core/counted';
 
 /** Bytes that arrays may come to, whatever the file's size is, and how many times its size they may come to. */

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '@farol/editing';
 import { SRGBColorSpace, Color } from 'three';
 import { counted } from '../../core/counted';
 import type { Steps } from '../../core/steps';

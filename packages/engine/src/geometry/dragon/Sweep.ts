@@ -1,5 +1,5 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { Vector3 } from 'three';
-import type { Vector3Tuple } from '../../fields/Field';
 import type { Surface } from '../MeshBuilder';
 
 /** A point of a cross-section for u from 0 to 1 round it and v from 0 to 1 along: offsets to the side and upwards (m). */

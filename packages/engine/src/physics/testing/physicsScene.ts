@@ -1,3 +1,4 @@
+import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type { Vector3 } from 'three';
 import { Collider } from '../../components/Collider';
 import { builtinComponents } from '../../components/index';
@@ -5,7 +6,6 @@ import { ObjectRenderer } from '../../components/ObjectRenderer';
 import { RigidBody } from '../../components/RigidBody';
 import { GameObject } from '../../core/GameObject';
 import { Scene } from '../../core/Scene';
-import type { FieldValue, Vector3Tuple } from '../../fields/Field';
 import { PhysicsSystem } from '../PhysicsSystem';
 
 export type Values = Readonly<Record<string, FieldValue>>;

@@ -1,16 +1,5 @@
-import {
-  BlendFunction,
-  BloomEffect,
-  BrightnessContrastEffect,
-  DepthOfFieldEffect,
-  type Effect,
-  EffectPass,
-  HueSaturationEffect,
-  LUT3DEffect,
-  ToneMappingEffect,
-  ToneMappingMode,
-  VignetteEffect,
-} from 'postprocessing';
+// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+import * as postprocessing from 'postprocessing';
 import {
   ACESFilmicToneMapping,
   AgXToneMapping,
@@ -38,13 +27,13 @@ import { makeLookupTable } from './makeLookupTable';
 import { DepthEffect, WhiteBalanceEffect } from './ownEffects';
 import { whiteBalance } from './whiteBalance';
 
-const modes: Partial<Record<ToneMapping, ToneMappingMode>> = {
-  [LinearToneMapping]: ToneMappingMode.LINEAR,
-  [ReinhardToneMapping]: ToneMappingMode.REINHARD,
-  [CineonToneMapping]: ToneMappingMode.CINEON,
-  [ACESFilmicToneMapping]: ToneMappingMode.ACES_FILMIC,
-  [AgXToneMapping]: ToneMappingMode.AGX,
-  [NeutralToneMapping]: ToneMappingMode.NEUTRAL,
+const modes: Partial<Record<ToneMapping, postprocessing.ToneMappingMode>> = {
+  [LinearToneMapping]: postprocessing.ToneMappingMode.LINEAR,
+  [ReinhardToneMapping]: postprocessing.ToneMappingMode.REINHARD,
+  [CineonToneMapping]: postprocessing.ToneMappingMode.CINEON,
+  [ACESFilmicToneMapping]: postprocessing.ToneMappingMode.ACES_FILMIC,
+  [AgXToneMapping]: postprocessing.ToneMappingMode.AGX,
+  [NeutralToneMapping]: postprocessing.ToneMappingMode.NEUTRAL,
 };
 
 /** Bits of what is on. */
@@ -67,21 +56,21 @@ export class PictureChain {
   /** Holds what depth of field has made, for the bloom of that. */
   private focused: WebGLRenderTarget | null = null;
   private on = -1;
-  private passes: EffectPass[] = [];
+  private passes: postprocessing.EffectPass[] = [];
   private camera: Camera | null = null;
   private near = 0;
   private far = 0;
   private table: Data3DTexture | null = null;
   private tableOf: Texture | null = null;
   private waitsFor = '';
-  private readonly focus: DepthOfFieldEffect;
-  private readonly bloom: BloomEffect;
+  private readonly focus: postprocessing.DepthOfFieldEffect;
+  private readonly bloom: postprocessing.BloomEffect;
   private readonly balance = new WhiteBalanceEffect();
-  private readonly tones = new ToneMappingEffect({ mode: ToneMappingMode.LINEAR });
-  private readonly contrast = new BrightnessContrastEffect();
-  private readonly saturation = new HueSaturationEffect();
-  private lookup: LUT3DEffect | null = null;
-  private readonly vignette = new VignetteEffect();
+  private readonly tones = new postprocessing.ToneMappingEffect({ mode: postprocessing.ToneMappingMode.LINEAR });
+  private readonly contrast = new postprocessing.BrightnessContrastEffect();
+  private readonly saturation = new postprocessing.HueSaturationEffect();
+  private lookup: postprocessing.LUT3DEffect | null = null;
+  private readonly vignette = new postprocessing.VignetteEffect();
   private readonly depth = new DepthEffect();
 
   /** Whether a device draws to colours of floats. */
@@ -94,8 +83,12 @@ export class PictureChain {
     private readonly webgl: WebGLRenderer,
     private readonly redraw: () => void,
   ) {
-    this.focus = new DepthOfFieldEffect(undefined, { resolutionScale: 0.5 });
-    this.bloom = new BloomEffect({ blendFunction: BlendFunction.ADD, mipmapBlur: true, luminanceSmoothing: 0.1 });
+    this.focus = new postprocessing.DepthOfFieldEffect(undefined, { resolutionScale: 0.5 });
+    this.bloom = new postprocessing.BloomEffect({
+      blendFunction: postprocessing.BlendFunction.ADD,
+      mipmapBlur: true,
+      luminanceSmoothing: 0.1,
+    });
   }
 
   /**
@@ -157,7 +150,7 @@ export class PictureChain {
     this.table = this.tableOf = null;
   }
 
-  private get all(): Effect[] {
+  private get all(): postprocessing.Effect[] {
     const { focus, bloom, balance, tones, contrast, saturation, vignette, depth, lookup } = this;
     return [focus, bloom, balance, tones, contrast, saturation, vignette, depth, ...(lookup ? [lookup] : [])];
   }
@@ -172,13 +165,14 @@ export class PictureChain {
     if (showsEffects && settings.vignette) on |= VIGNETTE;
     if (grading) on |= GRADING;
     if (grading && settings.lut !== null && this.takeTable(scene, settings.lut)) on |= TABLE;
-    this.tones.mode = modes[look.toneMapping] ?? ToneMappingMode.LINEAR;
+    this.tones.mode = modes[look.toneMapping] ?? postprocessing.ToneMappingMode.LINEAR;
     if (on !== this.on) this.make(on, camera);
     this.setCamera(camera);
     const { bloom, focus, vignette, lookup } = this;
     bloom.intensity = settings.bloomIntensity;
     bloom.luminanceMaterial.threshold = settings.bloomThreshold;
-    (bloom as BloomEffect & { mipmapBlurPass: { radius: number } }).mipmapBlurPass.radius = settings.bloomRadius;
+    (bloom as postprocessing.BloomEffect & { mipmapBlurPass: { radius: number } }).mipmapBlurPass.radius =
+      settings.bloomRadius;
     focus.cocMaterial.focusDistance = look.focusDistance;
     focus.cocMaterial.focusRange = look.focusRange;
     if (focus.bokehScale !== look.focusBlur) focus.bokehScale = look.focusBlur;
@@ -198,7 +192,7 @@ export class PictureChain {
     const { webgl } = this;
     const target = this.target!;
     const { width, height } = target;
-    const light: Effect[] = [];
+    const light: postprocessing.Effect[] = [];
     if (on & BLOOM) light.push(this.bloom);
     if (on & GRADING) light.push(this.balance);
     if (on & TONES) light.push(this.tones);
@@ -206,8 +200,8 @@ export class PictureChain {
     if (on & TABLE) light.push(this.lookup!);
     if (on & VIGNETTE) light.push(this.vignette);
     light.push(this.depth);
-    if (on & FOCUS) this.passes.push(new EffectPass(camera, this.focus));
-    this.passes.push(new EffectPass(camera, ...light));
+    if (on & FOCUS) this.passes.push(new postprocessing.EffectPass(camera, this.focus));
+    this.passes.push(new postprocessing.EffectPass(camera, ...light));
     for (const pass of this.passes) {
       pass.initialize(webgl, false, HalfFloatType);
       pass.setDepthTexture(target.depthTexture!);
@@ -246,7 +240,8 @@ export class PictureChain {
     this.tableOf = texture;
     this.table = makeLookupTable(texture);
     if (this.table === null) return false;
-    if (this.lookup === null) this.lookup = new LUT3DEffect(this.table, { blendFunction: BlendFunction.NORMAL });
+    if (this.lookup === null)
+      this.lookup = new postprocessing.LUT3DEffect(this.table, { blendFunction: postprocessing.BlendFunction.NORMAL });
     else this.lookup.lut = this.table;
     return true;
   }
@@ -254,7 +249,7 @@ export class PictureChain {
   /** The effects stay: they are taken out first, so that they are not disposed with their pass. */
   private freePasses(): void {
     for (const pass of this.passes) {
-      (pass as unknown as { setEffects(effects: Effect[]): void }).setEffects([]);
+      (pass as unknown as { setEffects(effects: postprocessing.Effect[]): void }).setEffects([]);
       pass.dispose();
     }
     this.passes = [];

@@ -1,4 +1,5 @@
-import { BlendFunction, Effect } from 'postprocessing';
+// optional to a host: where it is missing, a build finds fault with names that are imported, not with members of all
+import * as postprocessing from 'postprocessing';
 import { Matrix3, type Texture, Uniform } from 'three';
 
 const balanceCode = `uniform mat3 balance;
@@ -7,11 +8,11 @@ void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)
 }`;
 
 /** Makes the picture warmer or cooler by a matrix of linear colours. */
-export class WhiteBalanceEffect extends Effect {
+export class WhiteBalanceEffect extends postprocessing.Effect {
   readonly balance = new Matrix3();
 
   constructor() {
-    super('WhiteBalanceEffect', balanceCode, { blendFunction: BlendFunction.SRC });
+    super('WhiteBalanceEffect', balanceCode, { blendFunction: postprocessing.BlendFunction.SRC });
     this.uniforms.set('balance', new Uniform(this.balance));
   }
 }
@@ -23,11 +24,11 @@ void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)
 }`;
 
 /** Hands on the depth of the scene: what is drawn over the picture finds it there. */
-export class DepthEffect extends Effect {
+export class DepthEffect extends postprocessing.Effect {
   private readonly sceneDepth = new Uniform<Texture | null>(null);
 
   constructor() {
-    super('DepthEffect', depthCode, { blendFunction: BlendFunction.SRC });
+    super('DepthEffect', depthCode, { blendFunction: postprocessing.BlendFunction.SRC });
     this.uniforms.set('sceneDepth', this.sceneDepth);
   }
 

@@ -1,4 +1,4 @@
-import type { ValuesOf } from '../../fields/Field';
+import type { ValuesOf } from '@farol/editing/fields';
 import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
 import type { Sky, SunPlace } from './makeSky';
 

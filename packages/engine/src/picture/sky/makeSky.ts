@@ -1,3 +1,4 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import {
   ClampToEdgeWrapping,
   DataTexture,
@@ -7,7 +8,6 @@ import {
   RepeatWrapping,
   RGBAFormat,
 } from 'three';
-import type { Vector3Tuple } from '../../fields/Field';
 import type { SkyPreset } from '../pictureFields';
 import { halfOf } from './halfOf';
 import { paintSky } from './paintSky';

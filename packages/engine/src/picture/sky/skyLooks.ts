@@ -1,4 +1,4 @@
-import type { Vector3Tuple } from '../../fields/Field';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { SkyPreset } from '../pictureFields';
 
 /** A lamp or a disc in a sky. */

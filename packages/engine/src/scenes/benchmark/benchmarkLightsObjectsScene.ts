@@ -1,4 +1,4 @@
-import { asset, number } from '../../fields/fields';
+import { asset, number } from '@farol/editing/fields';
 import { defineScene } from '../SceneDefinition';
 import { seedField } from '../seedField';
 import { shadowsField } from '../shadowsField';

@@ -1,5 +1,5 @@
+import type { FieldValue } from '@farol/editing/fields';
 import type { GameObject } from '../../core/SceneGraph';
-import type { FieldValue } from '../../fields/Field';
 import { textureName } from '../../textures/builtinTextures';
 import type { SceneBuilder } from '../SceneBuilder';
 import { registerMeshes } from '../registerMeshes';

@@ -1,4 +1,4 @@
-import { boolean, choice, number } from '../../fields/fields';
+import { boolean, choice, number } from '@farol/editing/fields';
 import { defineScene } from '../SceneDefinition';
 import { seedField } from '../seedField';
 

@@ -1,7 +1,6 @@
+import { number, type Vector3Tuple } from '@farol/editing/fields';
 import type { Scene } from '../../core/SceneGraph';
 import type { GameObject } from '../../core/SceneGraph';
-import type { Vector3Tuple } from '../../fields/Field';
-import { number } from '../../fields/fields';
 import { SceneBuilder } from '../SceneBuilder';
 import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';

@@ -1,5 +1,5 @@
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import type { Vector3Tuple } from '../../fields/Field';
 import { MeshBuilder, type Surface } from '../../geometry/MeshBuilder';
 import type { MeshMakers } from '../registerMeshes';
 import { templePlan, templeSize } from './templePlan';

@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '../shortText';
 import type { Curve, Field, FieldValue, Gradient } from './Field';
 
 /** Keys that a curve or a gradient may have. */
@@ -32,7 +32,7 @@ function describeRange(field: { min?: number; max?: number; unit?: string }): st
 }
 
 /** What a field allows, as the end of "must be …". */
-export function describeField(field: Field): string {
+function allowedBy(field: Field): string {
   switch (field.kind) {
     case 'number':
       return `${field.integer ? 'a whole number' : 'a finite number'}${describeRange(field)}`;
@@ -142,5 +142,5 @@ function isAllowed(field: Field, value: unknown): boolean {
  * @returns null when `value` is allowed, else what is wrong: "must be a finite number from 0 to 1, not NaN".
  */
 export function checkFieldValue(field: Field, value: unknown): string | null {
-  return isAllowed(field, value) ? null : `must be ${describeField(field)}, not ${describeValue(value)}`;
+  return isAllowed(field, value) ? null : `must be ${allowedBy(field)}, not ${describeValue(value)}`;
 }

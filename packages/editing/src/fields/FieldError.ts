@@ -1,4 +1,4 @@
-import { shortText } from '@farol/renderer';
+import { shortText } from '../shortText';
 
 /** A value that a field does not allow, or a field that does not exist. */
 export class FieldError extends Error {

@@ -1,0 +1,9 @@
+/** Declarations of fields: kinds, values, how a value is checked, and what an inspector reads. */
+export * from './Field';
+export * from './fields';
+export { checkFieldValue, describeValue, isFieldValue, MOST_KEYS } from './checkFieldValue';
+export { FieldError } from './FieldError';
+export { isFieldVisible } from './isFieldVisible';
+export { colourKeys, curveAt, fullKeys, gradientAt, joinKeys, opacityKeys } from './keys';
+export { isTriple, sameValue } from './sameValue';
+export { variantOfField } from './variantOfField';
