@@ -1,4 +1,4 @@
-export { FarolRenderer } from './FarolRenderer';
+export { FarolRenderer, type FarolEvents } from './FarolRenderer';
 export type { FarolOptions } from './FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
 export type { Technique } from './techniques/Technique';

@@ -1,3 +1,4 @@
 import { play } from './play';
 
-play(null);
+/** Fulfilled when the scene of the page is drawn as it stays: `FarolPlayer.ready` for other scripts of the page. */
+export const ready = play(null);

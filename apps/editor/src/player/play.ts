@@ -20,7 +20,7 @@ import { askForHosts, askForScripts } from './ask';
 import { hasParticles } from './hasParticles';
 import { keepToHosts } from './keepToHosts';
 import { needsParticles } from '../files/share/needsParticles';
-import { hasScripts, isSandboxed, showSandboxed } from './sandbox';
+import { hasScripts, isSandboxed, showSandboxed, tellReady } from './sandbox';
 import { playWithParticles } from './withParticles';
 
 /**
@@ -45,8 +45,13 @@ interface Opened {
   readonly runScripts: RunScripts | null;
 }
 
-/** @param runScripts - null for the player without @returns null when another frame or player shows the scene */
-async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Opened | null> {
+/** Another frame or player that shows the scene. */
+interface Elsewhere {
+  readonly ready: Promise<void>;
+}
+
+/** @param runScripts - null for the player without */
+async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Opened | Elsewhere> {
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
@@ -65,12 +70,10 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   const text = await decodeLink(location.hash);
   // whoever wrote the link wrote the scripts: they run where they reach nothing of this host
   if (hasScripts(text) && (!runScripts || !isSandboxed())) {
-    showSandboxed();
-    return null;
+    return { ready: showSandboxed() };
   }
   if (!hasParticles && needsParticles(text)) {
-    playWithParticles();
-    return null;
+    return { ready: playWithParticles() };
   }
   const runs = hasScripts(text) && (await askForScripts());
   const scene = await deserialize(text, { assets, registry, mayFetch });
@@ -149,17 +152,17 @@ function listens(scene: Scene): boolean {
   return found;
 }
 
-/** Shows and plays the scene of the page. @param playerScripts - null for the player without */
-async function start(playerScripts: RunScripts | null): Promise<void> {
+/** Shows and plays the scene of the page. @param playerScripts - null for the player without @returns what draws it */
+async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere> {
   if (firstLanguage(null, navigator.languages) === 'es') {
     setTexts(player, 'es');
     document.documentElement.lang = 'es';
   }
   const app = new App({ parent: document.body, renderer: { antialias: true } });
   const opened = await readScene(app.webgl, playerScripts);
-  if (!opened) {
+  if ('ready' in opened) {
     app.dispose();
-    return;
+    return opened;
   }
   const { scene, runScripts } = opened;
   const told = new Set<string>();
@@ -187,13 +190,24 @@ async function start(playerScripts: RunScripts | null): Promise<void> {
   };
   addEventListener('resize', resize);
   resize();
+  return app;
 }
 
-/** Shows and plays the scene of the page, and says what goes wrong. @param runScripts - null for the player without */
-export function play(runScripts: RunScripts | null): void {
-  start(runScripts).catch((error: unknown) => {
+/**
+ * Shows and plays the scene of the page, and says what goes wrong.
+ * @param runScripts - null for the player without
+ * @returns fulfilled when the scene is there, its assets are decoded and it is drawn as it stays: `App.ready`. A page around this
+ *   one is told by a message then, `{ farol: 'ready' }`
+ */
+export function play(runScripts: RunScripts | null): Promise<void> {
+  const started = start(runScripts);
+  started.catch((error: unknown) => {
     const text = error instanceof FileError || error instanceof Error ? error.message : String(error);
     say(text);
     throw error;
   });
+  const ready = started.then((shown) => shown.ready);
+  // a failure is told above, and to who waits
+  ready.then(tellReady, () => {});
+  return ready;
 }

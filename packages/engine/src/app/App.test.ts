@@ -13,6 +13,9 @@ vi.mock('@farol/renderer', () => ({
   FarolRenderer: class {
     readonly info = { technique: '', passes: [] };
     readonly effects = [];
+    readonly ready = Promise.resolve();
+    addEventListener(): void {}
+    removeEventListener(): void {}
     render(...args: unknown[]): void {
       drawn.push(args);
     }
@@ -113,6 +116,9 @@ const display = (time: number): void => {
   for (const callback of due) callback(time);
 };
 
+/** Fulfilled when what is settled has been told. */
+const settled = (): Promise<string> => new Promise((resolve) => setTimeout(() => resolve('waits')));
+
 describe('the loop', () => {
   test('updates and draws the scene by its camera in every frame, in steps of at most 0.1 s', () => {
     app.start();
@@ -168,6 +174,24 @@ describe('the loop', () => {
     expect(camera.projectionMatrix.elements[5] / camera.projectionMatrix.elements[0]).toBeCloseTo(3, 6);
     expect(app.webgl.setPixelRatio).toHaveBeenCalledWith(2);
     expect(app.scene.revision).toBe(revision);
+  });
+});
+
+describe('ready', () => {
+  test('draws by itself at rest, waits for the loop while that runs, and is rejected when the app goes', async () => {
+    await app.ready;
+    expect(drawn.length).toBeGreaterThan(0);
+    drawn.length = 0;
+    app.start();
+    const ready = app.ready;
+    await expect(Promise.race([ready, settled()])).resolves.toBe('waits');
+    expect(drawn).toHaveLength(0);
+    display(0);
+    await ready;
+    expect(drawn).toHaveLength(1);
+    const asked = app.ready;
+    app.dispose();
+    await expect(asked).rejects.toThrow('disposed before it was ready');
   });
 });
 

@@ -150,6 +150,17 @@ export class App {
     this.tell(0);
   }
 
+  /**
+   * Fulfilled when the scene on show is drawn as it stays while it does not move: its assets are loaded, all code is there, and
+   * a frame was drawn with them; see `PictureRenderer.ready`. Frames are the loop's; while it does not run, this draws. It
+   * waits while the scene has no camera.
+   *
+   * Rejected when code cannot be fetched, with an Error that says what to do, and when the app is disposed.
+   */
+  get ready(): Promise<void> {
+    return this.picture.ready;
+  }
+
   /** Draws the scene as it is; nothing but the background when it has no camera. */
   render(): void {
     const camera = this.currentScene.activeCamera;

@@ -22,6 +22,8 @@ vi.mock('@farol/renderer', async (original) => ({
   FarolRenderer: class {
     readonly microshaders = null;
     readonly effects = [];
+    addEventListener(): void {}
+    removeEventListener(): void {}
     readonly info = { technique: '', passes: [] };
     render(): void {
       drawn.push(sizes.at(-1));

@@ -524,6 +524,16 @@ export class AssetLibrary implements MaterialHost, SurfaceHost {
     return this.isReady('mesh', name) ? prepare() : this.load(name, signal).then(prepare);
   }
 
+  /** Whether nothing is being loaded, and no normals are being computed. */
+  get isSettled(): boolean {
+    return this.loading.size === 0 && this.normals.isSettled;
+  }
+
+  /** Fulfilled when all that is being loaded or computed is there or has failed, and what was asked for meanwhile. */
+  async settled(): Promise<void> {
+    while (!this.isSettled) await Promise.allSettled([...this.loading.values(), this.normals.settled()]);
+  }
+
   /** Fulfilled when all normals are there that `prepareMesh` computes now. */
   meshesPrepared(): Promise<void> {
     return this.normals.settled();

@@ -49,6 +49,11 @@ export class MeshNormals {
     return cancellable(computation.promise, signal, () => {});
   }
 
+  /** Whether nothing is being computed. */
+  get isSettled(): boolean {
+    return this.computing.size === 0;
+  }
+
   /** Fulfilled when nothing is being computed any more that is being computed now. */
   async settled(): Promise<void> {
     const all = [...this.computing.values()].flatMap((angles) => [...angles.values()]);

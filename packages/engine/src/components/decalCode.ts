@@ -1,31 +1,21 @@
+import { LateCode } from '../core/LateCode';
 import type { RequiredEffect } from '../core/RequiredEffect';
 
-type DecalCode = typeof import('@farol/renderer/decals');
-
-let code: DecalCode | null = null;
-let loading: Promise<void> | null = null;
+const late = new LateCode(
+  () => import('@farol/renderer/decals'),
+  'The code of decals could not be fetched: see that the network is there, and add one again.',
+);
 
 /** The renderer's code of decals; null until `loadDecalCode` is done. */
-export const decalCode = (): DecalCode | null => code;
+export const decalCode = () => late.code;
 
-/** Fetches the renderer's code of decals, which most scenes do without. @throws Error when it cannot be fetched; try again */
-export async function loadDecalCode(): Promise<void> {
-  loading ??= import('@farol/renderer/decals').then(
-    (module) => void (code = module),
-    (cause: unknown) => {
-      loading = null;
-      throw new Error('The code of decals could not be fetched: see that the network is there, and add one again.', {
-        cause,
-      });
-    },
-  );
-  return loading;
-}
+/** Fetches the renderer's code of decals, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
+export const loadDecalCode = () => late.load();
 
 /** The effect that draws decals. */
 export const decalsEffect: RequiredEffect = {
   get effectClass() {
-    return code?.Decals ?? null;
+    return late.code?.Decals ?? null;
   },
   load: loadDecalCode,
 };

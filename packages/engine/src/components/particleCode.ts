@@ -1,43 +1,32 @@
 import type { ParticlePresetName } from '@farol/renderer/particles';
+import { LateCode } from '../core/LateCode';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { ParticleValues } from './particleSettings';
 
-type ParticleCode = typeof import('./particleRuntime');
-
-let code: ParticleCode | null = null;
-let loading: Promise<void> | null = null;
+const late = new LateCode(
+  () => import('./particleRuntime'),
+  'The code of particles could not be fetched: see that the network is there, and add one again.',
+);
 
 /** The code of particles; null until `loadParticleCode` is done. */
-export const particleCode = (): ParticleCode | null => code;
+export const particleCode = () => late.code;
 
-/** Fetches the code of particles, the renderer's too, which most scenes do without. @throws Error when it cannot be fetched; try again */
-export async function loadParticleCode(): Promise<void> {
-  loading ??= import('./particleRuntime').then(
-    (module) => void (code = module),
-    (cause: unknown) => {
-      loading = null;
-      throw new Error('The code of particles could not be fetched: see that the network is there, and add one again.', {
-        cause,
-      });
-    },
-  );
-  return loading;
-}
+/** Fetches the code of particles, the renderer's too, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
+export const loadParticleCode = () => late.load();
 
 /**
  * Values of a ParticleEmitter's fields for a common effect: `object.addComponent(ParticleEmitter, await particlePreset('fire'))`.
  * @throws Error (as a rejection) when the code of particles cannot be fetched; try again
  */
 export async function particlePreset(name: ParticlePresetName): Promise<Partial<ParticleValues>> {
-  await loadParticleCode();
-  const { particlePresets, particleValues } = code!;
+  const { particlePresets, particleValues } = await loadParticleCode();
   return particleValues(particlePresets[name]);
 }
 
 /** The effect that draws particles. */
 export const particlesEffect: RequiredEffect = {
   get effectClass() {
-    return code?.Particles ?? null;
+    return late.code?.Particles ?? null;
   },
   load: loadParticleCode,
 };

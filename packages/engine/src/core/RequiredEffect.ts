@@ -5,5 +5,5 @@ export interface RequiredEffect {
   /** Class of the effect; null until `load` is done. */
   readonly effectClass: (new () => FarolEffect) | null;
   /** Fetches the code of the effect. @throws Error (as a rejection) when it cannot be fetched; try again */
-  load(): Promise<void>;
+  load(): Promise<unknown>;
 }

@@ -1,24 +1,12 @@
-import type { ShownBake } from '../bake/ShownBake';
+import { LateCode } from './LateCode';
 
-let code: typeof ShownBake | null = null;
-let loading: Promise<void> | null = null;
+const late = new LateCode(
+  () => import('../bake/ShownBake'),
+  'The code of baked light could not be fetched: see that the network is there, and open it again.',
+);
 
 /** What lights scenes by baked light; null until `loadBakeCode` is done. */
-export const bakeCode = (): typeof ShownBake | null => code;
+export const bakeCode = () => late.code?.ShownBake ?? null;
 
 /** Fetches what lights scenes by baked light, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
-export async function loadBakeCode(): Promise<void> {
-  loading ??= import('../bake/ShownBake').then(
-    (module) => void (code = module.ShownBake),
-    (cause: unknown) => {
-      loading = null;
-      throw new Error(
-        'The code of baked light could not be fetched: see that the network is there, and open it again.',
-        {
-          cause,
-        },
-      );
-    },
-  );
-  return loading;
-}
+export const loadBakeCode = () => late.load();

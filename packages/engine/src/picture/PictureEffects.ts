@@ -2,18 +2,23 @@ import type { FarolEffect, FarolRenderer } from '@farol/renderer';
 import type { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
 import type { TAA } from '@farol/renderer/antialiasing';
 import type { EffectName } from '@farol/renderer/effects';
+import { LateCode } from '../core/LateCode';
 import type { SceneSettings } from '../core/SceneSettings';
 import { techniqueLimits } from './techniqueLimits';
 
 /** Still frames after which the picture of TAA changes no more. */
 const SETTLED = 40;
 
+const late = new LateCode(
+  () => import('@farol/renderer/effects'),
+  'The code of effects could not be fetched: see that the network is there, and choose one again.',
+);
+
 /** Keeps `FarolRenderer.effects` at what a scene asks for; their code is fetched when the first of them is. */
 export class PictureEffects {
   /** Effects of plugins, by the names that scenes ask for them by. Call `addedChanged` after a change. */
   readonly added = new Map<string, () => FarolEffect>();
 
-  private code: typeof import('@farol/renderer/effects') | null = null;
   private asked = false;
   private readonly made = new Map<string, FarolEffect>();
   private current = '';
@@ -66,7 +71,7 @@ export class PictureEffects {
   addedChanged(): void {
     this.refresh();
     for (const [name, effect] of this.made) {
-      if (this.added.has(name) || (this.code && Object.hasOwn(this.code.effects, name))) continue;
+      if (this.added.has(name) || (late.code && Object.hasOwn(late.code.effects, name))) continue;
       effect.dispose();
       this.made.delete(name);
     }
@@ -81,7 +86,7 @@ export class PictureEffects {
     if (settings === null) return;
     const names = this.isSuspended ? [] : this.wanted(settings);
     const key = names.join();
-    if (key !== this.current && this.code === null) {
+    if (key !== this.current && late.code === null) {
       this.fetch();
       return;
     }
@@ -114,7 +119,7 @@ export class PictureEffects {
   private make(name: string): FarolEffect {
     let effect = this.made.get(name);
     if (effect === undefined) {
-      effect = this.added.get(name)?.() ?? this.code!.effects[name as EffectName].make();
+      effect = this.added.get(name)?.() ?? late.code!.effects[name as EffectName].make();
       this.made.set(name, effect);
     }
     return effect;
@@ -123,10 +128,7 @@ export class PictureEffects {
   private fetch(): void {
     if (this.asked) return;
     this.asked = true;
-    import('@farol/renderer/effects').then((code) => {
-      this.code = code;
-      this.refresh();
-    }, this.failed);
+    late.load().then(() => this.refresh(), this.failed);
   }
 }
 

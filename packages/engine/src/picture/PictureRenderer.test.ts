@@ -1,5 +1,13 @@
-import type { FarolEffect, FarolRenderer } from '@farol/renderer';
-import { Color, NoToneMapping, PCFShadowMap, ReinhardToneMapping, type Vector4, VSMShadowMap } from 'three';
+import type { FarolEffect, FarolEvents, FarolRenderer } from '@farol/renderer';
+import {
+  Color,
+  EventDispatcher,
+  NoToneMapping,
+  PCFShadowMap,
+  ReinhardToneMapping,
+  type Vector4,
+  VSMShadowMap,
+} from 'three';
 import { beforeAll, expect, test, vi } from 'vitest';
 import { Camera } from '../components/Camera';
 import { Light } from '../components/Light';
@@ -24,7 +32,7 @@ function makeFarol(...passes: string[]) {
     extensions: { has: () => true },
     shadowMap: { enabled: true, type: PCFShadowMap as number },
   };
-  const farol = {
+  const farol = Object.assign(new EventDispatcher<FarolEvents>(), {
     webgl,
     view: 'final',
     shadowCascades: 1,
@@ -37,7 +45,7 @@ function makeFarol(...passes: string[]) {
       const { r } = scene.background as Color;
       this.frames.push([this.technique, webgl.toneMapping, webgl.toneMappingExposure, r]);
     },
-  };
+  });
   return farol as unknown as FarolRenderer & typeof farol;
 }
 

@@ -1,14 +1,16 @@
 import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
 import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
 import { followEffects } from '../app/followEffects';
+import { LateCode } from '../core/LateCode';
 import { needsPackage } from '../core/needsPackage';
 import type { CameraComponent, Scene } from '../core/SceneGraph';
 import type { PictureChain } from './chain/PictureChain';
+import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';
 import { PictureLook } from './PictureLook';
 import { PictureShadows } from './PictureShadows';
 
-type PictureCode = typeof import('./chain');
+const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
 const isGBuffer = ({ name }: PassInfo): boolean => name === 'g-buffer';
@@ -48,17 +50,18 @@ export class PictureRenderer {
   private readonly viewport = new Vector4();
   private tones = 0;
   private technique = 'auto';
-  private code: PictureCode | null = null;
   private isFetching = false;
   private chain: PictureChain | null = null;
   private waitsFor: Promise<void> | null = null;
-  private isDisposed = false;
+  private readonly last: LastPicture;
 
   constructor(
     readonly farol: FarolRenderer,
     options: PictureRendererOptions = {},
   ) {
-    this.redraw = options.redraw ?? (() => {});
+    this.last = new LastPicture(options.redraw ?? (() => {}));
+    this.redraw = this.last.redraw;
+    farol.addEventListener('redraw', this.redraw);
     this.failed = options.failed ?? ((error) => console.error((error as Error).message));
     this.followsRendering = options.followsRendering ?? true;
     this.effects = new PictureEffects(farol, this.redraw, this.failed);
@@ -82,11 +85,13 @@ export class PictureRenderer {
    */
   draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
     const { farol, look } = this;
+    this.last.begin(scene);
     look.take(scene.settings, component);
     const chain = farol.view === 'final' ? this.chainFor(scene) : null;
     this.noticeTones(chain);
     if (chain === null) this.renderPlain(farol, scene, camera);
     else this.renderByChain(chain, scene, camera);
+    this.last.end();
   }
 
   /** Has something draw the scene in the tones of the picture and without its effects; else as `draw`. */
@@ -101,9 +106,23 @@ export class PictureRenderer {
   }
 
   dispose(): void {
-    this.isDisposed = true;
+    this.farol.removeEventListener('redraw', this.redraw);
     this.free();
     this.effects.dispose();
+    this.last.dispose();
+  }
+
+  /**
+   * Fulfilled when the scene that was drawn last is drawn as it stays while it does not move: what its assets are read from is
+   * loaded, or has failed, the code that it needs is there, the renderer is ready (`FarolRenderer.ready`), and effects that
+   * gather frames have them. It asks for frames by `redraw`, waits for one at least, and waits while there is no scene.
+   *
+   * Rejected when code cannot be fetched, with an Error that says what to do, and when this is disposed.
+   */
+  get ready(): Promise<void> {
+    return import('./whenDrawn').then(({ whenDrawn }) =>
+      whenDrawn({ last: this.last, farol: this.farol, effects: this.effects }),
+    );
   }
 
   /** Brings the renderer up to what the scene asks for: technique, effects, shadows, sky. */
@@ -208,20 +227,14 @@ export class PictureRenderer {
   }
 
   /** The code of tone mapping and effects; null until it is fetched. */
-  private ask(): PictureCode | null {
-    if (this.code !== null || this.isFetching) return this.code;
+  private ask(): typeof late.code {
+    if (late.code !== null || this.isFetching) return late.code;
     this.isFetching = true;
-    needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')).then(
-      (code) => {
-        this.code = code;
-        if (!this.isDisposed) this.redraw();
-      },
-      (error: unknown) => this.failed(error),
-    );
+    late.load().then(() => this.last.isDisposed || this.redraw(), this.failed);
     return null;
   }
 
-  private makeChain({ PictureChain }: PictureCode): PictureChain {
+  private makeChain({ PictureChain }: NonNullable<typeof late.code>): PictureChain {
     const { webgl } = this.farol;
     // what is freed after the context is back, three would delete in a context that it does not belong to
     webgl.domElement.addEventListener('webglcontextlost', this.free);

@@ -1,26 +1,13 @@
 import type { ValuesOf } from '@farol/editing/fields';
+import { LateCode } from '../../core/LateCode';
 import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
 import type { Sky, SunPlace } from './makeSky';
 
 type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
-type SkyCode = typeof import('./makeSky');
-
-let code: SkyCode | null = null;
-let loading: Promise<void> | null = null;
-
-/** Fetches what makes skies, which scenes without one do without. @throws Error when it cannot be fetched; try again */
-export function loadSkyCode(): Promise<void> {
-  loading ??= import('./makeSky').then(
-    (module) => void (code = module),
-    (cause: unknown) => {
-      loading = null;
-      throw new Error('The code of skies could not be fetched: see that the network is there, and choose one again.', {
-        cause,
-      });
-    },
-  );
-  return loading;
-}
+const late = new LateCode(
+  () => import('./makeSky'),
+  'The code of skies could not be fetched: see that the network is there, and choose one again.',
+);
 
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
@@ -36,15 +23,15 @@ export class SkySource {
   of(settings: SkySettings): Sky | null {
     const key = keyOf(settings);
     if (key === this.key) return this.made;
-    if (key !== '' && code === null) {
-      this.ready = loadSkyCode().then(this.came);
+    if (key !== '' && late.code === null) {
+      this.ready = late.load().then(this.came);
       // told to who waits for it
       this.ready.catch(() => {});
       return null;
     }
     this.dispose();
     this.key = key;
-    if (key !== '') this.made = make(settings, code!);
+    if (key !== '') this.made = make(settings, late.code!);
     return this.made;
   }
 
@@ -70,7 +57,7 @@ function sunOf({ placeSun, sky, sunAzimuth, sunElevation }: SkySettings): SunPla
   return placeSun && hasSun ? { azimuth: sunAzimuth, elevation: sunElevation } : null;
 }
 
-function make(settings: SkySettings, { makePresetSky, makeGradientSky }: SkyCode): Sky {
+function make(settings: SkySettings, { makePresetSky, makeGradientSky }: typeof import('./makeSky')): Sky {
   const { background, sky, skyTop: top, skyHorizon: horizon, skyGround: ground } = settings;
   return background === 'sky' ? makePresetSky(sky, sunOf(settings)) : makeGradientSky({ top, horizon, ground });
 }

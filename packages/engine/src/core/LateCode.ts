@@ -1,0 +1,36 @@
+/** Code that most scenes do without, fetched when one first needs it; shared by all scenes of a page. */
+export class LateCode<Code> {
+  /** What is being fetched now, of all such code. */
+  static readonly fetching = new Set<Promise<unknown>>();
+  /** Null until `load` is done. */
+  code: Code | null = null;
+  private loading: Promise<Code> | null = null;
+
+  /**
+   * @param fetch - called again after a failure
+   * @param failure - message for the user when it cannot be fetched; default: what `fetch` is rejected with
+   */
+  constructor(
+    private readonly fetch: () => Promise<Code>,
+    private readonly failure?: string,
+  ) {}
+
+  /** Fetches the code. @throws Error (as a rejection) when it cannot be fetched; try again */
+  load(): Promise<Code> {
+    return (this.loading ??= this.begin());
+  }
+
+  private begin(): Promise<Code> {
+    const promise = this.fetch()
+      .then(
+        (code) => (this.code = code),
+        (cause: unknown) => {
+          this.loading = null;
+          throw this.failure === undefined ? cause : new Error(this.failure, { cause });
+        },
+      )
+      .finally(() => LateCode.fetching.delete(promise));
+    LateCode.fetching.add(promise);
+    return promise;
+  }
+}

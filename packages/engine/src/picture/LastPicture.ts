@@ -1,0 +1,35 @@
+import type { Scene } from '../core/SceneGraph';
+
+/** Knows of the last frame of a PictureRenderer whether another one is to be drawn. */
+export class LastPicture {
+  /** Drawn in it; null before the first. */
+  scene: Scene | null = null;
+  /** Whether a frame was asked for that is not begun. */
+  isStale = false;
+  isDisposed = false;
+  /** Called once each, after the next frame or when the renderer is disposed. */
+  readonly waiting: (() => void)[] = [];
+
+  /** @param askHost - has the host draw a frame */
+  constructor(private readonly askHost: () => void) {}
+
+  /** Asks for a frame. */
+  readonly redraw = (): void => {
+    this.isStale = true;
+    this.askHost();
+  };
+
+  begin(scene: Scene): void {
+    this.scene = scene;
+    this.isStale = false;
+  }
+
+  end(): void {
+    while (this.waiting.length > 0) this.waiting.pop()!();
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    this.end();
+  }
+}
