@@ -9,6 +9,7 @@ import { expect, test } from '../support/test';
 import type { ReadGltf } from '../pages/gltf';
 import { addObject, openEditor, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
+import { playerPicture } from './player';
 
 test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
 
@@ -20,9 +21,9 @@ const HEIGHT = 136;
 const few: Readonly<Record<string, number | string>> = { lights: 4, n: 3, m: 3, textureSize: '128' };
 
 /** RGBA bytes of sRGB, top row first, as linear floats. */
-function decoded(base64: string): FloatImage {
+function decoded(bytes: Buffer): FloatImage {
   const linear = (byte: number): number => (byte <= 10 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
-  return { width: WIDTH, height: HEIGHT, data: Array.from(Buffer.from(base64, 'base64'), linear) };
+  return { width: WIDTH, height: HEIGHT, data: Array.from(bytes, linear) };
 }
 
 /** The scene's picture through its own camera, by stock three or by Farol. */
@@ -61,34 +62,7 @@ async function editorPicture(page: Page, by: 'three' | 'farol'): Promise<FloatIm
     },
     [by, WIDTH, HEIGHT] as const,
   );
-  return decoded(picture);
-}
-
-/** What a page of the player shows in its next frame. */
-async function playerPicture(page: Page): Promise<FloatImage> {
-  const canvas = page.locator('canvas');
-  await expect(canvas).toHaveAttribute('aria-label', /./);
-  const picture = await canvas.evaluate(
-    (element: HTMLCanvasElement) =>
-      new Promise<string>((resolve) => {
-        let frames = 0;
-        const frame = (): void => {
-          // what is fetched late is drawn another way in the first frames
-          if (++frames < 8) return void requestAnimationFrame(frame);
-          const copy = document.createElement('canvas');
-          copy.width = element.width;
-          copy.height = element.height;
-          const context = copy.getContext('2d', { willReadFrequently: true })!;
-          context.drawImage(element, 0, 0);
-          const { data } = context.getImageData(0, 0, copy.width, copy.height);
-          const letters: string[] = [];
-          for (let i = 0; i < data.length; i += 8192) letters.push(String.fromCharCode(...data.subarray(i, i + 8192)));
-          resolve(btoa(letters.join('')));
-        };
-        requestAnimationFrame(frame);
-      }),
-  );
-  return decoded(picture);
+  return decoded(Buffer.from(picture, 'base64'));
 }
 
 const openDialog = (page: Page): Promise<void> => page.keyboard.press('Control+Shift+E');
@@ -172,7 +146,7 @@ async function checkGltf(page: Page, reader: Page, name: string): Promise<void> 
   expect({ meshes: read.meshes.length, lights: read.lights.length }, name).toEqual(inScene);
   const stock = await editorPicture(page, 'three');
   expect(isFlat(stock), `${name} by stock three shows one colour`).toBe(false);
-  const { psnr, share } = compareImages(stock, decoded(read.picture));
+  const { psnr, share } = compareImages(stock, decoded(Buffer.from(read.picture, 'base64')));
   test.info().annotations.push({ type: 'glTF', description: `${name}: ${psnr.toFixed(1)} dB, ${share * 100}%` });
   // what differs are normal maps at joints: by vertex tangents here, by derivatives there; 44 dB and more were measured
   expect(psnr, `${name} read again, dB`).toBeGreaterThan(42);
@@ -207,7 +181,7 @@ async function checkPages(
   if (!isByLink) pages.push(['embedded frame', frame]);
   for (const [kind, address] of pages) {
     await other.goto(address);
-    const shown = await playerPicture(other);
+    const shown = decoded(await playerPicture(other));
     const { psnr } = compareImages(picture, shown);
     test.info().annotations.push({ type: kind, description: `${name}: ${psnr.toFixed(1)} dB` });
     // 'auto' may draw with smooth edges in the one and not yet in the other: 35.7 dB and more were measured

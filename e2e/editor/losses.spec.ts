@@ -15,7 +15,8 @@ const picture = (page: Page): Promise<string> =>
   page.evaluate(async () => {
     const { viewport } = window.editor;
     const gl = viewport.webgl.getContext();
-    for (let i = 0; i < 4; i++) viewport.renderNow();
+    await viewport.picture.ready;
+    viewport.renderNow();
     const pixels = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
     gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return Array.from(new Uint8Array(await crypto.subtle.digest('SHA-1', pixels))).join(' ');

@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
 import { addObject, openEditor, serialized } from './editor';
+import { playerPicture } from './player';
 
 test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
 
@@ -10,26 +11,31 @@ test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
 const WIDTH = 160;
 const HEIGHT = 90;
 
-/** RGBA bytes in base64 as floats from 0 to 1. */
-const decoded = (base64: string): FloatImage => ({
+/** RGBA bytes as floats from 0 to 1. */
+const decoded = (bytes: Buffer): FloatImage => ({
   width: WIDTH,
   height: HEIGHT,
-  data: Array.from(Buffer.from(base64, 'base64'), (byte) => byte / 255),
+  data: Array.from(bytes, (byte) => byte / 255),
 });
 
 /** The picture that the scene's camera gives, in the editor. */
 async function picture(page: Page): Promise<FloatImage> {
   const bytes = await page.evaluate(
-    ([width, height]) => {
+    async ([width, height]) => {
       const { viewport, document: edited } = window.editor;
-      const { webgl, picture: drawn } = viewport;
+      const { webgl, farol, picture: drawn } = viewport;
+      await drawn.ready;
       const camera = edited.scene.activeCamera!;
       const [{ width: oldWidth, height: oldHeight }, ratio] = [viewport.canvas, webgl.getPixelRatio()];
       webgl.setPixelRatio(1);
       webgl.setSize(width, height, false);
       camera.setViewport(width, height);
-      // what 'auto' smooths edges by is known after the first
-      for (let frame = 0; frame < 3; frame++) drawn.render(edited.scene, camera.three, camera);
+      // what edges are smoothed by follows from the technique that has drawn
+      let effects = null;
+      while (farol.effects !== effects) {
+        ({ effects } = farol);
+        drawn.render(edited.scene, camera.three, camera);
+      }
       const copy = Object.assign(document.createElement('canvas'), { width, height });
       const context = copy.getContext('2d')!;
       context.drawImage(viewport.canvas, 0, 0);
@@ -39,31 +45,7 @@ async function picture(page: Page): Promise<FloatImage> {
     },
     [WIDTH, HEIGHT] as const,
   );
-  return decoded(bytes);
-}
-
-/** The picture of a page that plays the scene. */
-async function played(page: Page): Promise<FloatImage> {
-  const canvas = page.locator('canvas');
-  await expect(canvas).toHaveAttribute('aria-label', /./);
-  const bytes = await canvas.evaluate(
-    (element: HTMLCanvasElement) =>
-      new Promise<string>((resolve) => {
-        let frames = 0;
-        const frame = (): void => {
-          if (++frames < 6) return void requestAnimationFrame(frame);
-          const copy = Object.assign(document.createElement('canvas'), {
-            width: element.width,
-            height: element.height,
-          });
-          const context = copy.getContext('2d')!;
-          context.drawImage(element, 0, 0);
-          resolve(btoa(String.fromCharCode(...context.getImageData(0, 0, copy.width, copy.height).data)));
-        };
-        requestAnimationFrame(frame);
-      }),
-  );
-  return decoded(bytes);
+  return decoded(Buffer.from(bytes, 'base64'));
 }
 
 const psnr = (a: FloatImage, b: FloatImage): number => compareImages(a, b).psnr;
@@ -129,6 +111,6 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
   other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
   await other.setViewportSize({ width: WIDTH, height: HEIGHT });
   await other.goto(pathToFileURL(html).href);
-  expect(psnr(await played(other), chosen)).toBeGreaterThan(34);
+  expect(psnr(decoded(await playerPicture(other)), chosen)).toBeGreaterThan(34);
   expect(problems).toEqual([]);
 });

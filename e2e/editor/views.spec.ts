@@ -31,9 +31,6 @@ const pointIn = (page: Page, object: string, pane?: string, x = 0): Promise<{ x:
 const selected = (page: Page): Promise<string[]> =>
   page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
 
-const pause = (page: Page): Promise<void> =>
-  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
-
 test('views without perspective, kept views, and a camera that is flown', async ({ page }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
@@ -74,7 +71,7 @@ test('views without perspective, kept views, and a camera that is flown', async 
   const before = await fieldOf(page, 'Camera', 'Transform', 'rotation');
   await pressPad(page, 0);
   await expect(page.getByText('You fly Camera')).toBeVisible();
-  await pause(page);
+  await page.evaluate(() => window.editor.viewport.picture.ready);
   await page.mouse.move(450, 400);
   await page.mouse.down();
   await page.mouse.move(470, 404, { steps: 3 });

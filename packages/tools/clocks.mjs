@@ -96,15 +96,9 @@ export const clockLimits = [
   { file: 'e2e/editor/commands.spec.ts', most: 1, reason: 'the panels are drawn in a task of their own' },
   { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws: used on a GPU alone' },
   { file: 'e2e/editor/assets.spec.ts', most: 4, reason: 'the longest wait of the page for its turn' },
-  { file: 'e2e/editor/exports.spec.ts', most: 1, reason: 'waits for late code of the player' },
   { file: 'e2e/editor/performance.spec.ts', most: 3, reason: 'times the panels' },
-  { file: 'e2e/editor/picture.spec.ts', most: 1, reason: 'waits for late code of the player' },
   { file: 'e2e/editor/samples.spec.ts', most: 2, reason: 'times opening a sample' },
-  { file: 'e2e/editor/scripts.spec.ts', most: 3, reason: 'times an edit of a script' },
-  { file: 'e2e/editor/views.spec.ts', most: 1, reason: 'waits for a drawn view' },
-  { file: 'e2e/perf/autoChange.spec.ts', most: 1, reason: 'draws while a technique is fetched' },
-  { file: 'e2e/viewer/gui.spec.ts', most: 2, reason: 'waits for a change of the GUI' },
-  { file: 'e2e/viewer/url.spec.ts', most: 1, reason: 'shows that nothing is drawn' },
+  { file: 'e2e/perf/autoChange.spec.ts', most: 1, reason: "frames after which 'auto' changes are what is tested" },
 ];
 
 /**

@@ -9,6 +9,10 @@
 /** What is edited while the tab is killed. */
 export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slow']);
 
+/** Between two edits (ms): of a drag, and of others. */
+const DRAG_STEP = 16;
+const STEP = 60;
+
 /** Most that may be lost (ms), beside the time that the page stood still. */
 export const MOST_LOST = 1000;
 
@@ -29,16 +33,22 @@ export async function killTab(context, { url, random, mode }) {
   let stallMs = 0;
   /** @type {{ time: number, ms: number }[]} */
   const stalls = [];
+  const step = mode === 'drag' ? DRAG_STEP : STEP;
+  // 1.5 to 4.5 s where the page keeps up
+  const killedAfter = Math.round((1500 + random() * 3000) / step);
+  let kill = () => {};
+  const enough = new Promise((resolve) => (kill = () => resolve(undefined)));
   await page.exposeFunction(
     'soakEdit',
     (/** @type {number} */ n, /** @type {number} */ time, /** @type {number} */ ms) => {
       edits.push({ n, time });
       stalls.push({ time, ms });
+      if (edits.length === killedAfter) kill();
     },
   );
   if (mode === 'slow') await slowWrites(page);
-  await page.evaluate(edit, mode);
-  await new Promise((resolve) => setTimeout(resolve, 1500 + random() * 3000));
+  await page.evaluate(edit, { mode, step });
+  await enough;
   const crashed = new Promise((resolve) => page.once('crash', resolve));
   const cdp = await context.newCDPSession(page);
   const killedAt = Date.now();
@@ -107,8 +117,8 @@ async function slowWrites(page) {
   });
 }
 
-/** Edits on and on, in the page; each edit is told to the test with its time. @param {string} mode */
-function edit(mode) {
+/** Edits on and on, in the page; each edit is told to the test with its time. @param {{ mode: string, step: number }} options */
+function edit({ mode, step: pause }) {
   const page = /** @type {any} */ (window);
   const { commands, document } = page.editor;
   let n = 0;
@@ -133,7 +143,7 @@ function edit(mode) {
     if (gesture) gesture.preview(command(act));
     else commands.run(command(act));
     page.soakEdit(n, Date.now(), gap);
-    setTimeout(step, gesture ? 16 : 60);
+    setTimeout(step, pause);
   };
   step();
 }

@@ -117,7 +117,7 @@ const display = (time: number): void => {
 };
 
 /** Fulfilled when what is settled has been told. */
-const settled = (): Promise<string> => new Promise((resolve) => setTimeout(() => resolve('waits')));
+const settled = (): Promise<string> => new Promise((resolve) => setImmediate(() => resolve('waits')));
 
 describe('the loop', () => {
   test('updates and draws the scene by its camera in every frame, in steps of at most 0.1 s', () => {

@@ -23,7 +23,7 @@ const makeFarol = () =>
 
 /** Lets all that is settled be told. */
 async function settle(): Promise<void> {
-  for (let turn = 0; turn < 3; turn++) await new Promise((resolve) => setTimeout(resolve));
+  for (let turn = 0; turn < 3; turn++) await new Promise((resolve) => setImmediate(resolve));
 }
 
 let farol: ReturnType<typeof makeFarol>;
