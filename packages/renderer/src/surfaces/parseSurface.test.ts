@@ -136,6 +136,7 @@ describe('a declared reach', () => {
       { factor: 0.1, names: [] },
       { factor: 2, names: ['height', 'count'] },
     ]);
+    expect(parse(text('// reach: 2 * height * 0.25')).reach).toEqual([{ factor: 0.5, names: ['height'] }]);
   });
 
   it.each(['// reach: depth', '// reach: way', '// reach: 1 +', '// reach: sin(height)'])(

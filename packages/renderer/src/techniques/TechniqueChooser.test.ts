@@ -41,6 +41,42 @@ describe('TechniqueChooser', () => {
     ]);
   });
 
+  it.each([
+    // on the last value of one technique, and beyond it
+    [
+      'lights',
+      { bounded: 2, everywhere: 0 },
+      'forward-single-pass',
+      { bounded: 3, everywhere: 0 },
+      'clustered-forward',
+    ],
+    ['lights over a pixel', { coverage: 2 }, 'clustered-forward', { coverage: 2.01 }, 'clustered-deferred'],
+    [
+      'small lights',
+      { bounded: 90, coverage: 9 },
+      'clustered-deferred',
+      { bounded: 91, coverage: 9 },
+      'tiled-deferred',
+    ],
+    [
+      'the size of lights',
+      { bounded: 200, coverage: 25.1 },
+      'clustered-deferred',
+      { bounded: 200, coverage: 25 },
+      'tiled-deferred',
+    ],
+    [
+      'large lights',
+      { bounded: 1500, coverage: 400 },
+      'clustered-deferred',
+      { bounded: 1501, coverage: 400 },
+      'tiled-deferred',
+    ],
+  ] as const)('changes at a bound that was measured: %s', (_, at, technique, beyond, other) => {
+    expect(new TechniqueChooser().choose(scene(at)).technique).toBe(technique);
+    expect(new TechniqueChooser().choose(scene(beyond)).technique).toBe(other);
+  });
+
   it('takes lists from five lights on over few objects, which hardly hide one another', () => {
     const over = (objects: number, bounded: number) =>
       new TechniqueChooser().choose(scene({ objects, bounded, everywhere: 0 })).technique;
