@@ -1,4 +1,3 @@
-import { chromium } from 'playwright-core';
 import { gpuFlags, softwareFlags } from './browserFlags.mjs';
 import { installCounters } from './benchCounters.mjs';
 import { installFirstFrame, measureViewer } from './benchMeasure.mjs';
@@ -25,6 +24,8 @@ const noCaches = {
  */
 export async function launchBench({ executablePath, gpu }, more = []) {
   const args = [...(gpu ? gpuFlags : softwareFlags), ...noCaches.flags, ...more];
+  // not before it is installed
+  const { chromium } = await import('playwright-core');
   const server = await chromium.launchServer({ executablePath, args, env: { ...process.env, ...noCaches.env } });
   const browser = await chromium.connect(server.wsEndpoint());
   return { server, browser };

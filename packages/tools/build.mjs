@@ -4,14 +4,15 @@
  * `stanfordDragon.mjs`.
  */
 import { join } from 'node:path';
-import { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } from './bundleSize.mjs';
-import { bundleTypes } from './bundleTypes.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
 ensureInstalled();
+// these need what was installed just now
+const { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } = await import('./bundleSize.mjs');
+const { bundleTypes } = await import('./bundleTypes.mjs');
 const packages = publishedPackages();
 const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor', 'apps/lab'];
 if (process.argv.includes('--tests')) {

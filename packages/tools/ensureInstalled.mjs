@@ -1,13 +1,16 @@
-import { statSync } from 'node:fs';
+import { accessSync, constants, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './root.mjs';
 import { runNpm } from './runNpm.mjs';
 
-/** Runs `npm ci` when node_modules is missing or older than the lock file. Exits when it fails. */
+/** Folders that installing, building and serving write to. */
+const WRITTEN = ['.', 'node_modules', '.cache', 'apps/editor', 'apps/editor/node_modules'];
+
+/** Runs `npm ci` when node_modules is missing or older than the lock file. Exits when it fails, or Farol cannot run here. */
 export function ensureInstalled() {
-  const [major] = process.versions.node.split('.');
-  if (Number(major) < 20) {
-    console.error(`Farol needs Node 20 or later, and this is Node ${process.versions.node}: install a newer one.`);
+  const problem = placeProblem(process.versions.node, root, isWritable);
+  if (problem !== null) {
+    console.error(problem);
     process.exit(1);
   }
   if (!needsInstall(modified('node_modules/.package-lock.json'), modified('package-lock.json'))) return;
@@ -16,6 +19,37 @@ export function ensureInstalled() {
   if (done.status !== 0) {
     console.error('npm ci failed: see its message above; the network and the version of Node are the usual causes.');
     process.exit(1);
+  }
+}
+
+/**
+ * Why Farol cannot be installed, built or served, in one sentence with the mend; null when it can.
+ *
+ * @param {string} version of Node
+ * @param {string} folder of the repository
+ * @param {(path: string) => boolean} mayWrite whether a folder can be written to, or is not there yet
+ */
+export function placeProblem(version, folder, mayWrite) {
+  const [major, minor] = version.split('.').map(Number);
+  // Vite runs on none between the two
+  if (!(major > 22 || (major === 22 && minor >= 12) || (major === 20 && minor >= 19)))
+    return `Farol needs Node 20.19 or later of 20, or 22.12 or later, and this is Node ${version}: install a newer one.`;
+  const [character] = /[#?*]/.exec(folder) ?? [];
+  if (character)
+    return `Farol lies in ${folder}, and Vite, which serves it, reads no path with a '${character}' in it: rename or move the folder.`;
+  const closed = WRITTEN.map((each) => join(folder, each)).find((each) => !mayWrite(each));
+  if (closed !== undefined)
+    return `Farol cannot write to ${closed}, where it keeps what it installs and builds: allow it, or copy Farol to a folder of your own.`;
+  return null;
+}
+
+/** @param {string} path */
+function isWritable(path) {
+  try {
+    accessSync(path, constants.W_OK);
+    return true;
+  } catch (error) {
+    return /** @type {NodeJS.ErrnoException} */ (error).code === 'ENOENT';
   }
 }
 

@@ -7,7 +7,6 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { chromium } from 'playwright-core';
 import { gpuFlags, softwareFlags } from './browserFlags.mjs';
 import { ensureBrowser } from './ensureBrowser.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
@@ -45,6 +44,7 @@ else process.exitCode = (await soak()) === 0 ? 0 : 1;
 /** @returns {Promise<number>} how many faults there are */
 async function soak() {
   ensureInstalled();
+  const { chromium } = await import('playwright-core');
   const { urls, close } = await serveApps({ ports: { editor: 0, pages: 0 }, built: values.built, watch: false });
   const folder = mkdtempSync(join(tmpdir(), 'farol-soak-'));
   const context = await chromium.launchPersistentContext(folder, {

@@ -23,10 +23,13 @@ try {
 } catch (error) {
   const message = error instanceof Error ? error.message : String(error);
   const taken = /port (\d+) is already in use/i.exec(message);
+  const refused = /listen EACCES.*:(\d+)/.exec(message);
   console.error(
-    taken
-      ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose three free ports in a row, for example: FAROL_PORT=5300 npm start`
-      : message,
+    refused
+      ? `This machine lets no program of yours listen on port ${refused[1]}: choose ports above 1023, for example: FAROL_PORT=5300 npm start`
+      : taken
+        ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose three free ports in a row, for example: FAROL_PORT=5300 npm start`
+        : message,
   );
   process.exit(1);
 }
