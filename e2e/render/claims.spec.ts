@@ -15,9 +15,9 @@ const texts = ['gbuffer', 'gpu', 'lighting', 'output', 'lazy/area-lights', 'effe
 
 /** Runs in the page. @returns what each claim came to */
 function evaluateClaims([name, text]: readonly [string, string]): { claim: string; holds: boolean }[] {
-  const { authoring, farol } = window.testPage;
-  const registry = new farol.MicroShaderRegistry();
-  registry.add(farol.builtinMicroShaders);
+  const { authoring } = window.testPage;
+  const registry = new authoring.MicroShaderRegistry();
+  registry.add(authoring.builtinMicroShaders);
   if (registry.has(name)) registry.replace(name, text);
   else registry.loadGLSL(name, text);
   const claims = authoring.findClaims(text);
@@ -33,7 +33,7 @@ function evaluateClaims([name, text]: readonly [string, string]): { claim: strin
     ({ setup, left, right }, i) => `if (pixel == ${i}) { ${setup} holds = farol_claim(${left}, ${right}); }`,
   );
   const gl = new OffscreenCanvas(claims.length, 1).getContext('webgl2')!;
-  const program = new farol.WebGLShaderCompiler(gl).compile({
+  const program = new authoring.WebGLShaderCompiler(gl).compile({
     name: `claims of ${name}`,
     vertexShader:
       'void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }',

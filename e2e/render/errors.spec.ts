@@ -2,7 +2,7 @@ import { expect, test } from '../support/test';
 
 test('what the device or the caller lacks is named with the mend', async ({ benchPage: page }) => {
   const messages = await page.evaluate(() => {
-    const { farol, three } = window.testPage;
+    const { authoring, farol, three } = window.testPage;
     const message = (action: () => unknown) => {
       try {
         action();
@@ -27,7 +27,7 @@ test('what the device or the caller lacks is named with the mend', async ({ benc
       const { getParameter } = gl;
       gl.getParameter = ((name: number) =>
         name === gl.MAX_DRAW_BUFFERS ? 2 : (getParameter.call(gl, name) as unknown)) as never;
-      const result = message(() => new farol.GBuffer(webgl));
+      const result = message(() => new authoring.GBuffer(webgl));
       gl.getParameter = getParameter;
       return result;
     };
@@ -39,7 +39,7 @@ test('what the device or the caller lacks is named with the mend', async ({ benc
       floats: without(floats, () => new farol.FarolRenderer(webgl, { technique: 'deferred' })),
       floatsNotNeeded: without(floats, () => new farol.FarolRenderer(webgl, { technique: 'forward-single-pass' })),
       attachments: fewBuffers(),
-      count: message(() => new farol.WebGLMultipleRenderTargets(4, 4, 0)),
+      count: message(() => new authoring.WebGLMultipleRenderTargets(4, 4, 0)),
       xr: message(() => {
         webgl.xr.isPresenting = true;
         good.render(new three.Scene(), new three.PerspectiveCamera());

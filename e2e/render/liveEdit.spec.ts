@@ -4,7 +4,7 @@ test('a microshader replaced while the scene runs changes the picture of every t
   benchPage: page,
 }) => {
   const { results, both } = await page.evaluate(() => {
-    const { Bench, compareImages, farol, techniquesInTurn, three } = window.testPage;
+    const { authoring, Bench, compareImages, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(80, 60);
     const scene = new three.Scene();
     const ball = new three.SphereGeometry(1, 16, 12);
@@ -33,7 +33,7 @@ test('a microshader replaced while the scene runs changes the picture of every t
       const afterGood = bench.byTechnique(technique, scene, camera);
       return {
         technique,
-        named: error instanceof farol.MicroShaderCompileError ? error.entries[0] : null,
+        named: error instanceof authoring.MicroShaderCompileError ? error.entries[0] : null,
         message: String(error),
         broken: compareImages(before, afterBroken).largest,
         half: compareImages(before, afterHalf).largest,

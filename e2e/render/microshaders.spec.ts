@@ -5,9 +5,9 @@ const thesis = readFileSync(new URL('../../public/microshaders/thesis.xml', impo
 
 test("the thesis's file makes a shader for each kind of light", async ({ benchPage: page }) => {
   const programs = await page.evaluate(async () => {
-    const { farol } = window.testPage;
+    const { authoring } = window.testPage;
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
-    const registry = new farol.MicroShaderRegistry(null, { compiler: new farol.WebGLShaderCompiler(gl) });
+    const registry = new authoring.MicroShaderRegistry(null, { compiler: new authoring.WebGLShaderCompiler(gl) });
     const made: [string, boolean, number][] = [];
     for (const light of ['light_directional', 'light_point', 'light_spot']) {
       const fragment = ['surface', 'light', light, 'phong', 'phong_output'];
@@ -27,9 +27,9 @@ test('a broken live edit is refused with chunk and line, and the last good progr
   benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
-    const { farol } = window.testPage;
+    const { authoring } = window.testPage;
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
-    const registry = new farol.MicroShaderRegistry(null, { compiler: new farol.WebGLShaderCompiler(gl) });
+    const registry = new authoring.MicroShaderRegistry(null, { compiler: new authoring.WebGLShaderCompiler(gl) });
     registry.loadGLSL(
       'fullscreen',
       '//# main\ngl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);',
@@ -57,7 +57,7 @@ test('a broken live edit is refused with chunk and line, and the last good progr
     } catch (caught) {
       error = caught;
     }
-    const refused = error instanceof farol.MicroShaderCompileError ? error.entries : error;
+    const refused = error instanceof authoring.MicroShaderCompileError ? error.entries : error;
     const still = pixel();
     registry.replace('colour', 'vec3 colour() { return vec3(0.0, 1.0, 0.0); }');
     return { red, refused, still, green: pixel(), revision: shader.revision, error: gl.getError() };

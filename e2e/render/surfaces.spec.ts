@@ -63,7 +63,7 @@ test('an edit that does not compile is refused with its line and leaves the pict
   benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
-    const { Bench, compareImages, farol, surfaces, three } = window.testPage;
+    const { authoring, Bench, compareImages, surfaces, three } = window.testPage;
     const bench = new Bench(64, 48);
     const scene = new three.Scene();
     const camera = new three.PerspectiveCamera(45, 64 / 48, 0.1, 20);
@@ -100,8 +100,9 @@ test('an edit that does not compile is refused with its line and leaves the pict
     unknown.push(() => surfaces.setSurface(new three.ShaderMaterial({ name: 'own' }), surface));
     return {
       values: [at(first, 20), at(first, 44), at(second, 20), at(second, 44), at(edited, 20), at(edited, 44)],
-      isRefused: problem instanceof farol.MicroShaderCompileError,
-      entries: problem instanceof farol.MicroShaderCompileError ? problem.entries.map((entry) => ({ ...entry })) : [],
+      isRefused: problem instanceof authoring.MicroShaderCompileError,
+      entries:
+        problem instanceof authoring.MicroShaderCompileError ? problem.entries.map((entry) => ({ ...entry })) : [],
       kept,
       again,
       back,
@@ -452,7 +453,7 @@ test('a text that moves vertices is edited while it is drawn; what does not comp
   benchPage: page,
 }) => {
   const result = await page.evaluate(() => {
-    const { Bench, compareImages, farol, surfaces, three } = window.testPage;
+    const { authoring, Bench, compareImages, surfaces, three } = window.testPage;
     const bench = new Bench(64, 48);
     const scene = new three.Scene();
     const camera = new three.PerspectiveCamera(45, 64 / 48, 0.1, 20);
@@ -478,7 +479,7 @@ test('a text that moves vertices is edited while it is drawn; what does not comp
     return {
       edited: compareImages(moved, edited).share,
       kept: compareImages(edited, draw()).largest,
-      line: problem instanceof farol.MicroShaderCompileError ? problem.entries[0].line : null,
+      line: problem instanceof authoring.MicroShaderCompileError ? problem.entries[0].line : null,
     };
   });
   expect(result).toEqual({ edited: 0, kept: 0, line: 1 });

@@ -9,7 +9,13 @@ import { toolPath } from './toolPath.mjs';
 
 const ID = 'virtual:script-declarations';
 /** Entries of the packages that a script's declarations reach. */
-const specifiers = ['@farol/engine', '@farol/engine/fields', '@farol/editing/fields', '@farol/renderer'];
+const specifiers = [
+  '@farol/engine',
+  '@farol/engine/fields',
+  '@farol/editing/fields',
+  '@farol/renderer',
+  '@farol/renderer/authoring',
+];
 /** What scripts may use of the language and of the page. */
 const libraries = ['es2023', 'dom', 'dom.iterable'];
 /** Of three's WebGPU renderer, which scripts have not: a third of its declarations. */

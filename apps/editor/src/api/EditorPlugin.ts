@@ -1,6 +1,7 @@
 import type { ComponentClass } from '@farol/engine';
 import type { CustomField, FieldType } from '@farol/engine/fields';
-import type { FarolEffect, Technique } from '@farol/renderer';
+import type { FarolEffect } from '@farol/renderer';
+import type { Technique } from '@farol/renderer/authoring';
 import type { ComponentType } from 'react';
 import type { Panel } from '../layout/PanelRegistry';
 import type { Action } from './Action';

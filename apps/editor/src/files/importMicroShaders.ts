@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { MicroShaderCompileError } from '@farol/renderer';
+import { MicroShaderCompileError } from '@farol/renderer/authoring';
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 

@@ -1,7 +1,12 @@
 import { t } from '@farol/editing';
 import { MicroShaderOverrides } from '@farol/engine';
-import type { MicroShader, MicroShaderCompileEntry, MicroShaderRegistry } from '@farol/renderer';
-import { formatMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
+import {
+  formatMicroShader,
+  type MicroShader,
+  type MicroShaderCompileEntry,
+  type MicroShaderRegistry,
+  parseMicroShaderXML,
+} from '@farol/renderer/authoring';
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';

@@ -1,6 +1,7 @@
 import { SetFields, t } from '@farol/editing';
 import type { SurfaceAsset } from '@farol/engine';
-import type { FarolRenderer, MicroShaderCompileEntry } from '@farol/renderer';
+import type { FarolRenderer } from '@farol/renderer';
+import type { MicroShaderCompileEntry } from '@farol/renderer/authoring';
 import { Surface } from '@farol/renderer/surfaces';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';

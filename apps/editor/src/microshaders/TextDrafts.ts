@@ -1,5 +1,5 @@
 import { type Command, type CommandStack, type Gesture, Signal } from '@farol/editing';
-import { MicroShaderCompileError, type MicroShaderCompileEntry } from '@farol/renderer';
+import { type MicroShaderCompileEntry, MicroShaderCompileError } from '@farol/renderer/authoring';
 import type { ConsoleLog } from '../model/ConsoleLog';
 
 /** How long after the last key a text is compiled (ms). */

@@ -1,4 +1,5 @@
-import type { FarolRenderer, MicroShaderRegistry, TechniqueName } from '@farol/renderer';
+import type { FarolRenderer, TechniqueName } from '@farol/renderer';
+import type { MicroShaderRegistry } from '@farol/renderer/authoring';
 import { chunksOf, dryRun } from './dryRun';
 import { idle, VIEWS } from './MicroShaderUses';
 import { compileAlone, compileStage } from './probeMicroShader';

@@ -1,5 +1,6 @@
 import { MicroShaderOverrides, type MicroShaderProblem } from '@farol/engine';
-import { FarolRenderer, type FarolOptions, type MicroShaderRegistry, type Technique } from '@farol/renderer';
+import { type FarolOptions, FarolRenderer } from '@farol/renderer';
+import type { MicroShaderRegistry, Technique } from '@farol/renderer/authoring';
 import { WebGLRenderer } from 'three';
 import { type DrySource, makeDryContext } from './DryContext';
 import { makeDryScene } from './dryScene';

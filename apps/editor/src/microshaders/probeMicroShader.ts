@@ -2,9 +2,9 @@ import {
   MicroShaderCompileError,
   type MicroShaderRegistry,
   type Technique,
-  type TechniqueName,
   WebGLShaderCompiler,
-} from '@farol/renderer';
+} from '@farol/renderer/authoring';
+import type { TechniqueName } from '@farol/renderer';
 import { chunksOf, dryRun } from './dryRun';
 
 /**

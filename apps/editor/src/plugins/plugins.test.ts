@@ -1,7 +1,8 @@
 import { builtinComponents, Component, ComponentRegistry, GameObject, Scene } from '@farol/engine';
 import { component, type FieldType, custom, number, string } from '@farol/engine/fields';
 import { deserialize, serialize, UnknownComponent } from '@farol/engine/files';
-import type { FarolEffect, Technique } from '@farol/renderer';
+import type { FarolEffect } from '@farol/renderer';
+import type { Technique } from '@farol/renderer/authoring';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { actions } from '../actions';
 import type { CustomFieldEditor, EditorApi } from '../api/EditorApi';

@@ -1,5 +1,6 @@
 import { type Camera as CameraComponent, PictureRenderer, type Scene as EngineScene } from '@farol/engine';
-import { FarolRenderer, type MicroShaderRegistry } from '@farol/renderer';
+import { FarolRenderer } from '@farol/renderer';
+import type { MicroShaderRegistry } from '@farol/renderer/authoring';
 import {
   type ColorSpace,
   HalfFloatType,

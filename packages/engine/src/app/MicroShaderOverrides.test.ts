@@ -1,4 +1,4 @@
-import { MicroShaderRegistry } from '@farol/renderer';
+import { MicroShaderRegistry } from '@farol/renderer/authoring';
 import { expect, it } from 'vitest';
 import { Scene } from '../core/Scene';
 import { MicroShaderOverrides } from './MicroShaderOverrides';

@@ -1,4 +1,4 @@
-import type { MicroShader, MicroShaderRegistry } from '@farol/renderer';
+import type { MicroShader, MicroShaderRegistry } from '@farol/renderer/authoring';
 
 /** A microshader of a scene that a renderer refused; the one before it stays in use. */
 export interface MicroShaderProblem {

@@ -1,4 +1,4 @@
-import { parseMicroShader } from '@farol/renderer';
+import { parseMicroShader } from '@farol/renderer/authoring';
 
 /**
  * The microshaders that belong to a scene: texts in place of the renderer's own, and chunks that it adds. The scene only

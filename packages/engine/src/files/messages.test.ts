@@ -1,7 +1,6 @@
 import { shortText } from '@farol/editing';
 import { describe, expect, test } from 'vitest';
-import { MicroShaderRegistry, parseMicroShader } from '@farol/renderer';
-import { parseMicroShaderXML } from '@farol/renderer/authoring';
+import { MicroShaderRegistry, parseMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { parseFile } from './parseFile';

@@ -1,4 +1,4 @@
-import { parseMicroShader } from '@farol/renderer';
+import { parseMicroShader } from '@farol/renderer/authoring';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 

@@ -1,5 +1,4 @@
-import { parseMicroShader } from '@farol/renderer';
-import { parseMicroShaderXML } from '@farol/renderer/authoring';
+import { parseMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
 import type { Light } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { readModel } from '../assets/readModel';

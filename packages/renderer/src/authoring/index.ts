@@ -7,6 +7,7 @@ export type { Frame } from '../frame/Frame';
 export type { RenderItem } from '../frame/RenderItem';
 export { FullscreenPass, type FullscreenPassOptions, type MeshDrawer, type Uniforms } from '../gpu/FullscreenPass';
 export { PassTarget, type PassTargetOptions } from '../gpu/PassTarget';
+export { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 export { OutputMaterial, PassMaterial, type PassMaterialOptions } from '../gpu/PassMaterial';
 export { targetBytes } from '../gpu/targetBytes';
 export { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
@@ -17,6 +18,7 @@ export { forwardTail } from '../techniques/forwardTail';
 export { DepthPrepass } from '../forward/DepthPrepass';
 export { ForwardPass, type ForwardPassOptions } from '../forward/ForwardPass';
 export { GBuffer } from '../gbuffer/GBuffer';
+export { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 export { GBufferPass } from '../gbuffer/GBufferPass';
 export { fitsGBuffer, GBufferTarget } from '../gbuffer/GBufferTarget';
 export { gbufferUniforms, setGBufferUniforms, type GBufferUniforms } from '../gbuffer/gbufferUniforms';
@@ -25,6 +27,8 @@ export { LightGridPass } from '../lighting/lists/LightGridPass';
 export type { LightLists } from '../lighting/lists/LightLists';
 export { LightTilesPass } from '../lighting/lists/LightTilesPass';
 export type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+export type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
+export type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
 export type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
 export { DeferredOutputPass } from '../output/DeferredOutputPass';
 export { OutputPass } from '../output/OutputPass';
@@ -38,10 +42,11 @@ export { gbufferTwin } from '../gbuffer/gbufferTwins';
 
 // effects
 export type { FarolEffect } from '../frame/FarolEffect';
-export type { GBufferAttachment } from '../gbuffer/gbufferLayout';
 export { Picture } from '../effects/Picture';
 
 // microshaders
+export * from '../microshaders';
+export { builtinMicroShaders, type BuiltinMicroShader } from '../builtinMicroShaders';
 export { addMicroShaders } from '../microshaders/addMicroShaders';
 export { findClaims, type Claim } from './findClaims';
 export { formatMicroShader } from '../microshaders/formatMicroShader';

@@ -3,6 +3,5 @@ export type { MicroShader, MicroShaderStage } from './MicroShader';
 export { MicroShaderCompileError } from './MicroShaderCompileError';
 export { MicroShaderRegistry, type MicroShaderListener, type MicroShaderRegistryOptions } from './MicroShaderRegistry';
 export { parseMicroShader } from './parseMicroShader';
-export { shortText } from './shortText';
 export type { MicroShaderCompiler, Shader, ShaderSource } from './Shader';
 export { WebGLShaderCompiler } from './WebGLShaderCompiler';

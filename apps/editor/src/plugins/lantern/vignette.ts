@@ -1,5 +1,5 @@
-import { type Technique, techniques } from '@farol/renderer';
-import { type Frame, FullscreenPass, type Pass } from '@farol/renderer/authoring';
+import { type Frame, FullscreenPass, type Pass, type Technique } from '@farol/renderer/authoring';
+import { techniques } from '@farol/renderer';
 import { MultiplyBlending, Vector2 } from 'three';
 import lanternVignette from './vignette.glsl?raw';
 
