@@ -15,9 +15,22 @@ export interface BenchOptions {
   readonly target?: THREE.RenderTargetOptions;
 }
 
+/** Canvases, with their contexts, that no Bench has, by the parameters of their WebGLRenderers. */
+const idle = new Map<string, HTMLCanvasElement[]>();
+/** Benches made since the last release. */
+const made = new Set<Bench>();
+/** Contexts that Benches have made. */
+let contexts = 0;
+const undone: (() => void)[] = [];
+
+/** Has a test's change of what the page runs on, methods of WebGL say, put back when the test has ended. */
+export const atRelease = (undo: () => void): void => void undone.push(undo);
+
 /** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */
 export class Bench {
   readonly webgl: THREE.WebGLRenderer;
+  private readonly key: string;
+  private wasLost = false;
   readonly farol: FarolRenderer;
   readonly target: THREE.WebGLRenderTarget;
   private madeEnvironment: THREE.Texture | null = null;
@@ -27,7 +40,13 @@ export class Bench {
     public height: number,
     { samples = 0, renderer = {}, target = {} }: BenchOptions = {},
   ) {
-    this.webgl = new THREE.WebGLRenderer({ antialias: false, ...renderer });
+    const parameters = { antialias: false, ...renderer };
+    this.key = JSON.stringify(parameters);
+    const canvas = idle.get(this.key)?.pop();
+    if (!canvas) contexts++;
+    this.webgl = new THREE.WebGLRenderer({ ...parameters, ...(canvas && { canvas }) });
+    made.add(this);
+    this.webgl.domElement.addEventListener('webglcontextlost', () => (this.wasLost = true));
     this.webgl.setSize(width, height, false);
     this.farol = new FarolRenderer(this.webgl);
     this.target = new THREE.WebGLRenderTarget(width, height, {
@@ -35,6 +54,34 @@ export class Bench {
       samples,
       ...target,
     });
+  }
+
+  /**
+   * Disposes of all Benches, and keeps their contexts for others: to the rasteriser, a shader is another in each context. To be
+   * called when a test has ended.
+   *
+   * @returns contexts that the page has
+   */
+  static release(): number {
+    for (const undo of undone.splice(0).toReversed()) undo();
+    for (const bench of made) bench.free();
+    made.clear();
+    return contexts;
+  }
+
+  private free(): void {
+    const { webgl, farol, target, key } = this;
+    // three would delete objects of the context as it was
+    if (this.wasLost) return;
+    const context = webgl.getContext() as WebGL2RenderingContext;
+    farol.dispose();
+    target.dispose();
+    webgl.dispose();
+    // methods that a test has replaced
+    for (const name of Object.keys(context)) Reflect.deleteProperty(context, name);
+    webgl.resetState();
+    while (context.getError() !== 0);
+    idle.set(key, [...(idle.get(key) ?? []), webgl.domElement]);
   }
 
   /** Draws pictures of another size from now on. */

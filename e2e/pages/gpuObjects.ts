@@ -1,3 +1,5 @@
+import { atRelease } from './Bench';
+
 /** GPU objects that are alive, by kind, from `countGpuObjects` on. */
 export type GpuObjects = Record<string, number>;
 
@@ -23,6 +25,7 @@ export function countGpuObjects(): () => GpuObjects {
   };
   for (const kind of KINDS) {
     const { [`create${kind}`]: create, [`delete${kind}`]: remove } = methods;
+    atRelease(() => Object.assign(methods, { [`create${kind}`]: create, [`delete${kind}`]: remove }));
     methods[`create${kind}`] = function (...args) {
       const made = create.apply(this, args) as object | null;
       if (made !== null && !(this as unknown as WebGL2RenderingContext).isContextLost()) of(this).set(made, kind);

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * Draws both eyes to targets of 8 bits in linear light and adds their channels up, by weights of 1.2 in all: where a channel

@@ -6,7 +6,7 @@ import type { Difference } from '../support/images';
 import { isWhole } from '@farol/tools/extent';
 import { checkAgreement, hardEdgeLimits } from '../support/agreement';
 import { parts } from '../support/parts';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 const WIDTH = 320;
 const HEIGHT = 240;

@@ -1,5 +1,5 @@
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('a canvas and a target that are seen through have the alpha of stock three, by each technique', async ({
   benchPage: page,

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 const TECHNIQUES = ['deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass', 'forward-plus'] as const;
 const WIDTH = 160;

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * The thesis's figure 4.3: a chess-board that runs to the horizon. Every technique must read its texture with the same

@@ -1,6 +1,6 @@
 import type { AreaLightShape } from '@farol/renderer';
 import type { RectAreaLight, Scene } from 'three';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 interface Result {
   /** Of a disc and of a tube, against the rectangles that they are cut into (dB). */

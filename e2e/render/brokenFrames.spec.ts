@@ -1,5 +1,5 @@
 import { isWhole } from '@farol/tools/extent';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('after any number of frames that a host’s code has broken, each technique draws as before, and the host is as it was', async ({
   benchPage: page,

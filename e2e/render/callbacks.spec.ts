@@ -1,5 +1,5 @@
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('what callbacks of the host change while a frame is drawn counts for the frame as in stock three', async ({
   benchPage: page,

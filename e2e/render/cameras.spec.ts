@@ -2,7 +2,7 @@ import type { TechniqueName } from '@farol/renderer';
 import type * as Three from 'three';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Of shadows: texels at edges. */
 const SHADOWS = { largest: Infinity, psnr: 50, share: 0.006 };

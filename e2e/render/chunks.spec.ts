@@ -1,6 +1,6 @@
 import { checkAgreement } from '../support/agreement';
 import { inTurn } from '../support/parts';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 import type { Difference } from '../support/images';
 
 interface Result extends Difference {

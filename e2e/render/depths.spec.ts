@@ -2,7 +2,7 @@ import type { TechniqueName } from '@farol/renderer';
 import type * as Three from 'three';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** What depth cannot hold: positions are then not rebuilt from it, and what is far off is not taken for nothing. */
 test('cameras that see very near and very far, or through an oblique plane', async ({ benchPage: page }) => {

@@ -1,22 +1,21 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('an effect that takes the picture over gives it back as it would have been: tone mapping, fog, viewport, pixel ratio, clearing', async ({
   benchPage: page,
 }) => {
   const cases = await page.evaluate(() => {
-    const { edgeScene, effects, farol, techniquesInTurn, three } = window.testPage;
+    const { Bench, edgeScene, effects, techniquesInTurn, three } = window.testPage;
     const { scene, camera } = edgeScene(120, 80);
     scene.fog = new three.Fog(0x445566, 4, 14);
     const over = new three.Scene();
     over.add(new three.Mesh(new three.SphereGeometry(1), new three.MeshStandardMaterial({ color: 0x44ff44 })));
     over.add(new three.AmbientLight(0xffffff, 1));
-    const webgl = new three.WebGLRenderer({ antialias: false, alpha: true });
+    const { webgl, farol: renderer } = new Bench(120, 80, { renderer: { alpha: true } });
     webgl.setPixelRatio(1.5);
     webgl.setSize(120, 80, false);
     webgl.toneMapping = three.ACESFilmicToneMapping;
     webgl.toneMappingExposure = 1.2;
     const gl = webgl.getContext();
-    const renderer = new farol.FarolRenderer(webgl);
     const oit = new effects.WeightedBlendedOIT(); // with nothing transparent it changes nothing
     const read = () => {
       const data = new Uint8Array(180 * 120 * 4);

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('what the device or the caller lacks is named with the mend', async ({ benchPage: page }) => {
   const messages = await page.evaluate(() => {
@@ -144,10 +144,9 @@ test('a geometry with normals of zero length, and light beyond half floats, are 
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { effects, farol, techniquesInTurn, three } = window.testPage;
+    const { Bench, effects, techniquesInTurn, three } = window.testPage;
     const [width, height] = [64, 48];
-    const webgl = new three.WebGLRenderer({ antialias: false });
-    webgl.setSize(width, height, false);
+    const { webgl, farol: renderer } = new Bench(width, height);
     webgl.toneMapping = three.ACESFilmicToneMapping;
     const gl = webgl.getContext();
     const camera = new three.PerspectiveCamera(50, width / height, 0.1, 50);
@@ -171,7 +170,6 @@ test('a geometry with normals of zero length, and light beyond half floats, are 
     };
     webgl.render(scene, camera);
     const stock = read();
-    const renderer = new farol.FarolRenderer(webgl);
     const occlusion = new effects.AmbientOcclusion();
     return techniquesInTurn(0).flatMap((technique) =>
       (technique === 'deferred' ? [[], [occlusion]] : [[]]).map((list) => {

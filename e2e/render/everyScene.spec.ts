@@ -23,6 +23,9 @@ const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, 
 const WIDTH = 96;
 const HEIGHT = 54;
 
+/** In the slice a technique has its turn in one scene of so many. */
+const SCENES = 6;
+
 /** Few lights and objects, of the scenes that let one choose. */
 const few = { lights: 12, n: 4, m: 4 };
 
@@ -61,7 +64,7 @@ async function checkViews(page: Page, watch: Watch, scene: string, index: number
   await page.evaluate(() => window.viewer.setTechnique('deferred'));
   for (const view of surfaces) byDeferred.set(view, await readView(page, view));
   await page.evaluate(() => void (window.viewer.farol.view = 'final'));
-  for (const [turn, technique] of techniques.entries()) {
+  for (const [turn, technique] of inTurn([...techniques.entries()], index, SCENES)) {
     const own = inTurn(
       views.filter((view) => ofTechnique.has(view) && view !== 'final'),
       turn + index,
@@ -85,11 +88,12 @@ async function checkViews(page: Page, watch: Watch, scene: string, index: number
   }
 }
 
-/** Techniques, by turns, draw each kind of light as stock three does, in linear float. */
+/** Techniques draw kinds of light as stock three does, in linear float; both by turns in the slice. */
 async function checkKinds(page: Page, scene: string, index: number, intensities: readonly number[]): Promise<void> {
   const known = await page.evaluate(() => [...window.viewer.known.techniques]);
   expect(intensities.length * known.length, `lights of ${scene}, techniques`).toBeGreaterThan(0);
-  for (const [turn, [kind, scale]] of Object.entries(kinds).entries()) {
+  const all = Object.entries(kinds);
+  for (const [kind, scale] of inTurn(all, index, all.length)) {
     await page.evaluate(
       ([kind, scale, intensities, count]) => {
         const lights = window.viewer.engineScene.componentsOf<Light>('Light');
@@ -110,7 +114,7 @@ async function checkKinds(page: Page, scene: string, index: number, intensities:
     );
     const stock = await readImage(page, 'three');
     expect(isFlat(stock), `${scene} under ${kind} lights, by stock three, shows one colour`).toBe(false);
-    for (const technique of inTurn(known, turn + index, 3)) {
+    for (const technique of inTurn(known, index, SCENES)) {
       // past the viewer, which would draw to the canvas too
       await page.evaluate((name) => void (window.viewer.farol.technique = name as 'auto'), technique);
       const family = technique === 'inferred' ? 'light-prepass' : technique;

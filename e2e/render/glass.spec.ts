@@ -1,7 +1,7 @@
 import type * as Three from 'three';
 import type { TechniqueName } from '@farol/renderer';
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('double-sided glass is seen through its own back faces, as in stock three', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {

@@ -1,5 +1,5 @@
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('the host finds its scene, renderer, device and three as they were, and stock three draws the same after Farol', async ({
   benchPage: page,

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Off by more than this of 255 after sRGB encoding, a pixel is seen to be wrong. */
 const STEPS = 8;

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { TechniqueName } from '@farol/renderer';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 interface Cut {
   readonly technique: string;

@@ -1,7 +1,7 @@
 import type { TechniqueName } from '@farol/renderer';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('lights of fields look as the same lights one by one, by every technique', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('with lightLayers a light reaches only what shares a layer with it, by every technique; else all, as in three', async ({
   benchPage: page,

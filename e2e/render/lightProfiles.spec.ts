@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** How far a pixel may be from the formula, as part of the brightest: profiles are kept in half floats. */
 const LARGEST = 1e-3;

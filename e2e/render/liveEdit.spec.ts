@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('a microshader replaced while the scene runs changes the picture of every technique; a broken edit changes nothing', async ({
   benchPage: page,

@@ -3,7 +3,7 @@ import { exceptionOf, strayExceptions } from './matrixExceptions';
 import { figuresOf } from '../support/images';
 import { recordComparison } from '../support/comparison';
 import { parts } from '../support/parts';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by one forward technique and one

@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 const thesis = readFileSync(new URL('../../public/microshaders/thesis.xml', import.meta.url), 'utf8');
 

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * Thin and transparent things that lie on lit surfaces, in multisampled targets and on canvases with `antialias`: tested
@@ -9,7 +9,7 @@ test('lines, wireframes, points, sprites and glass on lit surfaces in multisampl
   benchPage: page,
 }) => {
   const results = await page.evaluate(() => {
-    const { Bench, compareImages, farol, techniquesInTurn, three } = window.testPage;
+    const { Bench, compareImages, techniquesInTurn, three } = window.testPage;
     const [width, height] = [96, 64];
     const scene = new three.Scene();
     scene.background = new three.Color(0x203040);
@@ -48,9 +48,7 @@ test('lines, wireframes, points, sprites and glass on lit surfaces in multisampl
     scene.add(sprite);
     things.sprite = sprite;
     const bench = new Bench(width, height, { samples: 4 });
-    const canvas = new three.WebGLRenderer({ antialias: true });
-    canvas.setSize(width, height, false);
-    const canvasFarol = new farol.FarolRenderer(canvas);
+    const { webgl: canvas, farol: canvasFarol } = new Bench(width, height, { renderer: { antialias: true } });
     const read = (draw: () => void) => {
       draw();
       const gl = canvas.getContext();

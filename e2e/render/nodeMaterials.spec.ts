@@ -1,6 +1,7 @@
 import { byExtent } from '@farol/tools/extent';
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
+import { test as alone } from '../support/test';
 
 test('node materials (TSL) are drawn as stock three draws them, by each technique, in depth among the rest', async ({
   benchPage: page,
@@ -85,7 +86,8 @@ test('each kind of node material on each kind of object, under area lights and s
   }
 });
 
-test('glass of nodes is drawn as stock three draws it, which knows no transmission of nodes', async ({
+// in a page of its own: what the device says of it comes late
+alone('glass of nodes is drawn as stock three draws it, which knows no transmission of nodes', async ({
   benchPage: page,
   watch,
 }) => {

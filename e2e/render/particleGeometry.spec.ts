@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test("the geometry of mesh particles stays the host's: drawn by a mesh, disposed of, each without the other", async ({
   benchPage: page,

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** A lit particle and, in its place, a white rectangle that faces the camera as its middle does: linear colours. */
 test('lit particles: environment, probes, ambient, hemisphere and area lights as a surface of three has them', async ({

@@ -1,5 +1,5 @@
 import type { Object3D, Quaternion, Vector3 } from 'three';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Pixels that may differ (share): those at edges, where a sum in another order falls on the other side. */
 const EDGES = 0.005;

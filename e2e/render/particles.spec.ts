@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('particles: the same twice, where the formula says, summed up, soft, lit, and lights as PointLights are', async ({
   benchPage: page,

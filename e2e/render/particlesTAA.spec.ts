@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('under TAA particles leave no trail', async ({ benchPage: page }) => {
   const seen = await page.evaluate(() => {

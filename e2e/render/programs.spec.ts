@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('500 lights added one by one, toggled and removed compile nothing, and none is dropped', async ({
   benchPage: page,

@@ -1,7 +1,7 @@
 import type { FarolAttenuation, TechniqueName } from '@farol/renderer';
 import type { Difference } from '../support/images';
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('lights of ranges, places and strengths at the ends of numbers look as in stock three', async ({
   benchPage: page,

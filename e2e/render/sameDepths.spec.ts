@@ -1,7 +1,7 @@
 import type { TechniqueName } from '@farol/renderer';
 import type * as Three from 'three';
 import { isWhole } from '@farol/tools/extent';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * What passes draw of one surface in turns is to have one depth: by one vertex shader, one viewport, and a pre-pass some

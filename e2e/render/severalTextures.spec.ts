@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 for (const samples of [0, 4]) {
   test(`a target with several textures, ${samples} samples: each as by stock three, without an error`, async ({

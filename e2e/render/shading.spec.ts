@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Sums of lights at the vertices, interpolated: rounding. */
 const LARGEST = 1e-3;

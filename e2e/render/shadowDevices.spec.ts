@@ -1,5 +1,5 @@
 import { expectAsMeasured } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('maps of a device without multiple draws in a call, and after a lost context: the same', async ({
   benchPage: page,

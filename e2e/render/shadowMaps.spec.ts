@@ -1,5 +1,5 @@
 import { expectAsMeasured } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('maps are kept until something that casts shadows changes in their reach, and the picture is never an old one', async ({
   benchPage: page,

@@ -1,6 +1,6 @@
 import type { DirectionalLight, PointLight, SpotLight } from 'three';
 import { inTurn } from '../support/parts';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 type Caster = DirectionalLight | PointLight | SpotLight;
 

@@ -1,5 +1,5 @@
 import { expectAsMeasured } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('a spot light throws its map where depth is reversed, as in stock three', async ({ benchPage: page }) => {
   const { reversed, psnr, matters } = await page.evaluate(() => {

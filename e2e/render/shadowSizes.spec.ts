@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Shadow maps that have fewer texels than lights ask for, since pictures show no more: against stock three, in linear float. */
 const WIDTH = 480;

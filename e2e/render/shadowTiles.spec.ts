@@ -1,6 +1,6 @@
 import type * as THREE from 'three';
 import { expectAsMeasured } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 // Maps at rest have bounds, by which tiles of the picture go without look-ups: the picture must not show it.
 

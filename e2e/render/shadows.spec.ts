@@ -1,6 +1,6 @@
 import type * as THREE from 'three';
 import { expectAsMeasured } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * Shadows against stock three, in linear float. Forward techniques run three's own filters: what differs are the seams of

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 test('forward: an object that comes to others of one material is right in its first frame', async ({
   benchPage: page,

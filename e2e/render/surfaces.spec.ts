@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { checkAgreement } from '../support/agreement';
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 const WIDTH = 128;
 const HEIGHT = 96;

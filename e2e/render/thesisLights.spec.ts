@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /**
  * The light of thesis 3.2.5.3 by every technique: a white Lambert floor faces a light 2 m above it, seen from above, so that

@@ -1,4 +1,4 @@
-import { expect, test } from '../support/test';
+import { expect, test } from '../support/benchTest';
 
 /** Toon shading takes derivatives of each light, which a loop that differs from pixel to pixel does not have. */
 test('toon materials walk the lists of lights as others do, and look as in stock three', async ({

@@ -1,5 +1,5 @@
 import { basename, dirname } from 'node:path';
-import { type Page, test as base } from '@playwright/test';
+import { type ConsoleMessage, type Page, test as base } from '@playwright/test';
 import { extent } from '@farol/tools/extent';
 
 export { expect } from '@playwright/test';
@@ -22,6 +22,22 @@ const harmless = [
   // the answer to the question whether there is WebGPU
   /No available adapters/,
 ];
+
+/** Tells the console of each WebGL context of the page that is lost. */
+function reportLosses(): void {
+  const report = () => console.error('a WebGL context was lost');
+  addEventListener('webglcontextlost', report, { capture: true });
+  // Events of a canvas outside of the document do not come by the window.
+  const reportOutside = ({ target }: Event) => (target as HTMLCanvasElement).isConnected || report();
+  const getContext = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
+    if (String(args[0]).startsWith('webgl')) this.addEventListener('webglcontextlost', reportOutside);
+    return (getContext as (...all: unknown[]) => RenderingContext | null).apply(this, args);
+  } as typeof getContext;
+}
+
+/** Pages that have {@link reportLosses}. */
+const reporting = new WeakSet<Page>();
 
 export interface Watch {
   /** Problems seen so far: console errors and warnings, page errors, lost WebGL contexts. */
@@ -52,23 +68,15 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
   watch: [
     async ({ page }, use) => {
       const problems: string[] = [];
-      page.on('console', (message) => {
+      const told = (message: ConsoleMessage): void => {
         if (message.type() !== 'error' && message.type() !== 'warning') return;
         if (harmless.some((pattern) => pattern.test(message.text()))) return;
         problems.push(`console ${message.type()}: ${message.text()} (${message.location().url})`);
-      });
-      page.on('pageerror', (error) => problems.push(`page error: ${error.stack ?? error.message}`));
-      await page.addInitScript(() => {
-        const report = () => console.error('a WebGL context was lost');
-        addEventListener('webglcontextlost', report, { capture: true });
-        const getContext = HTMLCanvasElement.prototype.getContext;
-        HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
-          // Events of a canvas outside of the document do not come by the window.
-          const reportOutside = () => this.isConnected || report();
-          if (String(args[0]).startsWith('webgl')) this.addEventListener('webglcontextlost', reportOutside);
-          return (getContext as (...all: unknown[]) => RenderingContext | null).apply(this, args);
-        } as typeof getContext;
-      });
+      };
+      const failed = (error: Error): void => void problems.push(`page error: ${error.stack ?? error.message}`);
+      page.on('console', told).on('pageerror', failed);
+      if (!reporting.has(page)) await page.addInitScript(reportLosses);
+      reporting.add(page);
       await use({
         problems,
         forgive(pattern) {
@@ -78,6 +86,7 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
           return count;
         },
       });
+      page.off('console', told).off('pageerror', failed);
       base.expect(problems, 'console errors and warnings, page errors, lost contexts').toEqual([]);
     },
     { auto: true },

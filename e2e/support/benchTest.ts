@@ -1,0 +1,40 @@
+import { extent } from '@farol/tools/extent';
+import type { Page } from '@playwright/test';
+import { test as base } from './test';
+
+export { expect } from '@playwright/test';
+
+/** Above it the page is loaded anew: a browser takes the oldest of 16 contexts away. */
+const MOST_CONTEXTS = 8;
+
+/**
+ * As `test` of ./test, with one page for all tests of a worker. A shader is compiled once for each WebGL context, which is what
+ * these tests take their time for: the Benches of a test have the contexts of those before it.
+ *
+ * A test that changes what the page runs on (methods of WebGL, three's own objects) puts it back, or is one of `test`.
+ */
+export const test = base.extend<object, { sharedPage: Page }>({
+  sharedPage: [
+    async ({ browser }, use) => {
+      const context = await browser.newContext({ viewport: { width: 640, height: 360 } });
+      await use(await context.newPage());
+      await context.close();
+    },
+    { scope: 'worker' },
+  ],
+
+  context: async ({ sharedPage }, use) => use(sharedPage.context()),
+
+  page: async ({ sharedPage }, use) => use(sharedPage),
+
+  benchPage: async ({ page, pagesURL }, use) => {
+    const url = `${pagesURL}?tests=${extent}`;
+    if (page.url() !== url) {
+      await page.goto(url);
+      await page.waitForFunction(() => 'testPage' in window);
+    }
+    await use(page);
+    const contexts = await page.evaluate(() => window.testPage.Bench.release());
+    if (contexts > MOST_CONTEXTS) await page.goto('about:blank');
+  },
+});
