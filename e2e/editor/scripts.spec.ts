@@ -50,16 +50,11 @@ test('a script turns an object, an edit is live with its values, and the exporte
   // it runs, and a change of its text is live while it plays
   await page.keyboard.press('Control+p');
   await expect.poll(async () => (await turnOf(page)).y).not.toBe(0);
-  const milliseconds = await page.evaluate(async (source) => {
-    const begun = performance.now();
+  await page.evaluate((source) => {
     window.editor.document.assets.fieldAsset('Spin')!.set('source', source);
-    while (document.body.dataset.runs !== 'Z' && performance.now() - begun < 3000)
-      await new Promise(requestAnimationFrame);
-    return performance.now() - begun;
   }, spin('Z'));
-  expect((await turnOf(page)).runs).toBe('Z');
-  // the limit of 300 ms is held by a unit test: here frames of the software rasteriser are among it
-  info.annotations.push({ type: 'milliseconds until an edit is live', description: milliseconds.toFixed(0) });
+  // how soon is held by a unit test
+  await expect.poll(async () => (await turnOf(page)).runs).toBe('Z');
   await expect.poll(async () => (await turnOf(page)).z).not.toBe(0);
   expect(await page.evaluate(() => window.editor.document.scene.find('Box')!.getComponent('Spin')!.get('rate'))).toBe(
     3,
@@ -114,7 +109,7 @@ export default class Stuck extends component({}) {
   update() { console.info('stuck'); /^(a+)+$/.test('a'.repeat(99) + 'b'); }
 }`;
 
-test('a tab that hung in a script, and was ended, comes back with scripts off, until they are mended', async ({
+test('a tab that hung in a script, and was ended, comes back with scripts off, until they are mended @verify', async ({
   page,
 }) => {
   await openEditor(page, 'empty');

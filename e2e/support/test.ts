@@ -1,5 +1,5 @@
 import { basename, dirname } from 'node:path';
-import { type Page, test as base } from '@playwright/test';
+import { type ConsoleMessage, type Page, test as base } from '@playwright/test';
 
 export { expect } from '@playwright/test';
 
@@ -51,12 +51,13 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
   watch: [
     async ({ page }, use) => {
       const problems: string[] = [];
-      page.on('console', (message) => {
+      const told = (message: ConsoleMessage): void => {
         if (message.type() !== 'error' && message.type() !== 'warning') return;
         if (harmless.some((pattern) => pattern.test(message.text()))) return;
         problems.push(`console ${message.type()}: ${message.text()} (${message.location().url})`);
-      });
-      page.on('pageerror', (error) => problems.push(`page error: ${error.stack ?? error.message}`));
+      };
+      const failed = (error: Error): void => void problems.push(`page error: ${error.stack ?? error.message}`);
+      page.on('console', told).on('pageerror', failed);
       await page.addInitScript(() => {
         const report = () => console.error('a WebGL context was lost');
         addEventListener('webglcontextlost', report, { capture: true });
@@ -77,6 +78,7 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
           return count;
         },
       });
+      page.off('console', told).off('pageerror', failed);
       base.expect(problems, 'console errors and warnings, page errors, lost contexts').toEqual([]);
     },
     { auto: true },
