@@ -1,5 +1,5 @@
 import { availableParallelism } from 'node:os';
-import { byExtent, extent, isWhole } from '@farol/tools/extent';
+import { byExtent, isWhole } from '@farol/tools/extent';
 import { findBrowser } from '@farol/tools/findBrowser';
 import { gpuFlags, softwareFlags } from '@farol/tools/browserFlags';
 import { defineConfig } from '@playwright/test';
@@ -30,7 +30,7 @@ export default defineConfig({
   grepInvert: new RegExp(leftOut.map((tag) => `${tag}\\b`).join('|')),
   globalSetup: './support/globalSetup.ts',
   outputDir: process.env.FAROL_TEST_OUTPUT ?? '../.cache/browser-tests',
-  workers: extent === 'slice' ? 2 : Math.max(2, availableParallelism() - 2),
+  workers: Math.max(2, availableParallelism() - 2),
   fullyParallel: true,
   retries: 0,
   forbidOnly: Boolean(process.env.CI),

@@ -1,8 +1,8 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1200, height: 700 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1200, height: 700 } });
 
 /** Where a point is on the page (CSS pixels) that lies so far from the middle of an object, along its x and y (m). */
 const beside = (page: Page, object: string, x: number, y: number): Promise<{ x: number; y: number }> =>
@@ -50,7 +50,6 @@ const sizeOf = (page: Page, object: string): Promise<unknown[]> =>
 test('lights with a shape are sized by their edges, one step a drag, with the value beside the pointer', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addLight(page, 'Rectangle light', 4);
   const before = await serialized(page);
   const steps = (await history(page)).length;
@@ -83,7 +82,6 @@ test('lights with a shape are sized by their edges, one step a drag, with the va
 });
 
 test('the inspector shows the fields of shadows that a light with a shape has', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Rectangle light');
   const section = page.getByRole('region', { name: 'Light', exact: true });
   await section.getByLabel('Cast shadow').check();

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { history, openEditor } from './editor';
+import { history } from './editor';
+import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 900, height: 520 } });
 
@@ -75,7 +75,6 @@ const pictureOf = (page: Page): Promise<Picture> =>
 test('light is baked: it stays when the light is gone, is one step, is saved, and tells when it is out of date', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await page.evaluate((text) => window.editor.openFileBytes(text, { name: null, handle: null }), scene);
   await page.evaluate(() => {
     const { viewport } = window.editor as unknown as { viewport: { showGrid: boolean; showIcons: boolean } };

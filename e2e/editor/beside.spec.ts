@@ -1,9 +1,9 @@
 import { zipSync } from 'three/addons/libs/fflate.module.js';
-import { expect, test } from '../support/test';
-import { fieldOf, history, openEditor, serialized } from './editor';
+import { fieldOf, history, serialized } from './editor';
 import { dropFiles, pixelAt } from './models';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1000, height: 560 } });
 
 const picture = '.viewport-place canvas';
 const bytes = (text: string): Buffer => Buffer.from(text);
@@ -35,7 +35,6 @@ const wall = [
 ];
 
 test('an OBJ in a ZIP comes in with its materials as one asset, and is undone', async ({ page }) => {
-  await openEditor(page, 'empty');
   const before = await serialized(page);
   const entries = Object.fromEntries(wall.map(({ name, bytes: each }) => [name, new Uint8Array(each)]));
   await dropFiles(page, picture, [{ name: 'wall.zip', bytes: Buffer.from(zipSync(entries)) }]);
@@ -57,7 +56,6 @@ test('an OBJ in a ZIP comes in with its materials as one asset, and is undone', 
 });
 
 test('Measure this scene opens the Lab, which gets the scene as it is', async ({ page, context }) => {
-  await openEditor(page, 'empty');
   await page.evaluate(() => (window.editor.document.scene.name = 'My hall'));
   const opening = context.waitForEvent('page');
   await page.getByRole('menuitem', { name: 'File', exact: true }).click();

@@ -4,7 +4,10 @@ import { addObject, openEditor } from './editor';
 
 test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
 
-test('on a device without float colour buffers the editor draws, and names what cannot be', async ({ page, watch }) => {
+test('on a device without float colour buffers the editor draws, and names what cannot be @verify', async ({
+  page,
+  watch,
+}) => {
   await hideFloatTargets(page);
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');

@@ -1,3 +1,4 @@
+import { byExtent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
@@ -12,7 +13,7 @@ const status = (page: Page) => page.getByRole('contentinfo').getByRole('button',
 const drafts = (page: Page): Promise<void> =>
   expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
 
-for (const { lacks, text, hide } of [
+for (const { lacks, text, hide, tag = '' } of [
   {
     lacks: 'IndexedDB',
     text: 'it has no IndexedDB, as in some private windows',
@@ -22,9 +23,10 @@ for (const { lacks, text, hide } of [
     lacks: 'Web Locks',
     text: 'it has no Web Locks, which pages have only over https',
     hide: () => Object.defineProperty(navigator, 'locks', { value: undefined }),
+    tag: ' @verify',
   },
 ]) {
-  test(`without ${lacks} the editor says that no drafts are kept`, async ({ page }) => {
+  test(`without ${lacks} the editor says that no drafts are kept${tag}`, async ({ page }) => {
     await page.addInitScript(hide);
     await openEditor(page, 'empty');
     const said = `This browser keeps no drafts here: ${text}. Save to a file by Ctrl+S.`;
@@ -59,7 +61,7 @@ test('a draft that the browser refuses for its quota is told of with the reason,
   const notices = page.locator('.notices');
   const commits = (): Promise<number> => page.evaluate(() => window.editor.autosave!.statistics.commits);
 
-  for (const scene of ['first', 'second']) {
+  for (const scene of byExtent({ slice: ['first'], verify: ['first', 'second'] })) {
     await fill(true);
     await addObject(page, 'Mesh', 'Torus');
     await expect(notices, scene).toContainText(
@@ -85,7 +87,10 @@ test('a draft that the browser refuses for its quota is told of with the reason,
   }
 });
 
-test('two tabs of one minute are two different lines in the dialog, and each comes back', async ({ page, context }) => {
+test('two tabs of one minute are two different lines in the dialog, and each comes back @verify', async ({
+  page,
+  context,
+}) => {
   const other = await context.newPage();
   for (const [tab, meshes] of [
     [page, ['Torus']],
@@ -110,7 +115,7 @@ test('two tabs of one minute are two different lines in the dialog, and each com
   await next.close({ runBeforeUnload: false });
 });
 
-test('a draft that another tab has taken is said to be, by its name', async ({ page, context }) => {
+test('a draft that another tab has taken is said to be, by its name @verify', async ({ page, context }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Torus');
   await page.waitForFunction(() => window.editor.autosave!.isUpToDate);

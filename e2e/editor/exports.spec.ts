@@ -1,10 +1,10 @@
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
+import { byExtent } from '@farol/tools/extent';
 import type { BrowserContext, Download, Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { glbProblems } from '../support/glbProblems';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
-import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 import type { ReadGltf } from '../pages/gltf';
 import { addObject, openEditor, serialized, waitUntilReady } from './editor';
@@ -66,6 +66,10 @@ async function editorPicture(page: Page, by: 'three' | 'farol'): Promise<FloatIm
 }
 
 const openDialog = (page: Page): Promise<void> => page.keyboard.press('Control+Shift+E');
+/** The ways to share a scene by its address alone. */
+type Way = 'link' | 'frame';
+const ways: readonly Way[] = ['link', 'frame'];
+
 const closeDialog = (page: Page): Promise<void> => page.getByRole('button', { name: 'Close', exact: true }).click();
 
 async function exported(page: Page, button: string): Promise<Download> {
@@ -153,15 +157,14 @@ async function checkGltf(page: Page, reader: Page, name: string): Promise<void> 
 }
 
 /**
- * The page from a disk and either the link in the editor or the embedded frame: each shows the scene.
- * @param isByLink - the link, not the frame
+ * The page from a disk, and what is shared of the link in the editor and the embedded frame: each shows the scene.
  */
 async function checkPages(
   page: Page,
   context: BrowserContext,
   name: string,
   html: string,
-  isByLink: boolean,
+  shared: readonly Way[],
 ): Promise<void> {
   const scene = await serialized(page);
   const picture = await editorPicture(page, 'farol');
@@ -178,7 +181,7 @@ async function checkPages(
   other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
   await other.setViewportSize({ width: WIDTH, height: HEIGHT });
   const pages = [['web page', pathToFileURL(html).href]];
-  if (!isByLink) pages.push(['embedded frame', frame]);
+  if (shared.includes('frame')) pages.push(['embedded frame', frame]);
   for (const [kind, address] of pages) {
     await other.goto(address);
     const shown = decoded(await playerPicture(other));
@@ -187,7 +190,7 @@ async function checkPages(
     // 'auto' may draw with smooth edges in the one and not yet in the other: 35.7 dB and more were measured
     expect(psnr, `${name}, ${kind}, dB`).toBeGreaterThan(34);
   }
-  if (isByLink) {
+  if (shared.includes('link')) {
     await other.goto(link);
     await waitUntilReady(other);
     await expect.poll(() => serialized(other), `${name} by its link`).toBe(scene);
@@ -196,8 +199,8 @@ async function checkPages(
   await other.close();
 }
 
-/** Two tests share the samples, for two workers; pages and glTF take turns in `npm test`, links and frames always. */
-for (const half of [0, 1]) {
+/** Two tests share the samples, for two workers; the slice has one sample. */
+for (const half of byExtent({ slice: [0], verify: [0, 1] })) {
   test(`each sample as glTF, web page, link and frame, half ${half + 1}`, async ({ page, context, pagesURL }, info) => {
     test.setTimeout(240_000);
     await openEditor(page, 'empty');
@@ -208,19 +211,24 @@ for (const half of [0, 1]) {
     const reader = await context.newPage();
     await reader.goto(new URL('gltf.html', pagesURL).href);
     await reader.waitForFunction(() => 'readGltf' in window);
-    for (const [turn, name] of samples.filter((_, index) => index % 2 === half).entries()) {
+    const taken = samples.filter((_, index) => index % 2 === half);
+    for (const [turn, name] of byExtent({ slice: ['benchmarkLights'], verify: taken }).entries()) {
       await test.step(name, async () => {
         await openSample(page, name);
-        for (const part of inTurn(['pages', 'glTF'], turn + half, 2)) {
-          if (part === 'glTF') await checkGltf(page, reader, name);
-          else await checkPages(page, context, name, info.outputPath(`${name}.html`), turn % 4 < 2);
-        }
+        await checkPages(
+          page,
+          context,
+          name,
+          info.outputPath(`${name}.html`),
+          byExtent<readonly Way[]>({ slice: ways, verify: [ways[(turn >> 1) % 2]] }),
+        );
+        await checkGltf(page, reader, name);
       });
     }
   });
 }
 
-test('what is hidden, broken or nothing at all: said, named, and the button lives', async ({
+test('what is hidden, broken or nothing at all: said, named, and the button lives @verify', async ({
   page,
   context,
   pagesURL,

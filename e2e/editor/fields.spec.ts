@@ -1,9 +1,9 @@
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../support/test';
 import { drop } from '../support/drop';
-import { addObject, fieldOf, history, inspectorFollows, openEditor } from './editor';
+import { addObject, fieldOf, history, inspectorFollows } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1280, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1280, height: 640 } });
 
 const position = (page: Page, object: string): Promise<unknown> => fieldOf(page, object, 'Transform', 'position');
 
@@ -30,7 +30,6 @@ async function drag(page: Page, handle: Locator, at: number, by: number): Promis
 }
 
 test('numbers take what people type, say why they do not, and give the keys back', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const [x, y, z] = ['x', 'y', 'z'].map((axis) => page.getByLabel(`Position ${axis}`));
   await enter(x, '1/4');
@@ -69,12 +68,15 @@ test('numbers take what people type, say why they do not, and give the keys back
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   await inspectorFollows(page);
   await page.keyboard.press('F2');
-  await page.keyboard.type('La');
-  // the tree may give the focus to the row that was clicked only now
-  await page.getByRole('treeitem', { name: 'Sun' }).evaluate((row: HTMLElement) => row.focus());
-  await page.keyboard.type('mp');
+  await page.keyboard.type('Lamp');
   await page.keyboard.press('Enter');
   expect((await history(page)).at(-1)).toBe('Renamed Sun to Lamp');
+  // a name that is left by a click stays, and the focus is where the click was
+  await page.keyboard.press('F2');
+  await page.keyboard.type('Nobody');
+  await y.click();
+  await expect(page.getByLabel('Name of Lamp')).toHaveCount(0);
+  await expect(y).toBeFocused();
 
   // labels and sliders are dragged, one step each; Escape takes a drag back
   const light = page.getByRole('region', { name: 'Light', exact: true });

@@ -4,8 +4,11 @@ import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, inspectorFollows, openEditor, serialized, waitUntilReady } from './editor';
 import { dropFiles, type TestFile } from './models';
+import { test as shared } from './sharedEditor';
 
-test.use({ viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 1000, height: 600 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+shared.use(options);
 
 async function openEmpty(page: Page): Promise<void> {
   await page.addInitScript(() => {
@@ -28,7 +31,7 @@ async function stored(page: Page): Promise<void> {
   await page.waitForFunction(() => window.editor.autosave!.isUpToDate);
 }
 
-test('what a killed tab leaves is found, recovered, and stored again', async ({ page, context }) => {
+test('what a killed tab leaves is found, recovered, and stored again @verify', async ({ page, context }) => {
   await openEmpty(page);
   await addObject(page, 'Mesh', 'Torus');
   await page.getByLabel('Name', { exact: true }).fill('Precious');
@@ -70,8 +73,7 @@ test('what a killed tab leaves is found, recovered, and stored again', async ({ 
   await third.close();
 });
 
-test('a prefab: made, placed, changed, overridden, applied, reverted', async ({ page }) => {
-  await openEmpty(page);
+shared('a prefab: made, placed, changed, overridden, applied, reverted', async ({ page }) => {
   await addObject(page, 'Light', 'Point light');
   await page.getByRole('treeitem', { name: 'Point light' }).click({ button: 'right' });
   await page.getByRole('menuitem', { name: 'Make prefab' }).click();
@@ -205,7 +207,7 @@ async function slicesOf(page: Page, act: () => Promise<void>): Promise<Slice[]> 
   return slices.map(({ dur, tdur }) => ({ clock: dur / 1000, work: tdur / 1000 })).toSorted((a, b) => b.work - a.work);
 }
 
-test('10,000 GameObjects: opened and saved within 2 s each; autosave takes no frame more than 4 ms', async ({
+test('10,000 GameObjects: opened and saved within 2 s each; autosave takes no frame more than 4 ms @verify', async ({
   page,
 }) => {
   await openEmpty(page);
@@ -377,7 +379,7 @@ test('a save over what another tab has saved asks, and loses nothing @verify', a
   expect(await text()).toContain('Box');
 });
 
-test('a save that ends once another scene is open is not that one’s: it keeps no file of the other', async ({
+test('a save that ends once another scene is open is not that one’s: it keeps no file of the other @verify', async ({
   page,
 }) => {
   await page.addInitScript(() => {
@@ -412,7 +414,7 @@ test('a save that ends once another scene is open is not that one’s: it keeps 
   expect(await page.evaluate(() => Reflect.get(window, 'writes') as string[])).toEqual(['first.farol', 'second.farol']);
 });
 
-test('of two files that are dropped while the first is still read, the second is there, with its own assets', async ({
+test('of two files that are dropped while the first is still read, the second is there, with its own assets @verify', async ({
   page,
 }) => {
   await openEditor(page, 'empty');
@@ -453,7 +455,7 @@ test('of two files that are dropped while the first is still read, the second is
   ).toEqual(['Second', 2]);
 });
 
-test('a page that is left with nothing unsaved offers nothing to recover', async ({ page }) => {
+test('a page that is left with nothing unsaved offers nothing to recover @verify', async ({ page }) => {
   await openEmpty(page);
   await addObject(page, 'Mesh', 'Torus');
   await stored(page);
@@ -465,7 +467,7 @@ test('a page that is left with nothing unsaved offers nothing to recover', async
   await expect(page.getByRole('dialog')).toHaveCount(0);
 });
 
-test('where the code of their pictures cannot be fetched, assets have none, and nothing is wrong', async ({
+test('where the code of their pictures cannot be fetched, assets have none, and nothing is wrong @verify', async ({
   page,
   watch,
 }) => {

@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
-import { addObject, openEditor } from './editor';
+import { addObject } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 840, height: 400 } });
 
 /** The brightest channel of the picture, drawn now; from 0 to 255. */
 const brightest = (page: Page): Promise<number> =>
@@ -20,7 +20,6 @@ const brightest = (page: Page): Promise<number> =>
   });
 
 test('the frame: technique and why, passes, two techniques side by side, all views', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.keyboard.press('f');
   await page.getByRole('tab', { name: 'Frame' }).click();

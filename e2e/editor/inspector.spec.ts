@@ -1,8 +1,8 @@
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 900, height: 520 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 900, height: 520 } });
 
 const region = (page: Page, name: string): Locator => page.getByRole('region', { name, exact: true });
 
@@ -13,7 +13,6 @@ async function fromMenu(page: Page, component: string, entry: string | RegExp): 
 }
 
 test('components are found by typing, ordered, copied and pasted; fields are reset', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const before = await serialized(page);
   const add = async (words: string): Promise<void> => {
@@ -53,7 +52,6 @@ test('components are found by typing, ordered, copied and pasted; fields are res
 });
 
 test('several vectors show what they have in common; a material is seen as it is edited', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.getByLabel('Position y').fill('2');
   await addObject(page, 'Mesh', 'Cone');

@@ -1,11 +1,14 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { inflateRawSync } from 'node:zlib';
 import type { Light } from '@farol/engine';
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
 import { addObject, fieldOf, history, openEditor, openEmptyScene, pointOf, serialized, waitUntilReady } from './editor';
+import { expect, test } from './sharedEditor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
-test.use({ viewport: { width: 900, height: 600 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 900, height: 600 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
 /** The scene in a container: its first entry, by the local header's lengths of name and extra. @see APPNOTE.TXT 4.3.7 */
 function sceneOf(zip: Buffer): string {
@@ -14,7 +17,7 @@ function sceneOf(zip: Buffer): string {
   return inflateRawSync(zip.subarray(start, start + zip.readUInt32LE(18))).toString();
 }
 
-test('opens the temple with its lights', async ({ page }) => {
+own('opens the temple with its lights @verify', async ({ page }) => {
   await openEditor(page);
   const counts = await page.evaluate(() => ({
     lights: window.editor.document.scene.componentsOf<Light>('Light').filter(({ type }) => type === 'point').length,
@@ -30,7 +33,7 @@ test('opens the temple with its lights', async ({ page }) => {
   await expect(page.getByRole('treeitem')).toHaveText(['Camera', 'Sun', 'Sky']);
 });
 
-test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }, info) => {
+own('add, edit, undo, redo, save, reload, open: the same scene', async ({ page }, info) => {
   await openEditor(page, 'empty');
   const empty = await serialized(page);
 
@@ -103,7 +106,6 @@ test('add, edit, undo, redo, save, reload, open: the same scene', async ({ page 
 });
 
 test('picks in the picture, moves by the gizmo in one step, deletes and brings back', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.keyboard.press('f');
   await page.keyboard.press('Escape');
@@ -150,7 +152,6 @@ test('picks in the picture, moves by the gizmo in one step, deletes and brings b
 });
 
 test('picks a light by its icon, also for a menu, and a decal', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Escape');
   const icon = await pointOf(page, 'Point light');
@@ -198,7 +199,6 @@ test('picks a light by its icon, also for a menu, and a decal', async ({ page })
 });
 
 test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Empty object');
   await page.keyboard.press('F2');
   await page.getByLabel('Name of Object').fill('Parent');
@@ -234,7 +234,6 @@ test('re-parents by keyboard, duplicates, renames and hides', async ({ page }) =
 });
 
 test('re-parents by drag, where it stays in the world', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Empty object');
   await page.getByLabel('Position x').fill('3');
   await page.getByLabel('Rotation y').fill('90');
@@ -251,7 +250,6 @@ test('re-parents by drag, where it stays in the world', async ({ page }) => {
 });
 
 test('plays, pauses, steps and stops without a trace in the history', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.getByRole('combobox', { name: 'Add component' }).click();
   await page.getByRole('option', { name: /^Random Movement/ }).click();
@@ -278,7 +276,6 @@ test('plays, pauses, steps and stops without a trace in the history', async ({ p
 });
 
 test('lists all that is wrong with a broken file, and keeps the scene', async ({ page }, info) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const before = await serialized(page);
   const file = JSON.parse(before) as {
@@ -325,7 +322,6 @@ test('lists all that is wrong with a broken file, and keeps the scene', async ({
 });
 
 test('switches technique and view', async ({ page }) => {
-  await openEditor(page, 'empty');
   // the inspector of the scene has the technique too
   const technique = page.locator('.toolbar').getByRole('combobox', { name: 'Technique' });
   await technique.click();
@@ -340,7 +336,6 @@ test('switches technique and view', async ({ page }) => {
 });
 
 test('flies while the right button is held, and only then', async ({ page }) => {
-  await openEditor(page, 'empty');
   const eye = (): Promise<number[]> =>
     page.evaluate(() => window.editor.viewport.camera.position.toArray().map((value) => Number(value.toFixed(4))));
   const before = await eye();
@@ -363,7 +358,6 @@ test('flies while the right button is held, and only then', async ({ page }) => 
 });
 
 test('edits several objects at once, and goes back with Escape', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Light', 'Point light');
   await addObject(page, 'Light', 'Spot light');
   await page.getByRole('treeitem', { name: 'Point light' }).click({ modifiers: ['Control'] });
@@ -432,7 +426,6 @@ test('edits several objects at once, and goes back with Escape', async ({ page }
 });
 
 test('enables, resets and removes components', async ({ page }) => {
-  await openEditor(page, 'empty');
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   const before = await serialized(page);
   const light = page.getByRole('region', { name: 'Light', exact: true });

@@ -52,7 +52,7 @@ test('in a Spanish browser the editor speaks Spanish; in English the scene and t
   await expect(page.getByRole('tab', { name: 'Hierarchy' })).toBeVisible();
 });
 
-test('why a technique was chosen is told in Spanish', async ({ page }) => {
+test('why a technique was chosen is told in Spanish @verify', async ({ page }) => {
   await openEditor(page, 'empty');
   await page.getByRole('tab', { name: 'Fotograma' }).click();
   const frame = page.getByRole('region', { name: 'Fotograma' });

@@ -1,8 +1,11 @@
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
 import { openEditor } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
 const tab = (page: Page, name: string): Locator => page.getByRole('tab', { name, exact: true });
 const panel = (page: Page, name: string): Locator => page.getByRole('tabpanel', { name, exact: true });
@@ -12,7 +15,7 @@ async function boxOf(locator: Locator): Promise<{ x: number; y: number; width: n
   return (await locator.boundingBox())!;
 }
 
-test('panels are dragged, moved by keys, closed, opened, resized, and remembered', async ({ page }) => {
+own('panels are dragged, moved by keys, closed, opened, resized, and remembered', async ({ page }) => {
   await openEditor(page, 'empty');
   const inspector = await boxOf(panel(page, 'Inspector'));
   const canvas = await page.evaluateHandle(() => window.editor.viewport.canvas);
@@ -78,7 +81,6 @@ test('panels are dragged, moved by keys, closed, opened, resized, and remembered
 });
 
 test('the history goes to any step', async ({ page }) => {
-  await openEditor(page, 'empty');
   await page.getByRole('treeitem', { name: 'Sun' }).click();
   for (let i = 0; i < 3; i++) await page.keyboard.press('Control+d');
   await tab(page, 'History').click();

@@ -60,7 +60,10 @@ const ball = (page: Page): Promise<string> =>
     return window.ball;
   });
 
-test('the editor after a lost context: the same picture, no message, also at another size', async ({ page, watch }) => {
+test('the editor after a lost context: the same picture, no message, also at another size @verify', async ({
+  page,
+  watch,
+}) => {
   test.setTimeout(60_000 + 20_000 * LOSSES);
   await holdReads(page);
   await openEditor(page, 'empty');

@@ -1,17 +1,16 @@
 import type { ObjectRenderer } from '@farol/engine';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
 import { dropFiles, pixelAt, redBox } from './models';
 import { fbxSquare } from './fbxSquare';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1280, height: 720 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1280, height: 720 } });
 
 const picture = '.viewport-place canvas';
 
 test('a material is made of an object, edited, dropped on another, named, put into a folder, and asked about', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await addObject(page, 'Mesh', 'Sphere');
   await page.getByRole('treeitem', { name: 'Box' }).click();
@@ -85,7 +84,6 @@ test('a material is made of an object, edited, dropped on another, named, put in
 test('a model is unpacked into objects that look the same, in one step; an FBX comes in with its clip', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await dropFiles(page, picture, [redBox()]);
   await expect(page.getByRole('treeitem', { name: 'box' })).toHaveAttribute('aria-selected', 'true');
   await page.locator(picture).focus();

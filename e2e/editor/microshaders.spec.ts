@@ -1,10 +1,13 @@
 import type { Locator, Page } from '@playwright/test';
 import { readFile } from 'node:fs/promises';
-import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
+import { test as own } from '../support/test';
 import { addObject, history, openEditor, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1200, height: 640 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 1200, height: 640 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
 const panel = (page: Page): Locator => page.getByRole('region', { name: 'Microshaders' });
 
@@ -52,7 +55,6 @@ async function goBefore(page: Page, chunk: string, beginning: string): Promise<v
 
 /** A sphere in the middle of the picture, lit by one white light, without helpers. */
 async function openSphere(page: Page): Promise<void> {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Sphere');
   await page.evaluate(() => {
     const { document, viewport } = window.editor;
@@ -108,23 +110,31 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
   await page.keyboard.press('Control+y');
   await expect.poll(() => isRed(page)).toBe(true);
 
-  // a chunk that nothing on the device draws with is compiled as the techniques would
   await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward', { timeout: 30_000 });
-  // of a plugin's too
-  await page.evaluate(() => {
-    const technique = { ...window.editor.viewport.farol.techniques['tiled-forward'], label: 'Of a plugin' };
-    window.editor.addPlugin({ name: 'Own', techniques: { own: technique } });
-  });
-  await goBefore(page, 'tileMask', '#include');
-  await expect(panel(page).getByRole('complementary')).toContainText('Of a plugin');
-  await page.keyboard.type('float wrong = nowhere;\n');
-  await expect(panel(page).getByRole('list', { name: 'Errors' })).toContainText('nowhere');
-  await expect(panel(page).getByRole('complementary')).toContainText('None at present');
-  expect(await axeProblems(page)).toEqual([]);
-  await panel(page).getByRole('button', { name: 'Last good text' }).click();
-  await page.getByRole('tab', { name: 'Console' }).click();
-  await expect(page.getByRole('region', { name: 'Console' })).toContainText("'nowhere' : undeclared identifier");
 });
+
+own(
+  'a microshader that nothing on the device draws with is compiled as the techniques would @verify',
+  async ({ page }) => {
+    await openEditor(page, 'empty');
+    await page.getByRole('tab', { name: 'Microshaders' }).click();
+    await expect(panel(page).locator('.cm-content')).toBeVisible();
+    // that of a plugin too
+    await page.evaluate(() => {
+      const technique = { ...window.editor.viewport.farol.techniques['tiled-forward'], label: 'Of a plugin' };
+      window.editor.addPlugin({ name: 'Own', techniques: { own: technique } });
+    });
+    await goBefore(page, 'tileMask', '#include');
+    await expect(panel(page).getByRole('complementary')).toContainText('Of a plugin');
+    await page.keyboard.type('float wrong = nowhere;\n');
+    await expect(panel(page).getByRole('list', { name: 'Errors' })).toContainText('nowhere');
+    await expect(panel(page).getByRole('complementary')).toContainText('None at present');
+    expect(await axeProblems(page)).toEqual([]);
+    await panel(page).getByRole('button', { name: 'Last good text' }).click();
+    await page.getByRole('tab', { name: 'Console' }).click();
+    await expect(page.getByRole('region', { name: 'Console' })).toContainText("'nowhere' : undeclared identifier");
+  },
+);
 
 test('a new chunk, and XML: into the scene and out of it', async ({ page }, info) => {
   await openSphere(page);
@@ -162,10 +172,9 @@ test('a new chunk, and XML: into the scene and out of it', async ({ page }, info
   await expect(panel(page).getByRole('option', { name: 'own/tint' })).toBeVisible();
 });
 
-test('a set of microshaders comes in as a whole or not at all, and asks before it replaces what is there', async ({
+test('a set of microshaders comes in as a whole or not at all, and asks before it replaces what is there @verify', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await page.getByRole('tab', { name: 'Microshaders' }).click();
   await expect(panel(page).locator('.cm-content')).toBeVisible();
   const before = await serialized(page);

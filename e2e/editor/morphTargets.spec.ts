@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { fieldOf, history, openEditor, serialized } from './editor';
+import { fieldOf, history, serialized } from './editor';
 import { dropFiles, growingBox } from './models';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1100, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1100, height: 640 } });
 
 /** The weight with which the box is drawn. */
 const shown = (page: Page): Promise<number> =>
@@ -17,7 +17,6 @@ const shown = (page: Page): Promise<number> =>
   });
 
 test('a morph target has a slider: set, undone, recorded as keys, played, and saved', async ({ page }) => {
-  await openEditor(page, 'empty');
   await dropFiles(page, '.viewport-place canvas', [growingBox()]);
   await page.getByRole('treeitem', { name: 'growing' }).click();
   const section = page.getByRole('region', { name: 'Model Renderer', exact: true });

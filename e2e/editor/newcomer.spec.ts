@@ -125,7 +125,7 @@ class Newcomer {
   }
 }
 
-test('a newcomer makes a ring of 200 coloured lights over a floor', async ({ page }, info) => {
+test('a newcomer makes a ring of 200 coloured lights over a floor @verify', async ({ page }, info) => {
   const newcomer = new Newcomer(page);
   await newcomer.beginWithEmptyScene();
   await newcomer.add('Mesh', 'Plane');
@@ -167,7 +167,7 @@ test('a newcomer makes a ring of 200 coloured lights over a floor', async ({ pag
   await page.screenshot({ path: info.outputPath('ring.png') });
 });
 
-test('a newcomer lights an imported model and shares it', async ({ page, context, browser }, info) => {
+test('a newcomer lights an imported model and shares it @verify', async ({ page, context, browser }, info) => {
   const newcomer = new Newcomer(page);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const welcome = await newcomer.begin();
@@ -198,7 +198,7 @@ test('a newcomer lights an imported model and shares it', async ({ page, context
   await other.close();
 });
 
-test('a newcomer makes a material with three maps that two objects share', async ({ page }, info) => {
+test('a newcomer makes a material with three maps that two objects share @verify', async ({ page }, info) => {
   const newcomer = new Newcomer(page);
   await newcomer.beginWithEmptyScene();
   await newcomer.add('Mesh', 'Box');
@@ -228,7 +228,7 @@ test('a newcomer makes a material with three maps that two objects share', async
   await page.screenshot({ path: info.outputPath('maps.png') });
 });
 
-test('a newcomer makes a lit room with a door and a lamp', async ({ page }, info) => {
+test('a newcomer makes a lit room with a door and a lamp @verify', async ({ page }, info) => {
   const newcomer = new Newcomer(page);
   const { inspector } = newcomer;
   await newcomer.beginWithEmptyScene();

@@ -1,8 +1,9 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 900, height: 460 } });
+// a preview does not play where less motion is asked for
+test.use({ viewport: { width: 900, height: 460 }, reducedMotion: 'no-preference' });
 
 /** The picture as text. */
 const picture = (page: Page): Promise<string> =>
@@ -24,7 +25,6 @@ const emitterTime = (page: Page): Promise<number> =>
 test('a fire burns while it is selected; its curves are edited by pointer and keys; play begins anew, and stop restores', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   const empty = await picture(page);
   await addObject(page, 'Particles', 'Fire');
   const added = await serialized(page);

@@ -84,7 +84,7 @@ async function openLarge(page: Page, client: CDPSession): Promise<number> {
   return seconds;
 }
 
-test('inspector and tree cost 0.3 ms a frame at most while 200 of 10,000 objects move', async ({ page }) => {
+test('inspector and tree cost 0.3 ms a frame at most while 200 of 10,000 objects move @verify', async ({ page }) => {
   const client = await measuring(page);
   await openLarge(page, client);
   await page.getByRole('treeitem', { name: 'Mover 3' }).click();
@@ -128,7 +128,7 @@ test('inspector and tree cost 0.3 ms a frame at most while 200 of 10,000 objects
   expect(cost).toBeLessThan(0.3 * slowness);
 });
 
-test('an edit of one of 10,000 objects is committed within 16 ms; open, edit all, save within 2 s', async ({
+test('an edit of one of 10,000 objects is committed within 16 ms; open, edit all, save within 2 s @verify', async ({
   page,
 }) => {
   const client = await measuring(page);

@@ -1,8 +1,8 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1200, height: 700 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1200, height: 700 } });
 
 /** By the bar of menus. */
 async function makePhysics(page: Page, label: string): Promise<void> {
@@ -40,7 +40,6 @@ const greenPixels = (page: Page): Promise<number> =>
 test('a box with a body falls on a plane and is put back; its collider is seen, and sized by its handles', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Plane');
   const plane = page.getByRole('region', { name: 'Transform', exact: true });
   await plane.getByLabel('Position y').fill('0');

@@ -79,7 +79,7 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
 
   // what the technique cannot do is said
   await expect(inspector.locator('.technique-limit')).toHaveCount(0);
-  await choose('Technique', 'Forward, multipass');
+  await choose('Technique', 'Forward, single pass');
   await expect(inspector.locator('.technique-limit')).toContainText('no ambient occlusion');
   await expect.poll(names).toEqual([]);
   await page.keyboard.press('Control+z');

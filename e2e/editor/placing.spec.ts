@@ -1,13 +1,12 @@
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, pointOf, serialized } from './editor';
+import { addObject, fieldOf, history, pointOf, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
-test.use({ viewport: { width: 720, height: 440 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 720, height: 440 } });
 
 test('a ring of coloured lights over a floor; a box is moved by a typed number, dropped and measured', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Plane');
   await addObject(page, 'Mesh', 'Box');
   await addObject(page, 'Mesh', 'Box');

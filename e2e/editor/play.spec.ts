@@ -1,11 +1,10 @@
-import { expect, test } from '../support/test';
 import { axeProblems } from '../support/axeProblems';
-import { fieldOf, history, openEditor, serialized } from './editor';
+import { fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1100, height: 600 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1100, height: 600 } });
 
 test('play, edit, stop: the scene is as it was, and values are kept one by one', async ({ page }) => {
-  await openEditor(page, 'empty');
   const before = await serialized(page);
   await page.keyboard.press('Control+p');
   await expect(page.getByRole('button', { name: 'Play' })).toHaveAttribute('aria-pressed', 'true');

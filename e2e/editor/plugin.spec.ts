@@ -1,24 +1,30 @@
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
+import type { Locator, Page } from '@playwright/test';
 import { axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1100, height: 560 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 1100, height: 560 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
-test('a plugin brings a panel, a component with a field of its own, a technique and a command', async ({ page }) => {
-  await openEditor(page, 'empty');
+const lantern = (page: Page): Locator => page.getByRole('region', { name: 'Lantern' });
+
+/** Adds the plugin Lantern, whose command has a light flicker. */
+async function addLantern(page: Page): Promise<void> {
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Control+k');
   await page.getByRole('combobox', { name: 'Search commands' }).fill('lantern');
   await page.getByRole('option', { name: /example of a plugin/ }).click();
-
-  // the panel and the command
   await page.getByRole('tab', { name: 'Lantern' }).click();
-  const panel = page.getByRole('region', { name: 'Lantern' });
-  await expect(panel).toContainText('No lamp flickers.');
+  await expect(lantern(page)).toContainText('No lamp flickers.');
   await page.keyboard.press('Control+Alt+l');
-  await expect(panel).toContainText('Flickering: Point light');
+  await expect(lantern(page)).toContainText('Flickering: Point light');
+}
+
+test('a plugin brings a panel, a component with a field of its own, a technique and a command', async ({ page }) => {
+  await addLantern(page);
   expect((await history(page)).at(-1)).toBe('Added Flicker to Point light');
-  expect(await axeProblems(page)).toEqual([]);
 
   // the component, with its kind of field, in the inspector and in the file
   await page.getByRole('tab', { name: 'Inspector' }).click();
@@ -52,43 +58,53 @@ test('a plugin brings a panel, a component with a field of its own, a technique 
     return [at(1, 1), at(gl.drawingBufferWidth >> 1, gl.drawingBufferHeight >> 1)];
   });
   expect(corner).toBeLessThan(middle * 0.6);
-
-  // it is there again after a reload, before the scene that needs it
-  await expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
-  await page.reload();
-  await page.getByRole('button', { name: 'Recover' }).click();
-  await page.getByRole('tab', { name: 'Lantern' }).click();
-  await expect(panel).toContainText('Flickering: Point light');
-  const known = await page.evaluate(() => Object.keys(window.editor.viewport.farol.techniques));
-  expect(known).toContain('vignette');
-
-  // switched off, it goes with all that it brought; its component stays as data, and undo brings the plugin back
-  const before = await serialized(page);
-  const lantern = async (): Promise<void> => {
-    await page.keyboard.press('Control+k');
-    await page.getByRole('combobox', { name: 'Search commands' }).fill('lantern example');
-    await page.keyboard.press('Enter');
-  };
-  await lantern();
-  await expect(page.getByText(/The plugin Lantern is removed: 1 Flicker kept as data/)).toBeVisible();
-  await expect(page.getByRole('tab', { name: 'Lantern' })).toHaveCount(0);
-  expect(await serialized(page)).toBe(before);
-  await page.evaluate(() => {
-    const { document } = window.editor;
-    document.selection.set([document.scene.find('Point light')!.id]);
-  });
-  await page.getByRole('tab', { name: 'Inspector' }).click();
-  await expect(flicker).toContainText('Depth');
-  await expect(flicker.getByRole('slider')).toHaveCount(0);
-  expect(await axeProblems(page)).toEqual([]);
-  expect(await page.evaluate(() => 'vignette' in window.editor.viewport.farol.techniques)).toBe(false);
-  await page.keyboard.press('Control+z');
-  await expect(page.getByRole('tab', { name: 'Lantern' })).toBeVisible();
-  await expect(flicker.getByRole('slider', { name: 'Depth' })).toBeVisible();
-  expect(await serialized(page)).toBe(before);
 });
 
-test('two editors on one page each have plugins of their own, on renderers of their own', async ({ page }) => {
+own(
+  'a plugin comes again after a reload, goes with all that it brought, and is brought back by undo @verify',
+  async ({ page }) => {
+    await openEditor(page, 'empty');
+    await addLantern(page);
+    const panel = lantern(page);
+    const flicker = page.getByRole('region', { name: 'Flicker', exact: true });
+
+    // it is there again after a reload, before the scene that needs it
+    await expect.poll(() => page.evaluate(() => window.editor.autosave?.isUpToDate)).toBe(true);
+    await page.reload();
+    await page.getByRole('button', { name: 'Recover' }).click();
+    await page.getByRole('tab', { name: 'Lantern' }).click();
+    await expect(panel).toContainText('Flickering: Point light');
+    const known = await page.evaluate(() => Object.keys(window.editor.viewport.farol.techniques));
+    expect(known).toContain('vignette');
+
+    // switched off, it goes with all that it brought; its component stays as data, and undo brings the plugin back
+    const before = await serialized(page);
+    const switchLantern = async (): Promise<void> => {
+      await page.keyboard.press('Control+k');
+      await page.getByRole('combobox', { name: 'Search commands' }).fill('lantern example');
+      await page.keyboard.press('Enter');
+    };
+    await switchLantern();
+    await expect(page.getByText(/The plugin Lantern is removed: 1 Flicker kept as data/)).toBeVisible();
+    await expect(page.getByRole('tab', { name: 'Lantern' })).toHaveCount(0);
+    expect(await serialized(page)).toBe(before);
+    await page.evaluate(() => {
+      const { document } = window.editor;
+      document.selection.set([document.scene.find('Point light')!.id]);
+    });
+    await page.getByRole('tab', { name: 'Inspector' }).click();
+    await expect(flicker).toContainText('Depth');
+    await expect(flicker.getByRole('slider')).toHaveCount(0);
+    expect(await axeProblems(page)).toEqual([]);
+    expect(await page.evaluate(() => 'vignette' in window.editor.viewport.farol.techniques)).toBe(false);
+    await page.keyboard.press('Control+z');
+    await expect(page.getByRole('tab', { name: 'Lantern' })).toBeVisible();
+    await expect(flicker.getByRole('slider', { name: 'Depth' })).toBeVisible();
+    expect(await serialized(page)).toBe(before);
+  },
+);
+
+own('two editors on one page each have plugins of their own, on renderers of their own', async ({ page }) => {
   await openEditor(page, 'empty');
   const states = await page.evaluate(async () => {
     const first = window.editor;
@@ -133,7 +149,6 @@ test('two editors on one page each have plugins of their own, on renderers of th
 });
 
 test('a plugin whose names are taken is refused as a whole', async ({ page }) => {
-  await openEditor(page, 'empty');
   const message = await page.evaluate(() => {
     try {
       window.editor.addPlugin({

@@ -1,10 +1,10 @@
 import type { Light } from '@farol/engine';
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, history, openEditor, serialized } from './editor';
+import { addObject, history, serialized } from './editor';
 import { dropFiles, pixelAt } from './models';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1000, height: 620 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1000, height: 620 } });
 
 /** Light to one side alone, 800 cd at 45°. */
 const aside = `IESNA:LM-63-2002
@@ -40,7 +40,6 @@ async function sides(page: Page): Promise<number[]> {
 test('a photometric file is dropped on a light, which it shapes; its curve is seen, and all is undone', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Plane');
   await addObject(page, 'Light', 'Point light');
   await page.evaluate(() => {
@@ -89,7 +88,6 @@ test('a photometric file is dropped on a light, which it shapes; its curve is se
 test('a photometric file comes with the tilt of its lamps in a file of its own, and names that one when it is missing', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   const bytes = Buffer.from(aside.replace('TILT=NONE', 'TILT=LAMP.TLT'));
   await dropFiles(page, '.assets-body', [{ name: 'aside.ies', bytes }]);
   await expect(

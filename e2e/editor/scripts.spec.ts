@@ -107,7 +107,7 @@ export default class Stuck extends component({}) {
   update() { console.info('stuck'); /^(a+)+$/.test('a'.repeat(99) + 'b'); }
 }`;
 
-test('a tab that hung in a script, and was ended, comes back with scripts off, until they are mended', async ({
+test('a tab that hung in a script, and was ended, comes back with scripts off, until they are mended @verify', async ({
   page,
 }) => {
   await openEditor(page, 'empty');

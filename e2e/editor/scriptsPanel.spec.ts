@@ -1,8 +1,8 @@
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, history, openEditor } from './editor';
+import { addObject, history } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1280, height: 800 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1280, height: 800 } });
 
 const panel = (page: Page): Locator => page.getByRole('region', { name: 'Scripts' });
 const inspector = (page: Page): Locator => page.getByRole('region', { name: 'Inspector' });
@@ -16,7 +16,6 @@ async function goToEnd(page: Page, text: string): Promise<void> {
 test('a script is made from the inspector, typed with completion, its error told and mended, all undone', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const before = await history(page);
 
@@ -68,7 +67,6 @@ test('a script is made from the inspector, typed with completion, its error told
 });
 
 test('a new script of the menu is of the selected objects, and what is typed next goes into it', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const before = await history(page);
   await page.getByRole('menuitem', { name: 'Object', exact: true }).click();

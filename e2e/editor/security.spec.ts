@@ -47,7 +47,7 @@ async function open(page: Page, address: string): Promise<void> {
   await page.goto(address);
 }
 
-test('a scene from elsewhere asks once before it loads from other hosts; without them the rest opens', async ({
+test('a scene from elsewhere asks once before it loads from other hosts; without them the rest opens @verify', async ({
   page,
 }) => {
   const asked = await answerFor(page);

@@ -1,9 +1,9 @@
 import { pathToFileURL } from 'node:url';
-import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, history, openEditor, serialized } from './editor';
+import type { Locator, Page } from '@playwright/test';
+import { addObject, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1200, height: 800 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1200, height: 800 } });
 
 /** The colour in the middle of the picture, drawn now; each channel from 0 to 255. */
 const middle = (page: Page): Promise<number[]> =>
@@ -16,11 +16,22 @@ const middle = (page: Page): Promise<number[]> =>
     return [...pixel.slice(0, 3)];
   });
 
-test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended; an exported page draws it', async ({
-  page,
-  context,
-}) => {
-  await openEditor(page, 'empty');
+/** The text of a surface with a field `green`. */
+const textOf = (body: string): string =>
+  `uniform float green; // = 0 [0, 1, 0.05] Green\nvoid surface(inout SurfaceData s) {\n  ${body}\n}\n`;
+
+const inspectorOf = (page: Page): Locator => page.getByRole('region', { name: 'Inspector' });
+const panelOf = (page: Page): Locator => page.getByRole('region', { name: 'Microshaders' });
+
+/** Types the text of the surface on show. */
+async function type(page: Page, text: string): Promise<void> {
+  await panelOf(page).locator('.cm-content').click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(text);
+}
+
+/** Makes a surface for a sphere that fills the middle of the picture, and gives it a text: green by a field, which is 0. */
+async function makeTint(page: Page): Promise<void> {
   await addObject(page, 'Mesh', 'Sphere');
   await page.evaluate(() => {
     Object.assign(window.editor.viewport, { technique: 'deferred', showGrid: false, showIcons: false });
@@ -34,23 +45,21 @@ test('a surface from a built-in, on an object: its values are fields; its text i
   await page.getByRole('menuitem', { name: 'New surface' }).press('ArrowRight');
   await page.getByRole('menuitem', { name: 'Tint', exact: true }).click();
   await expect.poll(() => history(page)).toEqual([...before, 'Made surface Tint for Sphere']);
-  const inspector = page.getByRole('region', { name: 'Inspector' });
 
   // its text, compiled while it is typed: what it declares is a field
-  await inspector.getByRole('button', { name: 'Edit its text' }).click();
-  const panel = page.getByRole('region', { name: 'Microshaders' });
-  await expect(panel.locator('.cm-content')).toContainText('void surface(inout SurfaceData s)');
-  const type = async (text: string): Promise<void> => {
-    await panel.locator('.cm-content').click();
-    await page.keyboard.press('Control+a');
-    await page.keyboard.insertText(text);
-  };
-  const text = (body: string): string =>
-    `uniform float green; // = 0 [0, 1, 0.05] Green\nvoid surface(inout SurfaceData s) {\n  ${body}\n}\n`;
+  await inspectorOf(page).getByRole('button', { name: 'Edit its text' }).click();
+  await expect(panelOf(page).locator('.cm-content')).toContainText('void surface(inout SurfaceData s)');
+  await type(page, textOf('s.color = vec3(0.0); s.emissive = vec3(0.0, green, 0.0);'));
+  await expect(inspectorOf(page).getByRole('textbox', { name: 'Green', exact: true })).toHaveValue('0');
+}
+
+test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended', async ({
+  page,
+}) => {
+  await makeTint(page);
+  const [inspector, panel] = [inspectorOf(page), panelOf(page)];
   const isGreen = (): Promise<boolean> => middle(page).then(([r, g]) => g > 2 * r);
-  await type(text('s.color = vec3(0.0); s.emissive = vec3(0.0, green, 0.0);'));
   const green = inspector.getByRole('textbox', { name: 'Green', exact: true });
-  await expect(green).toHaveValue('0');
   expect(await isGreen()).toBe(false);
   const box = (await inspector.locator('[data-field="surface.green"] .slider').boundingBox())!;
   await page.mouse.click(box.x + box.width - 4, box.y + box.height / 2);
@@ -58,14 +67,14 @@ test('a surface from a built-in, on an object: its values are fields; its text i
   await expect.poll(isGreen).toBe(true);
 
   // broken: the error is at its line, the picture as it was
-  await type(text('s.emissive = vec3(0.0, gren, 0.0);'));
+  await type(page, textOf('s.emissive = vec3(0.0, gren, 0.0);'));
   await expect(panel.getByRole('status')).toContainText('Broken');
   await expect(panel.getByRole('list', { name: 'Errors' })).toContainText("Tint:3'gren' : undeclared identifier");
   await expect(panel.locator('.cm-lint-marker-error')).toHaveCount(1);
   expect(await isGreen()).toBe(true);
 
   // mended
-  await type(text('s.color = vec3(0.0); s.emissive = vec3(0.0, 0.0, green);'));
+  await type(page, textOf('s.color = vec3(0.0); s.emissive = vec3(0.0, 0.0, green);'));
   await expect(panel.getByRole('status')).toContainText('Of this scene');
   await expect.poll(isGreen).toBe(false);
   const { assets } = JSON.parse(await serialized(page)) as { assets: { type: string; values: object }[] };
@@ -76,11 +85,20 @@ test('a surface from a built-in, on an object: its values are fields; its text i
 
   // steps of history, taken back
   await page.getByRole('tab', { name: 'History' }).click();
-  await expect.poll(() => history(page).then((list) => list.slice(before.length + 1))).toHaveLength(3);
+  const stepsSince = (list: readonly string[]): number =>
+    list.length - 1 - list.indexOf('Made surface Tint for Sphere');
+  await expect.poll(() => history(page).then(stepsSince)).toBe(3);
   await page.keyboard.press('Control+z');
   await expect.poll(isGreen).toBe(true);
+});
 
-  // a page from a disk
+test('a page that is exported draws the scene’s own surfaces; on a phone all of the panel is in the window @verify', async ({
+  page,
+  context,
+}) => {
+  await makeTint(page);
+  await inspectorOf(page).getByRole('textbox', { name: 'Green', exact: true }).fill('1');
+  await page.keyboard.press('Enter');
   await page.keyboard.press('Control+Shift+E');
   const download = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Web page…' }).click();
@@ -119,6 +137,6 @@ test('a surface from a built-in, on an object: its values are fields; its text i
   await page.setViewportSize({ width: 390, height: 844 });
   await expect(page.locator('.sheet-tabs')).toBeVisible();
   await page.evaluate(() => window.editor.openMicroShader('surface:Tint'));
-  await expect(panel.getByRole('button', { name: 'Show the asset' })).toBeInViewport({ ratio: 1 });
-  await expect(panel.getByRole('status')).toBeInViewport({ ratio: 1 });
+  await expect(panelOf(page).getByRole('button', { name: 'Show the asset' })).toBeInViewport({ ratio: 1 });
+  await expect(panelOf(page).getByRole('status')).toBeInViewport({ ratio: 1 });
 });

@@ -1,16 +1,15 @@
 import type { Page } from '@playwright/test';
 import { axeProblems } from '../support/axeProblems';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, serialized } from './editor';
+import { addObject, fieldOf, history, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1100, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1100, height: 640 } });
 
 /** Where the box is along x: as it is seen, not as it was authored. */
 const shownX = (page: Page): Promise<number> =>
   page.evaluate(() => window.editor.document.scene.find('Box')!.object3D.position.x);
 
 test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   const authored = await fieldOf(page, 'Box', 'Transform', 'position');
   await page.getByRole('tab', { name: 'Timeline' }).click();

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { addObject, fieldOf, history, openEditor, pointOf, serialized } from './editor';
+import { addObject, fieldOf, history, pointOf, serialized } from './editor';
 import { dropFiles } from './models';
+import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1200, height: 700 }, reducedMotion: 'reduce' });
 
@@ -23,7 +23,7 @@ const lampOf = (page: Page): Promise<readonly [lit: boolean, heard: number]> =>
   });
 
 test('a lamp is switched by a click on it, with a sound, made by hand; stop puts all back', async ({ page }) => {
-  await page.addInitScript(() => {
+  await page.evaluate(() => {
     const { start, stop } = AudioBufferSourceNode.prototype;
     const add = (node: AudioBufferSourceNode, change: number): void => {
       const { dataset } = document.documentElement;
@@ -38,7 +38,6 @@ test('a lamp is switched by a click on it, with a sound, made by hand; stop puts
       stop.apply(this, times);
     };
   });
-  await openEditor(page, 'empty');
   // a file that is no sound says so, a sound becomes an asset with its length
   await dropFiles(page, '.assets-body', [{ name: 'noise.mp3', bytes: Buffer.from('no sound at all') }]);
   await expect(page.getByText('noise.mp3 cannot be imported: it cannot be decoded')).toBeVisible();

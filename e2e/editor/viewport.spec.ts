@@ -1,10 +1,9 @@
-import { expect, test } from '../support/test';
-import { addObject, openEditor, pointOf } from './editor';
+import { addObject, pointOf } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1120, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 1120, height: 640 } });
 
 test('selects by a box, from a side, without what is locked; shows what a camera sees', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.getByLabel('Position x').fill('-1');
   await addObject(page, 'Mesh', 'Cone');

@@ -1,8 +1,11 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
 import { addObject, fieldOf, history, openEditor } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
 /** Presses a key of the number pad, which Playwright has without NumLock only. */
 const pressPad = (page: Page, digit: number): Promise<boolean> =>
@@ -32,7 +35,6 @@ const selected = (page: Page): Promise<string[]> =>
   page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name));
 
 test('views without perspective, kept views, and a camera that is flown', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.evaluate(() => window.editor.document.scene.find('Box')!.transform.set('position', [0, 0.5, 0]));
   await pressPad(page, 1);
@@ -86,7 +88,6 @@ test('views without perspective, kept views, and a camera that is flown', async 
 });
 
 test('four views draw four pictures, each is worked in; keys go to the scene that plays', async ({ page }) => {
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Cone');
   await page.keyboard.press('Control+Alt+q');
   await expect(page.getByText('Top', { exact: false })).toHaveCount(1);
@@ -139,7 +140,7 @@ test('four views draw four pictures, each is worked in; keys go to the scene tha
   expect(await page.evaluate(() => window.editor.viewport.lookThrough)).toBeNull();
 });
 
-test('the lines between four views are dragged, moved by keys, and remembered', async ({ page }) => {
+own('the lines between four views are dragged, moved by keys, and remembered', async ({ page }) => {
   await openEditor(page, 'empty');
   await page.keyboard.press('Control+Alt+q');
   const sizes = (): Promise<Record<string, [number, number]>> =>

@@ -119,7 +119,7 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
   await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });
 
-test('sliders, labels that are dragged, a filter for fields, and the keys of the gizmo', async ({ page }) => {
+test('sliders, labels that are dragged, a filter for fields, and the keys of the gizmo @verify', async ({ page }) => {
   await open(page, 'attach');
   const steps = () => page.evaluate(() => window.example.editor!.commands.history.length);
   await row(page, 'chest').click();
@@ -183,7 +183,7 @@ test('sliders, labels that are dragged, a filter for fields, and the keys of the
   await expect(page.getByRole('button', { name: 'Move', exact: true })).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol', async ({ page }) => {
+test('several objects at once: shared and mixed values, copies, deletion; drawn by Farol @verify', async ({ page }) => {
   await open(page, 'attach');
   await page.getByRole('searchbox', { name: 'Search objects' }).fill('lantern');
   await row(page, 'lantern 1').click();
@@ -337,7 +337,7 @@ test('on React Three Fiber: what React adds is in the tree, edits are drawn', as
   watch.forgive(clockOfR3F);
 });
 
-test('on React Three Fiber beside <Farol>: the editor passes its draw on, or draws by itself', async ({
+test('on React Three Fiber beside <Farol>: the editor passes its draw on, or draws by itself @verify', async ({
   page,
   watch,
 }) => {

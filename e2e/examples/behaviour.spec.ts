@@ -1,3 +1,4 @@
+import { byExtent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 import { drawExample, openExample } from '../support/example';
 import { compareImages } from '../support/images';
@@ -38,7 +39,7 @@ test('controls: the gizmo drags the knot with its label, the orbit stays; beside
   expect(compareImages(moved, turned).share).toBeGreaterThan(0.3);
 });
 
-test('stats: the panels count frames and draw calls while Farol draws', async ({ page }) => {
+test('stats: the panels count frames and draw calls while Farol draws @verify', async ({ page }) => {
   await page.setViewportSize({ width: 200, height: 120 });
   await page.goto('./examples/stats/index.html?technique=clustered-forward');
   await page.waitForFunction(() => 'example' in window);
@@ -48,7 +49,7 @@ test('stats: the panels count frames and draw calls while Farol draws', async ({
   expect(panels).toBeGreaterThan(3);
 });
 
-test('r3f: what draws is switched while it runs, and what Farol held is freed', async ({ page, watch }) => {
+test('r3f: what draws is switched while it runs, and what Farol held is freed @verify', async ({ page, watch }) => {
   await page.setViewportSize({ width: 200, height: 120 });
   await page.goto('./examples/r3f/index.html?technique=three');
   await page.waitForFunction(() => 'example' in window);
@@ -70,7 +71,7 @@ test('r3f: what draws is switched while it runs, and what Farol held is freed', 
   watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
 });
 
-test('r3f: an effect is put on and taken off, and outlives a Farol that was', async ({ page, watch }) => {
+test('r3f: an effect is put on and taken off, and outlives a Farol that was @verify', async ({ page, watch }) => {
   await openExample(page, 'r3f', 'deferred');
   const plain = await drawExample(page, 'deferred');
   const box = page.getByRole('checkbox', { name: 'SMAA' });
@@ -118,18 +119,8 @@ test('without WebGL 2 every example says what to do', async ({ page, watch }) =>
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
-  for (const name of [
-    'attach',
-    'attach-r3f',
-    'composer',
-    'controls',
-    'drei',
-    'gltf',
-    'mixed',
-    'postprocessing',
-    'r3f',
-    'stats',
-  ]) {
+  const others = ['attach-r3f', 'composer', 'controls', 'drei', 'gltf', 'mixed', 'postprocessing', 'stats'];
+  for (const name of ['attach', 'r3f', ...byExtent({ slice: [], verify: others })]) {
     await page.goto(`./examples/${name}/index.html`);
     await expect(page.getByRole('alert'), name).toContainText(/WebGL 2.*hardware acceleration.*get\.webgl\.org/);
     expect(watch.forgive(/WebGL/), name).toBeGreaterThan(0);
@@ -142,7 +133,7 @@ test('an address that names a technique or a part that there is not draws the pa
   page,
   watch,
 }) => {
-  for (const name of ['r3f', 'drei', 'gltf']) {
+  for (const name of byExtent({ slice: ['r3f'], verify: ['r3f', 'drei', 'gltf'] })) {
     await page.goto(`./examples/${name}/index.html?still&technique=constructor&part=__proto__`);
     await expect(page.getByLabel('Drawn by'), name).toHaveValue('auto');
     await page.evaluate(() => window.example.ready);
@@ -190,7 +181,7 @@ test('r3f: one FarolRenderer serves the canvas, also while a sibling suspends', 
   watch.forgive(/THREE\.Clock: This module has been deprecated/); // R3F itself uses it
 });
 
-test('r3f: edges are smooth where the canvas asks for it', async ({ page, watch }) => {
+test('r3f: edges are smooth where the canvas asks for it @verify', async ({ page, watch }) => {
   await page.setViewportSize({ width: 320, height: 180 });
   await page.goto('./examples/r3f/index.html?still&antialias&technique=three');
   await page.waitForFunction(() => 'example' in window);

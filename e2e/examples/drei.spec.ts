@@ -1,3 +1,4 @@
+import { byExtent } from '@farol/tools/extent';
 import { drawExample, openExample } from '../support/example';
 import { compareImages, isFlat } from '../support/images';
 import { expect, test } from '../support/test';
@@ -28,12 +29,12 @@ const groups = [
   ],
 ];
 
-for (const group of groups) {
-  test(`drei: ${group.join('; ')}: the picture of three`, async ({ page, watch }) => {
+for (const [index, group] of groups.entries()) {
+  test(`drei: ${group.join('; ')}: the picture of three${index === 0 ? '' : ' @verify'}`, async ({ page, watch }) => {
     await openExample(page, 'drei');
     const parts = await page.evaluate(() => window.example.parts!);
     expect([...parts].sort(), 'parts of the page').toEqual(groups.flat().sort());
-    for (const part of group) {
+    for (const part of byExtent({ slice: ['View'], verify: group })) {
       await page.evaluate((part) => window.example.show!(part), part);
       const stock = await drawExample(page, 'three');
       expect(isFlat(stock)).toBe(false);

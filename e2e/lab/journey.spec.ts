@@ -12,7 +12,7 @@ const tiny =
 const expectMachine = (page: Page): Promise<void> =>
   expect(page.getByText(/software rasteriser, not on a graphics card/)).toHaveCount(process.env.FAROL_GPU ? 0 : 1);
 
-test('builds a comparison by mouse and keyboard, measures it, and keeps what a cancelled one has', async ({ page }) => {
+test('builds a comparison by mouse and keyboard, and measures it', async ({ page }) => {
   await page.goto('./');
   await expect(page.getByRole('button', { name: /Measure this machine/ })).toBeEnabled();
   // reference results are there before anything is measured
@@ -69,8 +69,12 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await expect(page.getByText('2 cases × 2 competitors')).toBeVisible();
   await page.getByText('Build your own').click();
   await expect(values).toHaveValue('4, 9');
+});
 
-  // more than anybody would wait for: the first rows stay
+test('a run that is cancelled keeps the rows that it has @verify', async ({ page }) => {
+  await page.goto(`./${tiny}`);
+  await page.getByText('Build your own').click();
+  // more than anybody would wait for
   await page.getByLabel('Turns for each').fill('50');
   await page.getByLabel(/^A turn/).fill('2000');
   await page.getByRole('button', { name: 'Measure: your own comparison' }).click();
@@ -81,6 +85,7 @@ test('builds a comparison by mouse and keyboard, measures it, and keeps what a c
   await page.getByRole('button', { name: /Cancel/ }).click();
   await expect(page.locator('.run-head')).toContainText('not complete', { timeout: 30_000 });
   await page.getByText(/Table of \d rows/).click();
+  const rows = page.getByRole('table').filter({ hasText: 'Remarks' }).getByRole('row');
   await expect(rows.nth(1)).toContainText('Farol: forward');
 });
 

@@ -23,7 +23,7 @@ interface Headless {
   files(run: object): { name: string; text: string }[];
 }
 
-test('the preset Light and matter in small: every kind of light and shading is measured, or left out in a sentence', async ({
+test('the preset Light and matter in small: every kind of light and shading is measured, or left out in a sentence @verify', async ({
   page,
 }) => {
   test.slow();

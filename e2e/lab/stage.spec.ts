@@ -1,3 +1,4 @@
+import { byExtent } from '@farol/tools/extent';
 import '../support/stage';
 import { expect, test } from '../support/test';
 
@@ -71,7 +72,7 @@ test('every competitor draws the picture of stock three, is timed and counted, a
       }
       return found as ((typeof found)[number] & { psnr: number })[];
     },
-    ['stock', 'multipass', ...farol],
+    ['stock', 'multipass', ...byExtent({ slice: ['auto', 'deferred'], verify: farol })],
   );
   for (const { name, psnr, turn, counts, passes, added, changed, ...rest } of results) {
     expect(psnr, name).toBeGreaterThan(likeness(name));

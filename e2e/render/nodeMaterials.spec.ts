@@ -87,39 +87,39 @@ test('each kind of node material on each kind of object, under area lights and s
 });
 
 // in a page of its own: what the device says of it comes late
-alone('glass of nodes is drawn as stock three draws it, which knows no transmission of nodes', async ({
-  benchPage: page,
-  watch,
-}) => {
-  const results = await page.evaluate(async () => {
-    const { alphaBench, compareImages, drawn, nodeCases, techniquesInTurn } = window.testPage;
-    const { nodeCase, nodeGlass, nodesHandler } = await nodeCases();
-    const { bench, toCanvas } = alphaBench(64, 48);
-    bench.webgl.setNodesHandler(nodesHandler());
-    bench.webgl.shadowMap.enabled = true;
-    bench.farol.inferredScale = 1;
-    const { scene, camera } = nodeCase(nodeGlass(), 64, 48);
-    const draw = async (render: () => void) => {
-      render();
-      await Promise.resolve();
-      return toCanvas(render);
-    };
-    const stock = await draw(() => bench.webgl.render(scene, camera));
-    const results = [];
-    for (const technique of techniquesInTurn(0, drawn)) {
-      bench.farol.technique = technique;
-      const difference = compareImages(stock, await draw(() => bench.farol.render(scene, camera)));
-      results.push({ technique, difference });
+alone(
+  'glass of nodes is drawn as stock three draws it, which knows no transmission of nodes',
+  async ({ benchPage: page, watch }) => {
+    const results = await page.evaluate(async () => {
+      const { alphaBench, compareImages, drawn, nodeCases, techniquesInTurn } = window.testPage;
+      const { nodeCase, nodeGlass, nodesHandler } = await nodeCases();
+      const { bench, toCanvas } = alphaBench(64, 48);
+      bench.webgl.setNodesHandler(nodesHandler());
+      bench.webgl.shadowMap.enabled = true;
+      bench.farol.inferredScale = 1;
+      const { scene, camera } = nodeCase(nodeGlass(), 64, 48);
+      const draw = async (render: () => void) => {
+        render();
+        await Promise.resolve();
+        return toCanvas(render);
+      };
+      const stock = await draw(() => bench.webgl.render(scene, camera));
+      const results = [];
+      for (const technique of techniquesInTurn(0, drawn)) {
+        bench.farol.technique = technique;
+        const difference = compareImages(stock, await draw(() => bench.farol.render(scene, camera)));
+        results.push({ technique, difference });
+      }
+      return results;
+    });
+    // three's copy of what is behind, which it has no size of
+    watch.forgive(/glTexStorage2D: One or more image dimensions are not positive/);
+    for (const { technique, difference } of results) {
+      expect.soft(difference.psnr, technique).toBeGreaterThan(60);
+      expect.soft(difference.alpha, technique).toBe(0);
     }
-    return results;
-  });
-  // three's copy of what is behind, which it has no size of
-  watch.forgive(/glTexStorage2D: One or more image dimensions are not positive/);
-  for (const { technique, difference } of results) {
-    expect.soft(difference.psnr, technique).toBeGreaterThan(60);
-    expect.soft(difference.alpha, technique).toBe(0);
-  }
-});
+  },
+);
 
 test('until the code of node materials is there three draws the scene, then Farol does: the same picture', async ({
   page,
