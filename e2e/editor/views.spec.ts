@@ -90,7 +90,7 @@ test('views without perspective, kept views, and a camera that is flown', async 
 test('four views draw four pictures, each is worked in; keys go to the scene that plays', async ({ page }) => {
   await addObject(page, 'Mesh', 'Cone');
   await page.keyboard.press('Control+Alt+q');
-  await expect(page.getByText('Top', { exact: false })).toHaveCount(1);
+  await expect.poll(() => page.evaluate(() => window.editor.viewport.panes.list.length)).toBe(4);
   await page.evaluate(() => window.editor.document.selection.set([]));
   await page.waitForFunction(() => {
     const { viewport } = window.editor;
