@@ -21,7 +21,7 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
       };
       const map = texture((x, y) => [255 * x, 200, 255 * y, Math.hypot(x - 0.5, y - 0.5) < 0.45 ? 255 : 0]);
       map.colorSpace = three.SRGBColorSpace;
-      const normalMap = texture((x) => [128 + 60 * Math.sin(12 * x), 128, 240, 255]);
+      const normalMap = texture((x, y) => [128 + 60 * Math.sin(12 * x), 128 + 60 * Math.cos(9 * y), 240, 255]);
       const scene = new three.Scene();
       scene.background = new three.Color(0.1, 0.1, 0.2);
       const floor = new three.Mesh(
@@ -44,6 +44,7 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
       camera.position.set(0.4, 1.8, 2.2);
       camera.lookAt(0, 0, 0);
       const surface = new three.MeshStandardMaterial({ map, normalMap, roughness: 0.35, metalness: 0.3 });
+      surface.normalScale.set(0.9, -0.5);
       const laid = new three.Mesh(new three.PlaneGeometry(1.6, 1.2), surface.clone());
       Object.assign(laid.material, {
         transparent: true,

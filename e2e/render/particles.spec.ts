@@ -99,7 +99,20 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
     });
     bounced.rotation.z = -Math.PI / 2;
     const between = draw(bounced, [0.7, 0.013, 0.687], true).slice(0, 3);
-    return { first, second, other, lost, begun, throws, between, local };
+    // 1 m over a floor, down at 45 degrees
+    const slid = new effects.ParticleEmitter({
+      capacity: 1,
+      rate: 0,
+      bursts: [{ time: 0, count: 1 }],
+      life: [9, 9],
+      speed: [Math.SQRT2, Math.SQRT2],
+      shape: { kind: 'cone', radius: 0, angle: 0 },
+      colliders: [{ kind: 'plane', normal: [0, 1, 0], height: 0, bounce: 0.5, friction: 0.25 }],
+    });
+    slid.position.y = 1;
+    slid.rotation.z = (-3 * Math.PI) / 4;
+    const slowed = draw(slid, [0.4, 1.2, 0.4], true).slice(0, 3);
+    return { first, second, other, lost, begun, throws, between, slowed, local };
   });
   expect(watch.forgive(/a WebGL context was lost|CONTEXT_LOST_WEBGL|THREE.WebGLRenderer: Context/)).toBeGreaterThan(0);
   expect(motion.first.filter((value) => value !== 0).length).toBeGreaterThan(200);
@@ -117,6 +130,8 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
   expect(braked[1]).toBeCloseTo(2 + 5 * cosine * share - (9.81 * (1 - share)) / 0.8, 4);
   // 2 m to the wall, 3 m back to the ball, and half as fast for the rest of 7 m
   expect(motion.between).toEqual([expect.closeTo(0, 4), expect.closeTo(0, 4), expect.closeTo(0, 4)]);
+  // 1 m to the floor, then half as fast upwards and three quarters as fast along it for 1 s
+  expect(motion.slowed).toEqual([expect.closeTo(1.75, 4), expect.closeTo(0.5, 4), expect.closeTo(0, 4)]);
   expect([free[2], free[3]]).toEqual([3, expect.closeTo(1, 5)]);
 
   // what they look like, and what they light

@@ -55,6 +55,16 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
       lamp.userData.farol = { specular: [0, 0.5, 0], attenuation: { kind: 'near-far', near: 3, far: 5 } };
       shiny.add(lamp);
       seen.specular = pixel(bench.byTechnique(technique, shiny, camera).data, 0);
+      const sun = new three.DirectionalLight(new three.Color(0.5, 0.25, 0), 2);
+      sun.position.set(0, 0, 2);
+      sun.userData.farol = { specular: [0, 0.5, 1], ambient: [0, 0, 0.25] };
+      const plain = new three.Mesh(new three.PlaneGeometry(4, 4), new three.MeshLambertMaterial());
+      seen.directional = pixel(bench.byTechnique(technique, new three.Scene().add(plain, sun), camera).data, 0);
+      const mirror = new three.Mesh(new three.PlaneGeometry(4, 4), phong);
+      seen['specular, directional'] = pixel(
+        bench.byTechnique(technique, new three.Scene().add(mirror, sun), camera).data,
+        0,
+      );
       const tinted = new three.Scene();
       const factor = new three.MeshPhongMaterial({ specular: 0x000000 });
       factor.onBeforeCompile = (shader) => {
@@ -82,6 +92,8 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
     "material's ambient factor": [0, 0.25, 0.5],
     // Blinn-Phong right below: F = 1, G = 1/4, D = (10 / 2 + 1) / π
     specular: [0, 0.5 * 1.5, 0],
+    directional: [1, 0.5, 0.5],
+    'specular, directional': [0, 1.5, 3],
   };
   // inferred lighting takes its light at half the resolution, half a pixel beside
   for (const { technique, seen } of results) {
