@@ -117,3 +117,37 @@ test('a page with an attached editor after a lost context: the same picture, no 
   }
   expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(LOSSES);
 });
+
+test('a bake that a lost context ends leaves no notice, and the technique of the scene draws again @verify', async ({
+  page,
+  watch,
+}) => {
+  await openEditor(page, 'empty');
+  await addObject(page, 'Mesh', 'Sphere');
+  await addObject(page, 'Light', 'Point light');
+  await page.evaluate(() => {
+    const { viewport, document: edited } = window.editor;
+    const { settings } = edited.scene;
+    settings.set('technique', 'deferred');
+    settings.set('bakeSize', '64');
+    settings.set('bakeSamples', 4096);
+    // as an edit or another scene does
+    viewport.canvas.addEventListener('webglcontextlost', () => {
+      settings.set('technique', 'tiled-deferred');
+      viewport.renderNow();
+    });
+  });
+  await page.getByRole('menuitem', { name: 'Object', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Bake light…' }).click();
+  const panel = page.getByRole('region', { name: 'Baked light' });
+  await panel.getByRole('button', { name: 'Make 1 object static' }).click();
+  await panel.getByRole('button', { name: /^Set \d lights? to Baked/ }).click();
+  await panel.getByRole('button', { name: 'Bake', exact: true }).click();
+  await expect(panel.getByText(/\d samples/)).toBeVisible();
+  await loseContext(page, 'window.editor.viewport.canvas');
+  await expect(panel.getByRole('button', { name: 'Bake', exact: true })).toBeVisible();
+  await picture(page);
+  expect(await page.evaluate(() => window.editor.viewport.farol.info.technique)).toBe('tiled-deferred');
+  await expect(page.locator('.notice')).toHaveCount(0);
+  expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(1);
+});

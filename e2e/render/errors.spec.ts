@@ -126,15 +126,26 @@ test('what has no finite place, or a shader that does not compile, is named; the
     // an error of the device is what a broken program gives, in stock three as well
     const gl = bench.webgl.getContext();
     gl.getError = () => 0;
-    return without.map(([technique, before]) => {
+    const results = without.map(([technique, before]) => {
       let largest = 0;
       for (let i = 0; i < 2; i++)
         largest = Math.max(largest, compareImages(before, bench.byTechnique(technique, scene, camera)).largest);
       return { technique, largest };
     });
+    // a camera is named, and not what it sees
+    for (const [name, value] of Object.entries({ fov: NaN, aspect: NaN, x: NaN })) {
+      const eye = camera.clone() as typeof camera & { fov: number };
+      eye.name = `eye without ${name}`;
+      if (name === 'x') eye.position.x = value;
+      else Object.assign(eye, { [name]: value });
+      eye.updateProjectionMatrix();
+      for (let i = 0; i < 2; i++) bench.byTechnique('forward-single-pass', scene, eye);
+    }
+    return results;
   });
   for (const { technique, largest } of results) expect(largest, technique).toBe(0);
-  expect(watch.forgive(/"lost box" has a matrix or positions that are not numbers/)).toBe(1);
+  expect(watch.forgive(/"lost box" has a matrix, positions, fov or aspect that are not numbers/)).toBe(1);
+  for (const name of ['fov', 'aspect', 'x']) expect(watch.forgive(new RegExp(`"eye without ${name}" has`))).toBe(1);
   expect(watch.forgive(/Material Name: broken shader/)).toBeGreaterThan(0);
   expect(watch.forgive(/Material Name: broken patch/)).toBeGreaterThan(0);
   watch.forgive(/useProgram: program not valid|INVALID_OPERATION|too many errors/);

@@ -98,3 +98,38 @@ test('after a loss a scene without shadows is drawn right by shaders that knew s
   for (const [technique, psnr] of Object.entries(pictures)) expect(psnr, technique).toBeGreaterThan(45);
   expect(lost, 'on the GPU once Farol is disposed, and had there been no loss').toEqual(kept);
 });
+
+test('while the context is lost a technique is set and a renderer made, and both draw once it is back', async ({
+  benchPage: page,
+  watch,
+}) => {
+  const { psnr, techniques } = await page.evaluate(async () => {
+    const {
+      Bench,
+      compareImages,
+      edgeScene,
+      farol: { FarolRenderer },
+    } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { webgl, farol } = bench;
+    const { scene, camera } = edgeScene(64, 48);
+    const stock = bench.stock(scene, camera);
+    let made = farol;
+    webgl.domElement.addEventListener('webglcontextlost', () => {
+      bench.target.dispose();
+      farol.technique = 'deferred';
+      farol.view = 'albedo';
+      farol.view = 'final';
+      made = new FarolRenderer(webgl, { technique: 'deferred' });
+    });
+    await bench.loseContext();
+    const pictures = [farol, made].map((each) => bench.draw(() => each.render(scene, camera)));
+    return {
+      psnr: pictures.map((picture) => compareImages(stock, picture).psnr),
+      techniques: [farol.info.technique, made.info.technique],
+    };
+  });
+  expect(watch.forgive(LOST)).toBeGreaterThanOrEqual(1);
+  expect(techniques).toEqual(['deferred', 'deferred']);
+  for (const each of psnr) expect(each).toBeGreaterThan(45);
+});

@@ -43,6 +43,9 @@ const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 /** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
 const RECOVERED = 1000;
 
+/** After a frame that could not be drawn another is tried, where nothing else asks for one (ms). */
+const RETRY = 8000;
+
 export interface EditorOptions {
   /** Addresses of assets that are files, by name. */
   urls?: Record<string, string>;
@@ -363,22 +366,25 @@ export class Editor implements EditorApi {
 
   private watchPicture(): void {
     const { viewport, notices } = this;
-    /** What is told of a picture that cannot be drawn, and since when (ms); 0 for nothing. */
-    let failure = 0;
+    /** Messages that the picture cannot be drawn, and when the last one came (ms). */
+    const failures = new Set<number>();
     let failedAt = 0;
+    let timer: ReturnType<typeof setTimeout> | undefined;
     viewport.onError = (error) => {
       failedAt = performance.now();
+      clearTimeout(timer);
+      timer = setTimeout(() => viewport.invalidate(), RETRY);
       const text = t('The picture cannot be drawn: {reason}', {
         reason: error instanceof Error ? error.message : String(error),
       });
       if (notices.current.some((notice) => notice.text === text)) return;
       console.error(error);
-      failure = notices.show('error', text, 'picture', { lasts: true });
+      failures.add(notices.show('error', text, 'picture', { lasts: true }));
     };
     viewport.drawn.subscribe(() => {
-      if (failure === 0 || performance.now() - failedAt < RECOVERED) return;
-      notices.remove(failure);
-      failure = 0;
+      if (failures.size === 0 || performance.now() - failedAt < RECOVERED) return;
+      for (const failure of failures) notices.remove(failure);
+      failures.clear();
     });
     let loss = 0;
     viewport.canvas.addEventListener('webglcontextlost', () => {

@@ -345,7 +345,7 @@ export class Viewer {
   /** Most pixels a side that the device can draw. */
   private get largestSide(): number {
     const gl = this.three.getContext();
-    const [width, height] = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+    const [width, height] = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
     const asked = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);
     // a lost context answers null
     return Math.min(...[width, height, ...asked].map((side) => side || Infinity));

@@ -7,6 +7,7 @@ import { checkDevice } from './checkDevice';
 import { type CheckedBakeOptions, checkBakeOptions } from './checkOptions';
 import { keepState } from './gpu/keepState';
 import { Slices } from './gpu/Slices';
+import { untilLoss } from './gpu/untilLoss';
 import { LightmapTracer } from './lightmap/LightmapTracer';
 import { Surfaces } from './lightmap/Surfaces';
 import { measurePhase } from './measurePhase';
@@ -34,9 +35,18 @@ import { unwrapStaticMeshes } from './unwrap/unwrapStaticMeshes';
  */
 export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, options: BakeOptions = {}): Promise<Bake> {
   const checked = checkBakeOptions(options);
-  const { signal, onWarning } = checked;
-  signal?.throwIfAborted();
+  checked.signal?.throwIfAborted();
   checkDevice(renderer);
+  const { signal, end } = untilLoss(renderer, checked.signal);
+  try {
+    return await bake(renderer, scene, { ...checked, signal });
+  } finally {
+    end();
+  }
+}
+
+async function bake(renderer: WebGLRenderer, scene: Scene, checked: CheckedBakeOptions): Promise<Bake> {
+  const { signal, onWarning } = checked;
   const progress = new Progress(checked.onProgress);
   scene.updateMatrixWorld(true);
   const lights = collectLights(scene, checked.isBaked, onWarning);

@@ -85,11 +85,13 @@ export class Slices {
     for (;;) {
       await pause();
       if (fence === null || gl.isContextLost()) throw new Error('The bake ended: the WebGL context was lost.');
+      this.signal?.throwIfAborted();
       const state = gl.clientWaitSync(fence, 0, 0);
+      // of a context that was lost, and is back
+      if (state === gl.WAIT_FAILED) throw new Error('The bake ended: the WebGL context was lost.');
       if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED) break;
     }
     gl.deleteSync(fence);
-    this.signal?.throwIfAborted();
   }
 }
 

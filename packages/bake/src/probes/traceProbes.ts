@@ -44,7 +44,9 @@ export interface ProbeTrace {
  */
 export async function traceProbes(renderer: WebGLRenderer, slices: Slices, trace: ProbeTrace): Promise<BakedProbes> {
   const gl = renderer.getContext();
-  if (gl.getParameter((gl as WebGL2RenderingContext).MAX_DRAW_BUFFERS) < TARGETS) {
+  // null while the context is lost
+  const targets = gl.getParameter((gl as WebGL2RenderingContext).MAX_DRAW_BUFFERS) as number | null;
+  if (targets !== null && targets < TARGETS) {
     throw new Error(`This device cannot bake probes: it draws to fewer than ${TARGETS} targets at once.`);
   }
   const { points, table, sky } = trace;

@@ -49,6 +49,8 @@ export class EffectList {
 
   /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
   dispose(): void {
+    // what can be drawn is judged anew once a lost context is back
+    this.count = -1;
     for (const reference of this.met) reference.deref()?.dispose();
   }
 

@@ -18,6 +18,7 @@ import {
 import type { View } from './views';
 import type { Fills } from './Fills';
 import type { GBuffer } from '../gbuffer/GBuffer';
+import { warnOfNaN } from './warnOfNaN';
 import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { FieldDraws } from '../lighting/FieldDraws';
@@ -173,6 +174,7 @@ export class Frame {
     this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
     const coarse = this.target?.depthTexture?.type === UnsignedShortType;
     this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
+    warnOfNaN(camera);
   }
 
   /** Takes the buffer that three draws to in place of the canvas when it was made with an `outputBufferType`. */

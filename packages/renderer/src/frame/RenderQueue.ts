@@ -134,7 +134,7 @@ export class RenderQueue {
           ? this.transparent
           : this.opaque;
     if (override !== null && material.allowOverride) material = override;
-    if (z !== z) warnOfNaN(object);
+    if (z !== z) warnOfNaN(this.camera, object);
     let item = this.pool[this.used];
     if (item === undefined) this.pool.push((item = {} as RenderItem));
     this.used++;

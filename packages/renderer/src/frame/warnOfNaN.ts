@@ -1,12 +1,18 @@
-import type { Object3D } from 'three';
+import type { Camera, Object3D } from 'three';
 
 const warned = new WeakSet<Object3D>();
 
-/** Names an object once whose place in the picture is not a number. It is drawn as three draws it. */
-export function warnOfNaN(object: Object3D): void {
-  if (warned.has(object)) return;
-  warned.add(object);
+/**
+ * Names the camera once whose place or projection is not a number, else an object whose place in the picture is not one. What
+ * is named is drawn as three draws it.
+ */
+export function warnOfNaN(camera: Camera, object: Object3D | null = null): void {
+  const { elements } = camera.projectionMatrix;
+  const sum = elements[0] + elements[5] + elements[10] + camera.matrixWorldInverse.elements[12];
+  const lost = sum !== sum ? camera : object;
+  if (lost === null || warned.has(lost)) return;
+  warned.add(lost);
   console.warn(
-    `Farol: ${object.type} "${object.name || object.uuid}" has a matrix or positions that are not numbers (NaN); set them. The rest is drawn.`,
+    `Farol: ${lost.type} "${lost.name || lost.uuid}" has a matrix, positions, fov or aspect that are not numbers (NaN); set them. The rest is drawn.`,
   );
 }

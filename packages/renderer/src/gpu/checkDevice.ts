@@ -15,11 +15,15 @@ export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
     throw new Error(`Farol: this device ${lacks}; use the technique 'forward-single-pass', which needs none.`);
 }
 
-/** Null where half float colour targets can be drawn to, else what "this device" does not do. */
+/**
+ * Null where half float colour targets can be drawn to, else what "this device" does not do. A context that is lost has no
+ * extensions, which says nothing of its device. three keeps the answers until the next loss: cheap enough for each frame.
+ */
 export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
-  const gl = webgl.getContext();
-  const has = gl.getExtension('EXT_color_buffer_float') ?? gl.getExtension('EXT_color_buffer_half_float');
-  return has === null ? 'draws to no float colour buffers (EXT_color_buffer_float)' : null;
+  const { extensions } = webgl;
+  if (extensions.has('EXT_color_buffer_float') || extensions.has('EXT_color_buffer_half_float')) return null;
+  if (webgl.getContext().isContextLost()) return null;
+  return 'draws to no float colour buffers (EXT_color_buffer_float)';
 }
 
 /** Whether colours of 32-bit floats can be drawn to and blended. */

@@ -18,14 +18,11 @@ export class TechniquePicker {
   /** Whether 'auto' may draw by another one soon. */
   isChanging = false;
   private asked: TechniqueName = 'auto';
-  private readonly floatTargets: boolean;
 
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly set: TechniqueSet,
-  ) {
-    this.floatTargets = lacksFloatTargets(webgl) === null;
-  }
+  ) {}
 
   /** What is asked for. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
@@ -70,7 +67,7 @@ export class TechniquePicker {
         everywhere: directional + unbounded,
         objects: frame.queue.opaque.length,
         transparents: frame.queue.hasLitTransparents,
-        floatTargets: this.floatTargets,
+        floatTargets: lacksFloatTargets(this.webgl) === null,
         surfaces: needsSurfaces,
       },
       warmUpCode.isThere,

@@ -15,11 +15,11 @@ export function makeLightFields(frame: Frame): LightFields | null {
   const { webgl, microshaders } = frame;
   const gl = webgl.getContext();
   if (gl.getExtension('EXT_color_buffer_float') === null) {
-    if (!told.has(gl))
+    if (!told.has(gl) && !gl.isContextLost())
       console.warn(
         `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing.`,
       );
-    told.add(gl);
+    if (!gl.isContextLost()) told.add(gl);
     return null;
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);

@@ -15,7 +15,7 @@ export class ShadowAtlases {
   private fine = false;
 
   constructor(private readonly webgl: WebGLRenderer) {
-    const floats = lacksFloatTargets(webgl) === null;
+    const floats = () => lacksFloatTargets(webgl) === null;
     this.depths = new TextureAtlas(
       0,
       () => (this.fine ? 5 : 3),
@@ -23,8 +23,8 @@ export class ShadowAtlases {
     );
     this.colours = new TextureAtlas(
       Math.min(LARGEST_COLOURS, webgl.capabilities.maxTextureSize),
-      () => (floats ? 8 : 4),
-      (size) => colourTarget(size, floats),
+      () => (floats() ? 8 : 4),
+      (size) => colourTarget(size, floats()),
     );
   }
 
