@@ -40,7 +40,7 @@ export const known: KnownNames = {
   defaults: {
     ...{
       scene: 'temple',
-      technique: 'deferred',
+      technique: 'auto',
       view: 'final',
       parameters: {},
       dragon: 'medium',

@@ -52,10 +52,10 @@ export class AttachedEditor {
     const session = new Session(scene, camera, webgl);
     const gizmo = new Gizmo(session);
     const box = new SelectionBox(session, gizmo.scene);
-    const hook = new RenderHook(webgl, scene, (render) => {
+    const hook = new RenderHook(session, (render) => {
       if (!gizmo.update() && session.selection.primary === null) return;
       box.update();
-      drawOver(webgl, render, gizmo.scene, session.camera);
+      drawOver(session, render, gizmo.scene);
     });
     const drawing = new Drawing(session, hook, options.farol ?? null);
     const pointer = new Pointer(session, gizmo, options.domElement ?? webgl.domElement);
