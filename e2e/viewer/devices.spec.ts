@@ -8,7 +8,7 @@ test('on a device without float colour buffers the viewer draws, and says in one
   watch,
 }) => {
   await hideFloatTargets(page);
-  await openViewer(page, { ...still, aa: 'smaa', gui: 1 });
+  await openViewer(page, { ...still, technique: 'deferred', aa: 'smaa', gui: 1 });
   expect(await page.evaluate(() => window.viewer.farol.technique)).toBe('auto');
   const message = page.getByText('draws to no float colour buffers');
   await expect(message).toContainText('Shown instead: auto.');

@@ -120,7 +120,7 @@ test('wrong values are named on the page with the known ones, and the defaults a
   await expect(message).toContainText('deferred');
   await expect(message).toContainText('lights=many');
   const state = await page.evaluate(() => window.viewer.state);
-  expect(state).toMatchObject({ scene: 'temple', technique: 'deferred', parameters: { n: 4 } });
+  expect(state).toMatchObject({ scene: 'temple', technique: 'auto', parameters: { n: 4 } });
   await message.getByRole('button').click();
   await expect(message).toBeHidden();
 });

@@ -1,4 +1,12 @@
-import { App, AssetLibrary, type CameraComponent, KeyController, MouseController, type Scene } from '@farol/engine';
+import {
+  App,
+  AssetLibrary,
+  type CameraComponent,
+  KeyController,
+  MouseController,
+  type Scene,
+  watchPixelRatio,
+} from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/engine/scenes';
@@ -32,7 +40,7 @@ export const known: KnownNames = {
   defaults: {
     ...{
       scene: 'temple',
-      technique: 'deferred',
+      technique: 'auto',
       view: 'final',
       parameters: {},
       dragon: 'medium',
@@ -89,6 +97,7 @@ export class Viewer {
     this.chooseView(state.view, 'final');
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
+    watchPixelRatio(() => this.resize());
     // what the first frame may need is there before it
     this.ready = FarolRenderer.preload().then(() => this.chooseScene(state.scene));
     this.ready.catch(() => {}); // told by a message; who waits for it hears of it too

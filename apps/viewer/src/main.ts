@@ -10,6 +10,7 @@
  *
  * Its address parameters are listed by the help panel (`?` on the page) and in state/ViewerState.ts.
  */
+import { isTyping, latinKey } from '@farol/editing';
 import './style.css';
 import { acceptDrops } from './acceptDrops';
 import { StoppedFlight } from './input/StoppedFlight';
@@ -41,9 +42,9 @@ try {
   acceptDrops(viewer);
   watchContext(viewer);
   addEventListener('keydown', (event) => {
-    if (event.target instanceof HTMLInputElement || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === '?') help.toggle();
-    else if (event.key === 'h') viewer.setGui(!viewer.state.gui);
+    else if (latinKey(event) === 'h') viewer.setGui(!viewer.state.gui);
     else if (event.key === ' ') viewer.toggleTime();
     else return;
     event.preventDefault();

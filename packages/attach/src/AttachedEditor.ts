@@ -3,11 +3,9 @@ import type { FarolRenderer } from '@farol/renderer';
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import type { AttachOptions } from './AttachOptions';
 import { type Drawer, Drawing } from './model/Drawing';
-import { duplicateSelected } from './model/duplicateSelected';
-import { removeSelected } from './model/removeSelected';
 import { type AttachLanguage, browserLanguage, speak } from './language/languages';
 import { Session } from './model/Session';
-import { gizmoKey } from './panels/Bar';
+import { actOfKey } from './panels/actOfKey';
 import { Panels } from './panels/Panels';
 import style from './style.css?inline';
 import { element } from './ui/element';
@@ -54,10 +52,10 @@ export class AttachedEditor {
     const session = new Session(scene, camera, webgl);
     const gizmo = new Gizmo(session);
     const box = new SelectionBox(session, gizmo.scene);
-    const hook = new RenderHook(webgl, scene, (render) => {
+    const hook = new RenderHook(session, (render) => {
       if (!gizmo.update() && session.selection.primary === null) return;
       box.update();
-      drawOver(webgl, render, gizmo.scene, session.camera);
+      drawOver(session, render, gizmo.scene);
     });
     const drawing = new Drawing(session, hook, options.farol ?? null);
     const pointer = new Pointer(session, gizmo, options.domElement ?? webgl.domElement);
@@ -171,24 +169,10 @@ export class AttachedEditor {
   /** Keys pressed in the panels; the page does not get them. */
   private key(event: KeyboardEvent): void {
     event.stopPropagation();
-    const act = this.actOf(event);
+    const act = actOfKey(this.session, this.gizmo, event);
     if (!act) return;
     event.preventDefault();
     this.session.attempt(act);
-  }
-
-  private actOf(event: KeyboardEvent): (() => unknown) | null {
-    const { session, commands } = this;
-    if (event.altKey) return null;
-    const key = event.key.toLowerCase();
-    if (!event.ctrlKey && !event.metaKey) {
-      const isTyped = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-      if (isTyped) return null;
-      return key === 'delete' ? () => removeSelected(session) : gizmoKey(this.gizmo, key);
-    }
-    if (key === 'd') return () => duplicateSelected(session);
-    if (key === 'y' || (key === 'z' && event.shiftKey)) return () => commands.redo();
-    return key === 'z' ? () => commands.undo() : null;
   }
 
   /** Asks the page for a frame. */

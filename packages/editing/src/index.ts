@@ -51,6 +51,10 @@ export {
   TransformDrag,
   type TransformMode,
 } from './gizmo/TransformDrag';
+export { isComposing } from './keys/isComposing';
+export { isTyping } from './keys/isTyping';
+export { latinKey } from './keys/latinKey';
+
 export { formatCount } from './language/formatCount';
 export { formatTime } from './language/formatTime';
 export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';

@@ -10,7 +10,14 @@ const source = fileURLToPath(new URL('.', import.meta.url));
 /** What the main entry exports besides types: whoever adds a name decides here that every author needs it. */
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
-  loopsOfOnesOwn: ['followEffects', 'InputRouter', 'MicroShaderOverrides', 'PictureRenderer', 'techniqueLimits'],
+  loopsOfOnesOwn: [
+    'followEffects',
+    'InputRouter',
+    'MicroShaderOverrides',
+    'PictureRenderer',
+    'techniqueLimits',
+    'watchPixelRatio',
+  ],
   scene: [
     'Scene',
     'FieldAsset',

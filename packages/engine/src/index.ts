@@ -8,6 +8,7 @@ export { followEffects } from './app/followEffects';
 export { techniqueLimits, type TechniqueLimits } from './picture/techniqueLimits';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
+export { watchPixelRatio } from './app/watchPixelRatio';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 
 export { Component } from './core/Component';

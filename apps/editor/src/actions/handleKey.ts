@@ -1,14 +1,23 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Action } from '../api/Action';
+import { isComposing } from '@farol/editing';
 import { allActions } from './allActions';
 import { matchKey } from './matchKey';
 
 /** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
 type Focus = 'page' | 'text';
 
-function focusOf(target: EventTarget | null): Focus {
+/** What a key goes to, innermost first: also what is in an open shadow root, whose host alone is the event's target. */
+const elementsOf = (event: KeyboardEvent): Element[] =>
+  event.composedPath().filter((each): each is Element => each instanceof Element);
+
+const isWithin = (elements: readonly Element[], selector: string): boolean =>
+  elements.some((each) => each.matches(selector));
+
+function focusOf(elements: readonly Element[]): Focus {
+  const [target] = elements;
   if (!(target instanceof HTMLElement)) return 'page';
-  if (target.closest('[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'text';
+  if (isWithin(elements, '[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'text';
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
@@ -26,9 +35,19 @@ const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDow
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
 /** Whether what has the focus does this itself: a code editor has a history of its own. See `data-own-actions`. */
-function isOwnKey(target: EventTarget | null, action: Action): boolean {
-  const owner = target instanceof Element ? target.closest<HTMLElement>('[data-own-actions]') : null;
+function isOwnKey(elements: readonly Element[], action: Action): boolean {
+  const owner = elements.find((each) => each.matches('[data-own-actions]')) as HTMLElement | undefined;
   return owner?.dataset.ownActions?.split(' ').includes(action.id) ?? false;
+}
+
+/** An action that a key does, and by which combination; one that the layout types comes before one by the key's place. */
+function* actionsOf(editor: EditorApi, event: KeyboardEvent): Generator<readonly [Action, string]> {
+  for (const isTyped of [true, false]) {
+    for (const action of allActions(editor)) {
+      const combination = editor.keys.keysOf(action).find((keys) => matchKey(keys, event, isTyped));
+      if (combination !== undefined) yield [action, combination];
+    }
+  }
 }
 
 /**
@@ -39,21 +58,20 @@ function isOwnKey(target: EventTarget | null, action: Action): boolean {
  * @returns whether there is one; nobody else shall do anything with the key then
  */
 export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: boolean): boolean {
-  if (event.defaultPrevented || event.isComposing || editor.dialogs.current) return false;
+  if (event.defaultPrevented || isComposing(event) || editor.dialogs.current) return false;
   if (editor.viewport.keysGoToScene && !isCapture) {
     if (event.key !== 'Escape') return false;
     editor.viewport.input.giveKeysBack();
     return true;
   }
-  const focus = focusOf(event.target);
-  for (const action of allActions(editor)) {
-    if ((action.inFields ?? false) !== isCapture) continue;
-    const combination = editor.keys.keysOf(action).find((keys) => matchKey(keys, event));
-    if (combination === undefined || !counts(action, focus)) continue;
-    if (isOwnKey(event.target, action)) continue;
-    if (combination === 'Space' && event.target instanceof Element && event.target.closest(PRESSABLE)) continue;
-    if (WALKS.has(combination) && event.target instanceof Element && event.target.closest(WALKED)) continue;
-    takeOverField(event.target);
+  const elements = elementsOf(event);
+  const focus = focusOf(elements);
+  for (const [action, combination] of actionsOf(editor, event)) {
+    if ((action.inFields ?? false) !== isCapture || !counts(action, focus)) continue;
+    if (isOwnKey(elements, action)) continue;
+    if (combination === 'Space' && isWithin(elements, PRESSABLE)) continue;
+    if (WALKS.has(combination) && isWithin(elements, WALKED)) continue;
+    takeOverField(elements[0]);
     if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));
     return true;
   }
@@ -61,7 +79,7 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
 }
 
 /** A text field gives its value when it loses the focus: what was typed shall count before the action does. */
-function takeOverField(target: EventTarget | null): void {
+function takeOverField(target: Element | undefined): void {
   if (!(target instanceof HTMLElement)) return;
   const isInput = target instanceof HTMLInputElement && !['checkbox', 'radio'].includes(target.type);
   if (!isInput && !target.isContentEditable) return;

@@ -33,6 +33,16 @@ describe('matchKey', () => {
     ['1', press('1', '', 'Numpad1'), false],
     ['1', press('1', '', 'Digit1'), true],
     ['Delete', press('Delete', '', 'NumpadDecimal'), true], // NumLock is off
+    ['Ctrl+S', press('ы', 'Ctrl', 'KeyS'), true], // Russian
+    ['Ctrl+Shift+Z', press('Ζ', 'Ctrl Shift', 'KeyZ'), true], // Greek
+    ['W', press("'", '', 'KeyW'), true], // Hebrew
+    ['Ctrl+A', press('ش', 'Meta', 'KeyA'), true], // Arabic
+    ['W', press('ц', 'Shift', 'KeyW'), false],
+    ['1', press('&', '', 'Digit1'), true], // AZERTY
+    ['Ctrl+9', press('ç', 'Ctrl', 'Digit9'), true],
+    ['Q', press('a', '', 'KeyQ'), false],
+    ['1', press('1', 'Shift', 'Digit1'), false],
+    ['?', press('?', 'Shift', 'KeyM'), true],
   ])('%s for %o: %s', (combination, event, expected) => {
     expect(matchKey(combination, event)).toBe(expected);
   });
@@ -49,6 +59,12 @@ describe('combinationOf', () => {
     [press('7', 'Ctrl', 'Numpad7'), 'Ctrl+Numpad7'],
     [press('Home', '', 'Numpad7'), 'Home'],
     [press('Control', 'Ctrl'), null],
+    [press('ы', 'Ctrl', 'KeyS'), 'Ctrl+S'],
+    [press('&', 'Ctrl', 'Digit1'), 'Ctrl+1'],
+    [press('Dead', 'Alt', 'KeyE'), 'Alt+E'],
+    [press('?', 'Shift', 'KeyM'), '?'],
+    [press('!', 'Shift', 'Digit1'), '!'],
+    [press('Dead', '', 'BracketLeft'), null],
   ])('%o: %s, which matches it', (event, expected) => {
     const combination = combinationOf(event);
     expect(combination).toBe(expected);

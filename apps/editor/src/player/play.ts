@@ -9,6 +9,7 @@ import {
   KeyController,
   MouseController,
   type Scene,
+  watchPixelRatio,
 } from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
@@ -179,16 +180,16 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
   document.title = scene.name;
   app.canvas.setAttribute('role', 'img');
   app.canvas.setAttribute('aria-label', scene.name);
-  app.webgl.setPixelRatio(Math.min(devicePixelRatio, 2));
   let resized: (width: number, height: number) => void = () => {};
   if ((scripted || listens(scene)) && scene.activeCamera) app.start();
   else resized = orbit(app, scene);
   const resize = (): void => {
     const { innerWidth: width, innerHeight: height } = window;
-    app.resize(Math.max(1, width), Math.max(1, height));
+    app.resize(Math.max(1, width), Math.max(1, height), Math.min(devicePixelRatio, 2));
     resized(Math.max(1, width), Math.max(1, height));
   };
   addEventListener('resize', resize);
+  watchPixelRatio(resize);
   resize();
   return app;
 }

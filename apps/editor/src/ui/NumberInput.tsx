@@ -1,4 +1,4 @@
-import { addToNumber, formatNumber, readNumberInRange, stepFactor, t } from '@farol/editing';
+import { addToNumber, formatNumber, isComposing, readNumberInRange, stepFactor, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
 import { leaveField } from './leaveField';
 import { Slider } from './Slider';
@@ -117,6 +117,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     discard();
   };
   const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
+    if (isComposing(event)) return;
     const { key } = event;
     if (key === 'Enter') {
       event.stopPropagation();
@@ -134,7 +135,9 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     }
   };
   const keyUp = ({ key }: KeyboardEvent): void => {
-    if (key !== 'ArrowUp' && key !== 'ArrowDown') return;
+    // macOS tells of no arrow that goes up while Command is down
+    const isEnd = key === 'Meta' ? scrubbed.current !== 0 : key === 'ArrowUp' || key === 'ArrowDown';
+    if (!isEnd) return;
     scrubbed.current = 0;
     commit();
   };

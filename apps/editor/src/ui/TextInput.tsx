@@ -1,3 +1,4 @@
+import { isComposing } from '@farol/editing';
 import { leaveField } from './leaveField';
 import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 
@@ -28,6 +29,7 @@ export function TextInput({ value, label, description, disabled, onCommit }: Tex
     if (typed !== null && typed !== value) onCommit(typed);
   };
   const keyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
+    if (isComposing(event)) return;
     if (event.key === 'Enter') commit();
     else if (event.key === 'Escape') setDraft(null);
     else return;

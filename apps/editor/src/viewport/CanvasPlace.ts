@@ -1,3 +1,5 @@
+import { watchPixelRatio } from '@farol/engine';
+
 /** Keeps a canvas as large as the element that it is in. */
 export class CanvasPlace {
   /** CSS pixels, 1 at least. */
@@ -5,8 +7,9 @@ export class CanvasPlace {
   height = 1;
 
   private readonly resizer = new ResizeObserver(() => this.measure());
+  private readonly unwatch = watchPixelRatio(() => this.measure());
 
-  /** @param resized - called when the element may have another size; `width` and `height` are set */
+  /** @param resized - called when the element may have another size, or the screen another pixel ratio; `width` and `height` are set */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly resized: () => void,
@@ -26,6 +29,7 @@ export class CanvasPlace {
   }
 
   dispose(): void {
+    this.unwatch();
     this.resizer.disconnect();
   }
 

@@ -183,6 +183,8 @@ export class FlyControls {
   private readonly keyUp = (event: KeyboardEvent): void => {
     this.fast = event.shiftKey;
     this.held.delete(event.code);
+    // macOS tells of no key that goes up while Command is down
+    if (event.key === 'Meta') this.held.clear();
   };
 
   private readonly end = (): void => {

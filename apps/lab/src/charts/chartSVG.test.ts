@@ -6,6 +6,7 @@ import { type ChartSettings } from './ChartSpec';
 import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
+import { passChart } from './passChart';
 import { sampleRun } from './sampleRuns';
 import { sourceOf } from './sourceOf';
 import { SvgDocument } from './SvgDocument';
@@ -82,11 +83,12 @@ test('a series without a figure says so in its place', () => {
 test('the thesis is held against each renderer that may stand for its forward', () => {
   const files = chartFiles([sampleRun({ preset: 'thesis' })]);
   expect(files.map(({ name }) => name).filter((name) => name.startsWith('thesis'))).toEqual([
-    'thesis-farol-forward',
     'thesis-three-naive-multipass',
+    'thesis-farol-forward',
+    'thesis-farol-forward-single-pass',
     'thesis-three-webglrenderer',
   ]);
-  const [forward, multipass] = files.filter(({ name }) => name.startsWith('thesis'));
+  const [multipass, forward] = files.filter(({ name }) => name.startsWith('thesis'));
   expect(forward.sentences).toHaveLength(8);
   expect(multipass.sentences.join()).toContain('naive multipass');
   expect(new Set(files.map(({ name }) => name)).size).toBe(files.length);
@@ -98,4 +100,10 @@ test('texts that others wrote cannot leave their place in a file', () => {
   const [{ svg }] = filesOf([run]);
   expect(svg).not.toContain('<script');
   expect(svg).toContain('&lt;script');
+});
+
+test('passes that a software rasteriser timed are not called GPU time', () => {
+  const run = sampleRun({ software: true, timer: true });
+  const { title, description } = passChart(run, defaultSettings)!;
+  expect(`${title} ${description}`).not.toContain('GPU');
 });

@@ -29,9 +29,11 @@ export interface RowMark {
   readonly tip: ChartTip;
 }
 
-/** A row of a chart: bars and symbols along the axis; without either it is a heading. */
+/** A row of a chart: bars and symbols along the axis, or none where there are no data. */
 export interface ChartRow {
   readonly label: string;
+  /** Whether it is the title of the rows below it. */
+  readonly isHeading?: boolean;
   /** Whose symbol stands before the label. */
   readonly competitor?: string;
   readonly bars: readonly RowBar[];
@@ -65,7 +67,7 @@ export function drawRows(chart: RowsChart, { width, paint, document = globalThis
   const rowHeight = lanes * lane + 9;
   const height = TOP + rows.length * rowHeight + BOTTOM;
   const widest = Math.max(
-    ...rows.map(({ label, competitor, bars }) => (bars.length === 0 ? 0 : textWidth(label) + (competitor ? 18 : 0))),
+    ...rows.map(({ label, isHeading, competitor }) => (isHeading ? 0 : textWidth(label) + (competitor ? 18 : 0))),
   );
   const marginLeft = Math.round(Math.min(widest + 14, width * 0.44));
   const textOf = (bar: RowBar): string => (width < 520 ? (bar.shortText ?? bar.text) : bar.text) ?? '';
@@ -145,13 +147,12 @@ export function drawRows(chart: RowsChart, { width, paint, document = globalThis
 
 /** A row's label, cut where it is longer than its place, with the competitor's symbol before it. */
 function labelOf(
-  { label, competitor, bars, marks = [] }: ChartRow,
+  { label, isHeading = false, competitor }: ChartRow,
   y: number,
   room: number,
   paint: ChartPaint,
   document: Document,
 ): SVGElement[] {
-  const isHeading = bars.length === 0 && marks.length === 0 && competitor === undefined;
   const left = competitor === undefined ? 2 : 18;
   const shown = isHeading ? label : fittedText(label, room - left - 6);
   const style = { 'font-size': 12, 'text-anchor': 'start', 'font-weight': isHeading ? 'bold' : 'normal' };

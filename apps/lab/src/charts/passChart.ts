@@ -22,7 +22,8 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
   const { label } = cases[selected];
   const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
-  const kind = rows.every((row) => row.passes!.kind === 'gpu') ? 'GPU' : 'CPU';
+  const isTimed = rows.every((row) => row.passes!.kind === 'gpu');
+  const kind = !isTimed ? 'CPU' : isSoftware(run) ? 'Rasteriser' : 'GPU';
   const names = passNames(cases.flatMap((each) => each.rows));
   const most = Math.max(...rows.map(passTotal));
   const drawn = rows.map((row): ChartRow => {
@@ -44,13 +45,13 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   });
   return {
     key,
-    title: `Where a frame goes: ${kind} time by pass`,
+    title: `Where a frame goes: ${kind === 'Rasteriser' ? 'rasteriser' : kind} time by pass`,
     description: `${kind} milliseconds of each pass, stacked, a bar a technique; ${label}.`,
     sentences: [...passWords(rows)],
     verdicts: [],
     notes: [
       ...(kind === 'CPU' ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.'] : []),
-      ...(kind === 'GPU' && isSoftware(run)
+      ...(kind === 'Rasteriser'
         ? [
             'A software rasteriser drew this run: its timers count time on the processor, which need not add up to a frame.',
           ]

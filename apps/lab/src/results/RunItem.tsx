@@ -1,3 +1,4 @@
+import { isComposing } from '@farol/editing';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { formatDate } from '../words/format';
 import type { RunInfo } from './RunStore';
@@ -88,9 +89,10 @@ function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(
       maxLength={200}
       defaultValue={name}
       onBlur={({ currentTarget }) => end(currentTarget.value)}
-      onKeyDown={({ key, currentTarget }) => {
-        if (key === 'Enter') end(currentTarget.value);
-        if (key === 'Escape') end(null);
+      onKeyDown={(event) => {
+        if (isComposing(event)) return;
+        if (event.key === 'Enter') end(event.currentTarget.value);
+        if (event.key === 'Escape') end(null);
       }}
     />
   );

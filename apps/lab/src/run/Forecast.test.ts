@@ -20,6 +20,14 @@ describe('Forecast', () => {
     expect(forecast.refuses('planes', 'stock', 1000)).toMatch(/^Left out: its first frame would take about 10 s/);
   });
 
+  it('takes no growth for steeper than the time that each light more has cost so far', () => {
+    const forecast = new Forecast(3000);
+    forecast.note('planes', 'deferred', 'first', 1, 5);
+    forecast.note('planes', 'deferred', 'first', 4, 80);
+    expect(forecast.refuses('planes', 'deferred', 25)).toBeNull();
+    expect(forecast.refuses('planes', 'deferred', 225)).toContain('about 5.6 s');
+  });
+
   it('refuses frames that grow in proportion, after one case', () => {
     const forecast = new Forecast(2000);
     forecast.note('atrium', 'multipass', 'first', 10, 100);

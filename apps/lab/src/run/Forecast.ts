@@ -8,8 +8,8 @@ interface Seen {
 const STEEPEST = 2;
 
 /**
- * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: by
- * the growth between its last two cases. After one, an ordinary frame is taken to grow in proportion; a first frame by as
+ * Foretells how long a competitor's frame will take in the next case of a series, so that nobody waits for minutes: from
+ * its last case, by the growth between its last two, and by no more than each light more has cost between these. After one, an ordinary frame is taken to grow in proportion; a first frame by as
  * much as that, since what it compiles and uploads beside is there with few lights too.
  */
 export class Forecast {
@@ -60,7 +60,11 @@ export class Forecast {
         ? Math.log(last.ms / before.ms) / Math.log(last.value / before.value)
         : 1;
     const growth = last.value > 0 ? Math.max(1, value / last.value) : 1;
-    return last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
+    const byPower = last.ms * growth ** Math.min(STEEPEST, Math.max(0, slope));
+    if (!before || last.value <= before.value) return byPower;
+    // two short times differ by chance: their ratio, at its square, foretells seconds
+    const each = Math.max(0, last.ms - before.ms) / (last.value - before.value);
+    return Math.min(byPower, last.ms + each * Math.max(0, value - last.value));
   }
 }
 

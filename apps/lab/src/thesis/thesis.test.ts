@@ -3,6 +3,10 @@ import { sampleRun } from '../charts/sampleRuns';
 import type { LabRun, Spread } from '../results/LabRun';
 import { exactly } from '../words/madeUpRun';
 import { compareThesis } from './compareThesis';
+import { defaultSettings } from '../charts/ChartSpec';
+import { paintOf } from '../charts/chartPaint';
+import { SvgDocument } from '../charts/SvgDocument';
+import { thesisChart } from './thesisChart';
 import { conclusionsOf } from './conclusions';
 import { thesis2015 } from './thesis2015';
 
@@ -42,6 +46,26 @@ test('shadows and layers are no rows of the thesis', () => {
     return compareThesis({ ...run, plan: { ...plan, series } }, 'frame').filter(({ of }) => of !== null).length;
   };
   expect([matched({}), matched({ shadows: 1 }), matched({ overdraw: 2 })]).toEqual([21, 0, 0]);
+});
+
+test('forward is drawn by the thesis’s own algorithm first, and by single pass too', () => {
+  const names = ['forward', 'stock', 'multipass', 'forward-single-pass', 'deferred', 'auto'];
+  const chart = thesisChart(sampleRun({ preset: 'thesis', competitors: names }), defaultSettings)!;
+  expect(chart.choice!.options).toEqual([
+    ...['three: naive multipass', 'Farol: forward', 'Farol: forward, single pass', 'three: WebGLRenderer'],
+  ]);
+  expect(chart.choice!.selected).toBe(0);
+});
+
+test('a row without data is no heading: tables’ names alone are bold', () => {
+  const run = thesisRun(() => ({ forward: null, deferred: null }));
+  Object.assign(
+    run.rows.find(({ competitor }) => competitor === 'deferred')!,
+    { frame: exactly(10), problem: null },
+  );
+  const document = new SvgDocument() as unknown as Document;
+  const { svg } = thesisChart(run, defaultSettings)!.draw({ width: 800, paint: paintOf('dark'), document });
+  expect(svg.outerHTML.match(/font-weight="bold"/g)).toHaveLength(3);
 });
 
 describe('conclusions', () => {

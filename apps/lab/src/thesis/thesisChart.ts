@@ -10,8 +10,8 @@ import { conclusionsOf, type Conclusion, type Verdict } from './conclusions';
 import type { Frames } from './thesis2015';
 
 const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here: atrium)', temple: 'Temple' } as const;
-/** Who may stand for the thesis's forward rendering. */
-const forwards = ['forward', 'multipass', 'stock'];
+/** Who may stand for the thesis's forward rendering, its own algorithm first: the whole scene once more for each light. */
+const forwards = ['multipass', 'forward', 'forward-single-pass', 'stock'];
 
 /** The thesis's figures of 2015 beside a run's, row by row; null for CPU times, and where the run has hardly any of its rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
@@ -80,7 +80,7 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
   const rows: ChartRow[] = [];
   let table = '';
   for (const pair of pairs) {
-    if (pair.thesis.table !== table) rows.push({ label: headings[pair.thesis.table], bars: [] });
+    if (pair.thesis.table !== table) rows.push({ label: headings[pair.thesis.table], isHeading: true, bars: [] });
     table = pair.thesis.table;
     const tip = tipOf(pair, forward);
     const mark = (competitor: string, lane: number): RowMark[] => {

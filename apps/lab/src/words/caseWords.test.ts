@@ -141,6 +141,8 @@ test('a metric that is missing says why; a run without rows is not asked', () =>
   expect(missingMetric([run], 'frame')).toBeNull();
   expect(missingMetric([run], 'gpu')).toContain('timer');
   expect(missingMetric([{ ...run, rows: [] }], 'gpu')).toBeNull();
+  const software = { ...run, surroundings: { ...run.surroundings, device: 'SwiftShader' } };
+  expect(missingMetric([software], 'gpu')).toBe('No GPU times: a software rasteriser draws on the processor.');
   run.rows[0].gpu = exactly(1);
   expect(missingMetric([run], 'gpu')).toBeNull();
 });

@@ -1,3 +1,4 @@
+import { isTyping } from '@farol/editing';
 import { KeyController } from '@farol/engine';
 import type { Viewer } from '../Viewer';
 
@@ -11,15 +12,19 @@ export class StoppedFlight {
     viewer.app.canvas.addEventListener('pointermove', (event) => {
       if (event.buttons !== 0) this.viewer.redraw();
     });
-    addEventListener('keydown', ({ code }) => {
-      if (this.viewer.state.time === null) return;
-      this.held.add(code);
+    addEventListener('keydown', (event) => {
+      if (this.viewer.state.time === null || isTyping(event)) return;
+      this.held.add(event.code);
       if (this.request === 0) {
         this.last = performance.now();
         this.request = requestAnimationFrame(this.frame);
       }
     });
-    addEventListener('keyup', ({ code }) => this.held.delete(code));
+    addEventListener('keyup', ({ code, key }) => {
+      this.held.delete(code);
+      // macOS tells of no key that goes up while Command is down
+      if (key === 'Meta') this.held.clear();
+    });
     addEventListener('blur', () => this.held.clear());
   }
 

@@ -1,5 +1,5 @@
 import { CommandStack, Selection, Signal } from '@farol/editing';
-import type { Camera, Object3D, WebGLRenderer } from 'three';
+import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 
 /** What the parts of an attached editor share: the page's scene, camera and renderer, the selection and the history. */
 export class Session {
@@ -8,6 +8,11 @@ export class Session {
   readonly commands = new CommandStack<Object3D>(({ selection }, isDone) => {
     if (selection) this.selection.set(isDone ? selection.done : selection.undone);
   });
+  /**
+   * Part of the canvas that the page's last draw of the scene by the camera filled: left, bottom, width and height, as
+   * shares of the canvas's own.
+   */
+  readonly view = new Vector4(0, 0, 1, 1);
   /** Emits when the scene was edited, also by undo and redo, and while an edit is under way. */
   readonly edited = new Signal();
   /** Emits when `problem` changes. */

@@ -1,4 +1,4 @@
-import { t, wordsOfFilter } from '@farol/editing';
+import { isComposing, t, wordsOfFilter } from '@farol/editing';
 import { sectionsOf } from '../fields/sectionsOf';
 import type { Session } from '../model/Session';
 import { element } from '../ui/element';
@@ -20,7 +20,7 @@ export class Inspector {
     this.end = session.selection.changed.subscribe(() => this.build());
     this.search.addEventListener('input', () => this.filter());
     this.search.addEventListener('keydown', (event) => {
-      if (event.key !== 'Escape') return;
+      if (isComposing(event) || event.key !== 'Escape') return;
       this.search.value = '';
       this.filter();
       this.element.focus();

@@ -2,6 +2,7 @@ import {
   describeField,
   FieldGesture,
   type FieldUpdate,
+  isComposing,
   labelOfField,
   matchesFilter,
   numberDisplay,
@@ -106,7 +107,9 @@ export class FieldInput {
   }
 
   /** Enter takes what was typed, Escape goes back; both leave the field, so that keys are the editor's again. */
-  private key({ key, target }: KeyboardEvent): void {
+  private key(event: KeyboardEvent): void {
+    const { key, target } = event;
+    if (isComposing(event)) return;
     if (key !== 'Enter' && key !== 'Escape') return;
     const part = this.parts.find(({ control }) => control === target);
     if (key === 'Escape') {

@@ -1,6 +1,7 @@
 import {
   addToNumber,
   formatNumber,
+  isComposing,
   numberDisplay,
   type NumberRange,
   readNumberInRange,
@@ -129,18 +130,23 @@ function numericPart(
     if (text === null) control.removeAttribute('aria-valuenow');
     else control.setAttribute('aria-valuenow', text);
   };
+  let isStepped = false;
   control.addEventListener('keydown', (event) => {
-    if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+    if (isComposing(event) || (event.key !== 'ArrowUp' && event.key !== 'ArrowDown')) return;
     const read = readNumberInRange(control.value, range);
     if (read.problem !== null || read.isRelative) return;
     event.preventDefault();
+    isStepped = true;
     const by = step * stepFactor(event);
     control.value = String(addToNumber(read.valueFor(0), event.key === 'ArrowUp' ? by : -by, range));
     control.dispatchEvent(new Event('input', { bubbles: true }));
   });
   // the browser tells of no change that it did not see typed
   control.addEventListener('keyup', ({ key }) => {
-    if (key === 'ArrowUp' || key === 'ArrowDown') control.dispatchEvent(new Event('change', { bubbles: true }));
+    // macOS tells of no arrow that goes up while Command is down
+    if (!isStepped || (key !== 'ArrowUp' && key !== 'ArrowDown' && key !== 'Meta')) return;
+    isStepped = false;
+    control.dispatchEvent(new Event('change', { bubbles: true }));
   });
   control.addEventListener('focus', () => control.select());
   const read = (): PartUpdate | null | undefined => {

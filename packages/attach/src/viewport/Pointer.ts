@@ -1,6 +1,7 @@
 import { Vector2 } from 'three';
 import type { Session } from '../model/Session';
 import type { Gizmo } from './Gizmo';
+import { locate } from './locate';
 import { pickObject } from './pickObject';
 
 /** Way of the pointer (CSS pixels) up to which a press is a click. */
@@ -36,7 +37,6 @@ export class Pointer {
 
   private down(event: PointerEvent): void {
     if (event.button !== 0 || !this.isOver(event)) return;
-    this.locate(event);
     if (this.gizmo.hover(this.at)) {
       this.gizmo.begin(this.at);
       take(event);
@@ -51,7 +51,6 @@ export class Pointer {
       this.gizmo.drag(this.at);
       take(event);
     } else if (event.buttons === 0 && this.isOver(event)) {
-      this.locate(event);
       this.gizmo.hover(this.at);
     }
   }
@@ -78,14 +77,16 @@ export class Pointer {
     take(event);
   }
 
-  private isOver({ target }: PointerEvent): boolean {
-    return target === this.area || target === this.session.webgl.domElement;
+  /** Locates the pointer. @returns whether it is over the picture of the session's camera */
+  private isOver(event: PointerEvent): boolean {
+    if (event.target !== this.area && event.target !== this.session.webgl.domElement) return false;
+    this.locate(event);
+    return Math.max(Math.abs(this.at.x), Math.abs(this.at.y)) <= 1;
   }
 
   /** Where the pointer is in normalised device coordinates. */
-  private locate({ clientX, clientY }: PointerEvent): void {
-    const { left, top, width, height } = this.session.webgl.domElement.getBoundingClientRect();
-    this.at.set(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+  private locate(event: PointerEvent): void {
+    locate(this.session.webgl.domElement, this.session.view, event, this.at);
   }
 }
 

@@ -1,8 +1,11 @@
 import type { FarolRenderer } from '@farol/renderer';
 import { type Interception, interceptRender } from '@farol/renderer/intercept';
-import type { Object3D, WebGLRenderer } from 'three';
+import { Vector4, type WebGLRenderer } from 'three';
+import type { Session } from '../model/Session';
 
 const IDLE = 500; // ms
+
+const viewport = new Vector4();
 
 /**
  * Takes the place of one renderer's `render`, to have the scene drawn by Farol and to draw the editor's overlay once the
@@ -15,16 +18,27 @@ export class RenderHook {
   frames = 0;
   private drawnAt = -Infinity;
   private readonly interception: Interception;
+  private readonly webgl: WebGLRenderer;
   private planned = false;
   private attached = true;
 
   /** @param overlay draws over the finished frame, by the function that it is given */
   constructor(
-    private readonly webgl: WebGLRenderer,
-    scene: Object3D,
+    session: Session,
     private readonly overlay: (render: WebGLRenderer['render']) => void,
   ) {
+    const { webgl, scene } = session;
+    this.webgl = webgl;
     this.interception = interceptRender(webgl, (drawn, camera, next) => {
+      if (drawn === scene && camera === session.camera && webgl.getRenderTarget() === null) {
+        const { width, height } = webgl.domElement;
+        const ratio = webgl.getPixelRatio();
+        session.view.copy(webgl.getViewport(viewport));
+        session.view.x *= ratio / width;
+        session.view.y *= ratio / height;
+        session.view.z *= ratio / width;
+        session.view.w *= ratio / height;
+      }
       if (this.farol && drawn === scene && !webgl.xr.isPresenting) this.farol.render(drawn, camera);
       else next(drawn, camera);
       if (webgl.getRenderTarget() === null && !webgl.xr.isPresenting) this.plan();

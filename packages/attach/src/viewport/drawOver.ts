@@ -1,10 +1,11 @@
-import { type Camera, NoToneMapping, type Plane, type Scene, Vector4, type WebGLRenderer } from 'three';
+import { NoToneMapping, type Plane, type Scene, Vector4, type WebGLRenderer } from 'three';
+import type { Session } from '../model/Session';
 
 const viewport = new Vector4();
 const noPlanes: Plane[] = [];
 
-/** Draws a scene over what is on the canvas, and leaves the renderer, with its figures, as it was. */
-export function drawOver(webgl: WebGLRenderer, render: WebGLRenderer['render'], scene: Scene, camera: Camera): void {
+/** Draws a scene by the session's camera over what the page has drawn by it, and leaves the renderer, with its figures, as it was. */
+export function drawOver({ webgl, camera, view }: Session, render: WebGLRenderer['render'], scene: Scene): void {
   const { autoClear, toneMapping, clippingPlanes, info } = webgl;
   const { autoReset } = info;
   const { frame, calls, triangles, points, lines } = info.render;
@@ -17,9 +18,9 @@ export function drawOver(webgl: WebGLRenderer, render: WebGLRenderer['render'], 
     info.autoReset = false;
     webgl.setRenderTarget(null);
     webgl.setScissorTest(false);
-    const { width, height } = webgl.domElement;
     const ratio = webgl.getPixelRatio();
-    webgl.setViewport(0, 0, width / ratio, height / ratio);
+    const [width, height] = [webgl.domElement.width / ratio, webgl.domElement.height / ratio];
+    webgl.setViewport(view.x * width, view.y * height, view.z * width, view.w * height);
     render.call(webgl, scene, camera);
   } finally {
     webgl.setViewport(viewport);

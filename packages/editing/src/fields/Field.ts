@@ -46,7 +46,7 @@ interface FieldBase {
   readonly variants?: FieldVariants;
   /** Title of the group of fields that it stands in; none when absent. */
   readonly group?: string;
-  /** Kept for older files: shown only where it is not the default. */
+  /** Not to be filled by hand, as for older files: shown only where it is not the default. */
   readonly deprecated?: boolean;
   /** Shows a part of another field of the owner, which is what files hold. */
   readonly viewOf?: string;

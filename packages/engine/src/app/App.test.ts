@@ -224,6 +224,22 @@ describe('input', () => {
     expect(ear.heard[0].shiftKey).toBe(true);
   });
 
+  test('a text field within a shadow root keeps its keys', () => {
+    const [host, field] = [{ tagName: 'MY-FIELD' }, { tagName: 'INPUT' }];
+    send(keys, 'keydown', { code: 'KeyA', key: 'a', target: host, composedPath: () => [field, host] });
+    expect(ear.heard).toEqual([]);
+  });
+
+  test('keys held while Command is down are let go with it: macOS tells of no other end', () => {
+    send(keys, 'keydown', { code: 'MetaLeft', key: 'Meta' });
+    send(keys, 'keydown', { code: 'KeyW', key: 'w', metaKey: true });
+    send(keys, 'keydown', { code: 'KeyA', key: 'a', metaKey: true });
+    send(keys, 'keyup', { code: 'MetaLeft', key: 'Meta' });
+    expect(ear.heard.map((event) => `${event.type} ${(event as EngineKeyEvent).code}`)).toEqual([
+      ...['down MetaLeft', 'down KeyW', 'down KeyA', 'up MetaLeft', 'up KeyW', 'up KeyA'],
+    ]);
+  });
+
   test('held keys are let go when the page loses focus, and when another scene comes', () => {
     send(keys, 'keydown', { code: 'KeyW' });
     send(keys, 'blur');

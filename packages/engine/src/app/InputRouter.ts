@@ -1,3 +1,4 @@
+import { isTyping } from '@farol/editing';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 
 /** Where the events go. */
@@ -18,14 +19,10 @@ const WHEEL_UNITS = [1, 16, 400];
 const pointerTypeOf = ({ pointerType }: PointerEvent): 'mouse' | 'touch' | 'pen' =>
   pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
 
-const isTyping = (target: EventTarget | null): boolean => {
-  const element = target as { tagName?: string; isContentEditable?: boolean } | null;
-  return Boolean(element?.isContentEditable) || /^(INPUT|TEXTAREA|SELECT)$/.test(element?.tagName ?? '');
-};
-
 /**
  * Turns a canvas's pointer events and a page's key events into the engine's, and passes them on. Keys that go to a text
- * field are left alone; keys held when the page loses focus are let go.
+ * field are left alone; keys held when the page loses focus are let go, and with Command, while which macOS tells of no
+ * key that goes up.
  */
 export class InputRouter {
   private readonly abort = new AbortController();
@@ -100,13 +97,14 @@ export class InputRouter {
   }
 
   private keyDown(event: KeyboardEvent): void {
-    if (isTyping(event.target) || event.defaultPrevented) return;
+    if (isTyping(event) || event.defaultPrevented) return;
     this.held.set(event.code, event);
     this.key('down', event);
   }
 
   private keyUp(event: KeyboardEvent): void {
     if (this.held.delete(event.code)) this.key('up', event);
+    if (event.key === 'Meta') this.releaseKeys();
   }
 
   private key(type: EngineKeyEvent['type'], event: KeyboardEvent): void {

@@ -24,7 +24,11 @@ export class ObjectRenderer extends component({
   instanced: boolean(false, {
     help: 'Draw it in one call with all others of the same mesh and material: for many small things. Colours may differ.',
   }),
-  shader: asset('shader', null, { help: "A shader of the library, in place of three's materials." }),
+  shader: asset('shader', null, {
+    help: "A shader of the library, in place of three's materials.",
+    // scripts and imported models alone bring shaders
+    deprecated: true,
+  }),
   material: asset('material', null, {
     help: 'A material of the library, such as one of an imported model.',
     visibleWhen: { field: 'shader', equals: [null] },

@@ -142,7 +142,7 @@ export function KeyArea(props: KeyAreaProps): ReactNode {
         if (index !== null && event.timeStamp - addedAt.current > DOUBLE_CLICK) props.onRemove(index);
       }}
       onKeyDown={keyDown}
-      onKeyUp={({ key }) => key in ARROWS && endNudge()}
+      onKeyUp={({ key }) => (key in ARROWS || key === 'Meta') && endNudge()}
       onBlur={(event) => !event.currentTarget.contains(event.relatedTarget) && endNudge()}
     >
       {props.children}

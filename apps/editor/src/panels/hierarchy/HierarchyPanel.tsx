@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { isComposing, t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
 import type { ItemInstance } from '@headless-tree/core';
 import { AssistiveTreeDescription } from '@headless-tree/react';
@@ -73,6 +73,7 @@ export function HierarchyPanel(): ReactNode {
     ];
 
   const searchKey = (event: KeyboardEvent<HTMLInputElement>): void => {
+    if (isComposing(event)) return;
     if (event.key === 'Escape' && query !== '') setQuery('');
     else if (event.key === 'ArrowDown' || event.key === 'Enter') {
       const [first] = tree.getItems();

@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { isComposing, t } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
 import type { ItemInstance, TreeInstance } from '@headless-tree/core';
 import { memo, type MouseEvent, type ReactNode } from 'react';
@@ -91,6 +91,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           onBlur={() => tree.applySubStateUpdate('renamingItem', null)}
           onKeyDown={(event) => {
             event.stopPropagation();
+            if (isComposing(event)) return;
             if (event.key === 'Enter') tree.completeRenaming();
             else if (event.key === 'Escape') tree.abortRenaming();
           }}

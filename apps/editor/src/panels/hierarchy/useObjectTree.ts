@@ -143,7 +143,10 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     hotkeys: {
       // F2 is an action of the editor's, wherever the focus is
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
-      // Ctrl+A is one too: everything, folded or not
+      // the field's own handler leaves the keys of input methods alone
+      completeRenaming: { hotkey: 'Enter', isEnabled: () => false, handler: () => {} },
+      abortRenaming: { hotkey: 'Escape', isEnabled: () => false, handler: () => {} },
+      // Ctrl+A is an action too: everything, folded or not
       selectAll: { hotkey: 'Control+KeyA', isEnabled: () => false, handler: () => {} },
       focusNextItem: rowKey('ArrowDown', below, select),
       focusPreviousItem: rowKey('ArrowUp', above, select),

@@ -1,4 +1,4 @@
-import { t, wordsOfFilter } from '@farol/editing';
+import { isComposing, t, wordsOfFilter } from '@farol/editing';
 import { type FocusEvent, type PointerEvent, type ReactNode, useDeferredValue, useMemo, useState } from 'react';
 import { draggedAsset, isAssetDrag } from '../../files/dragAsset';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -68,7 +68,7 @@ export function InspectorPanel(): ReactNode {
           spellCheck={false}
           onChange={(event) => setFilter(event.target.value)}
           onKeyDown={(event) => {
-            if (event.key !== 'Escape') return;
+            if (isComposing(event) || event.key !== 'Escape') return;
             event.stopPropagation();
             setFilter('');
             event.currentTarget.blur();

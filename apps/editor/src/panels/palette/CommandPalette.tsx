@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { isComposing, t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import { showPalette } from '../../actions/showPalette';
@@ -35,6 +35,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {
+    if (isComposing(event)) return;
     const by = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 }[event.key];
     if (event.key === 'Enter') run(found[current]);
     else if (editor.keys.keysOf(showPalette).some((keys) => matchKey(keys, event))) onClose();

@@ -1,4 +1,4 @@
-import { t } from '@farol/editing';
+import { isComposing, t } from '@farol/editing';
 import { type KeyboardEvent, type ReactNode, useEffect, useRef, useState } from 'react';
 import { joinName, splitName } from '../../model/assetNames';
 import { renameScript } from '../../model/scriptEdits';
@@ -137,6 +137,7 @@ function NameInput({ name, onDone }: { name: string; onDone(typed: string | null
       onBlur={(event) => done(event.currentTarget.value)}
       onKeyDown={(event) => {
         event.stopPropagation();
+        if (isComposing(event)) return;
         if (event.key === 'Enter') done(event.currentTarget.value);
         else if (event.key === 'Escape') done(null);
       }}

@@ -1,4 +1,5 @@
 import { t, tCount } from '@farol/editing';
+import { watchPixelRatio } from '@farol/engine';
 import { type KeyboardEvent, type ReactNode, type RefObject, useEffect, useId, useRef } from 'react';
 import { useSignal } from '../../ui/EditorContext';
 import { readColours } from './colours';
@@ -86,6 +87,7 @@ function useDrawing(
     const media = matchMedia('(prefers-color-scheme: dark)');
     media.addEventListener('change', ask);
     const endings = [view.drawAsked, timeline.changed, timeline.moved].map((signal) => signal.subscribe(ask));
+    endings.push(watchPixelRatio(ask));
     ask();
     return () => {
       cancelAnimationFrame(frame);

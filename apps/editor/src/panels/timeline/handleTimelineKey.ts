@@ -1,3 +1,4 @@
+import { latinKey } from '@farol/editing';
 import type { KeyboardEvent } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
 import { keyId, SAME_TIME, trackId } from '../../model/timeline/clipTracks';
@@ -103,7 +104,8 @@ export function handleTimelineKey(editor: EditorApi, view: TimelineView, event: 
     });
   }
   const held = `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${event.shiftKey ? 'Shift+' : ''}`;
-  const name = held + (event.key.length === 1 ? event.key.toLowerCase() : event.key);
+  const key = latinKey(event);
+  const name = held + (key.length === 1 ? key.toLowerCase() : key);
   if (name === 'Escape' && (timeline.selection.keys.size > 0 || timeline.selection.events.length > 0)) {
     timeline.select(new Set());
     return true;

@@ -1,4 +1,4 @@
-import { toRadians, type TransformMode } from '@farol/editing';
+import { isComposing, latinKey, toRadians, type TransformMode } from '@farol/editing';
 import type { GameObject, Scene } from '@farol/engine';
 import { type Camera, type Object3D, Quaternion, Raycaster, Vector2, Vector3 } from 'three';
 import { amountSigns, amountText } from './amountText';
@@ -235,9 +235,9 @@ export class DragAssist {
 
   private readonly keyDown = (event: KeyboardEvent): void => {
     const { typed } = this;
-    if (!typed || event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+    if (!typed || event.ctrlKey || event.metaKey || event.altKey || isComposing(event)) return;
     const isEnd = event.key === 'Enter' || event.key === 'Escape';
-    const letter = event.key.toUpperCase();
+    const letter = latinKey(event).toUpperCase();
     const isAxis = letter in AXES;
     if (!isEnd && !isAxis && !typed.press(event)) return;
     event.preventDefault();

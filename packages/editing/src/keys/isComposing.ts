@@ -1,0 +1,16 @@
+/** The part of a KeyboardEvent, or of React's around one, that tells whether an input method has the key. */
+export interface ComposedKey {
+  readonly isComposing?: boolean;
+  readonly keyCode?: number;
+  readonly nativeEvent?: { readonly isComposing?: boolean };
+}
+
+/**
+ * Whether a key belongs to an input method, which writes Chinese, Japanese or Korean: its Enter takes a word and its Escape
+ * drops one, so a text field must do neither. Safari tells of the Enter that ends a word by keyCode 229 alone.
+ *
+ * @see https://www.w3.org/TR/uievents/#events-composition-key-events
+ */
+export function isComposing({ isComposing: own, keyCode, nativeEvent }: ComposedKey): boolean {
+  return (own ?? nativeEvent?.isComposing ?? false) || keyCode === 229;
+}
