@@ -30,7 +30,8 @@ function failure({ sheet, case: name, technique, ...difference }: CaseResult): s
   const within = near && alpha <= LARGEST;
   const limits = exceptionOf(technique, `${sheet}: ${name}`);
   const exception = limits !== undefined && alpha <= LARGEST && psnr >= limits.psnr && share <= limits.share;
-  const good = limits === undefined ? within : exception && !within;
+  // exceptions are measured on the software rasteriser: a GPU may round to one side of an edge
+  const good = limits === undefined ? within : exception && (!within || Boolean(process.env.FAROL_GPU));
   recordComparison({ suite: sheet, technique, name, good, exception, ...difference });
   if (good) return null;
   const why = within ? ' (no exception is needed)' : '';

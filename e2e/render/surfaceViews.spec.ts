@@ -54,7 +54,7 @@ test('views of surfaces show the values of material and place', async ({ benchPa
   for (const [name, value] of Object.entries(seen)) {
     const [kind, view, camera] = name.split(', ');
     const wanted = view === 'depth' && camera === 'orthographic' ? grey(7 / 16) : expected[kind][view];
-    // 8 bits hold albedo, roughness and metalness, half floats normals and shininess
-    value.forEach((channel, i) => expect.soft(Math.abs(channel - wanted[i]), `${name}: ${value}`).toBeLessThan(0.003));
+    // 8 bits hold albedo in sRGB, half a step of which is 0.0037 at 0.6, roughness and metalness; half floats the rest
+    value.forEach((channel, i) => expect.soft(Math.abs(channel - wanted[i]), `${name}: ${value}`).toBeLessThan(0.0038));
   }
 });

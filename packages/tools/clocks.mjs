@@ -93,11 +93,8 @@ function isOfVerify(node, textOf) {
  */
 export const clockLimits = [
   { file: 'e2e/support/loseContext.ts', most: 1, reason: 'WebGL restores a context in a later task than its loss' },
-  { file: 'e2e/editor/commands.spec.ts', most: 1, reason: 'the panels are drawn in a task of their own' },
   { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws: used on a GPU alone' },
   { file: 'e2e/editor/assets.spec.ts', most: 4, reason: 'the longest wait of the page for its turn' },
-  { file: 'e2e/editor/performance.spec.ts', most: 3, reason: 'times the panels' },
-  { file: 'e2e/editor/samples.spec.ts', most: 2, reason: 'times opening a sample' },
   { file: 'e2e/perf/autoChange.spec.ts', most: 1, reason: "frames after which 'auto' changes are what is tested" },
 ];
 

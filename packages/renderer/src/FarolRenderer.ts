@@ -373,8 +373,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    * @throws Error when the code cannot be fetched
    */
   async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
-    const find = () => this.finder.find(scene, camera, this.lightLayers);
-    return warmUpCode.load().then((code) => code.compileByDrawing(this, this.last.lacking, find, scene, camera));
+    const { last, finder } = this;
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
   }
 
   /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */

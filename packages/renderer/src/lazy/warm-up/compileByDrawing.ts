@@ -5,11 +5,17 @@ import { programsOf } from '../../three/WaitingPrograms';
 
 const load = (parts: Iterable<Lazy<object>>): Promise<unknown> => Promise.all(Array.from(parts, (part) => part.load()));
 
+/** Finds the lights of a scene, as a frame does. */
+interface LightSearch {
+  find(scene: Object3D, camera: Camera, lightLayers: boolean): void;
+}
+
 /** A FarolRenderer as {@link compileByDrawing} sees it. */
 export interface Compiled {
   readonly webgl: WebGLRenderer;
   readonly techniques: Readonly<Record<string, { readonly lazy?: Lazy<object> }>>;
   readonly technique: string;
+  readonly lightLayers: boolean;
   render(scene: Object3D, camera: Camera): void;
 }
 
@@ -17,21 +23,20 @@ export interface Compiled {
  * Fetches the code that a frame of the scene asks for, draws one pixel, which starts the compilation of everything the scene
  * needs, then waits until the device is done.
  *
- * @param lacking parts of the code that the last frame of `farol` lacked
- * @param findLights looks for lights as a frame does
+ * @param last frame of `farol`: parts of the code that it lacked
  * @throws Error when code cannot be fetched
  */
 export async function compileByDrawing(
   farol: Compiled,
-  lacking: ReadonlySet<Lazy<object>>,
-  findLights: () => void,
+  { lacking }: { readonly lacking: ReadonlySet<Lazy<object>> },
+  finder: LightSearch,
   scene: Object3D,
   camera: Camera,
 ): Promise<void> {
   const outer = Lazy.lacking;
   const asked = (Lazy.lacking = new Set());
   // most code is asked for by lights; a frame without it would compile in vain
-  findLights();
+  finder.find(scene, camera, farol.lightLayers);
   Lazy.lacking = outer;
   await Promise.all([load(asked), farol.techniques[farol.technique].lazy?.load()]);
   drawOnePixel(farol, scene, camera);
