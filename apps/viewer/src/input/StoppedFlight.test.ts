@@ -15,7 +15,7 @@ function makeFlight() {
     next = callback;
     return 1;
   });
-  const redraw = vi.fn();
+  const redraw = vi.fn<() => void>();
   const viewer = { app: { canvas: new EventTarget(), scene: { activeCamera: null } }, state: { time: 0 }, redraw };
   new StoppedFlight(viewer as unknown as Viewer);
   const send = (type: string, values: object): boolean => page.dispatchEvent(Object.assign(new Event(type), values));

@@ -12,7 +12,7 @@ it('tells of each change of the pixel ratio until it is ended', () => {
     asked.push(text);
     return (query = new EventTarget());
   });
-  const changed = vi.fn();
+  const changed = vi.fn<() => void>();
   const moveTo = (ratio: number): void => {
     vi.stubGlobal('devicePixelRatio', ratio);
     query.dispatchEvent(new Event('change'));
