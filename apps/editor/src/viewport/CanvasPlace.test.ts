@@ -17,7 +17,7 @@ it('has the canvas sized anew on a screen of another pixel ratio', () => {
     },
   );
   const parent = { clientWidth: 320, clientHeight: 180, append: () => {} } as unknown as HTMLElement;
-  const resized = vi.fn<(...all: unknown[]) => void>();
+  const resized = vi.fn<() => void>();
   const place = new CanvasPlace({ parentElement: parent, remove: () => {} } as unknown as HTMLCanvasElement, resized);
   place.attach(parent);
   query.dispatchEvent(new Event('change'));
