@@ -47,6 +47,15 @@ const editorOf = (): { editor: EditorApi; document: EditorDocument; notices: Not
   return { editor, document, notices };
 };
 
+test('the same bytes twice in one import come in once', async () => {
+  const { editor, document } = editorOf();
+  const files = new Map([...filesOf('first.ply'), ...filesOf('second.ply')]);
+  expect(await importFiles(editor, files)).toEqual({ names: ['first.ply', 'first.ply'], known: ['first.ply'] });
+  expect(document.assets.files.map(({ name }) => name)).toEqual(['first.ply']);
+  document.commands.undo();
+  expect(document.assets.files).toEqual([]);
+});
+
 test('a ZIP that cannot be read is told by name, and the files beside it come in', async () => {
   const { editor, document, notices } = editorOf();
   const files = new Map([...filesOf('triangle.ply'), ['cut.zip', new File(['PK'], 'cut.zip')] as const]);

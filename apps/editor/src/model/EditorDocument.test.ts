@@ -1,6 +1,7 @@
 import { SetFields } from '@farol/editing';
 import { EventTrigger, GameObject, Light } from '@farol/engine';
 import { scenes } from '@farol/engine/scenes';
+import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { copyObjects, pasteObjects } from './clip';
 import { deleteObjects, duplicateObjects, moveObjects } from './edits';
@@ -128,6 +129,28 @@ describe('EditorDocument', () => {
     commands.undo();
     commands.undo();
     expect(b.transform.position).toEqual([2, 1, 0]);
+  });
+
+  it('groups in the middle of the objects below a parent that is moved, turned and sized too', () => {
+    const { commands, scene } = new EditorDocument();
+    const parent = new GameObject('Parent');
+    Object.assign(parent.transform, { position: [5, -2, 1], rotation: [0.3, 1, -0.2], scale: [2, 2, 2] });
+    const objects = [0, 1, 2].map((i) => {
+      const object = new GameObject(`Object ${i}`);
+      object.transform.position = [i * i, 1, -i];
+      parent.add(object);
+      return object;
+    });
+    scene.add(parent);
+    const worlds = objects.map(({ transform }) => transform.worldPosition);
+    commands.run(groupObjects(scene, objects));
+    const [group] = parent.children;
+    expect(group.children).toEqual(objects);
+    const middle = new Vector3();
+    for (const world of worlds) middle.addScaledVector(world, 1 / worlds.length);
+    expect(group.transform.worldPosition.distanceTo(middle)).toBeLessThan(1e-9);
+    for (const [i, { transform }] of objects.entries())
+      expect(transform.worldPosition.distanceTo(worlds[i])).toBeLessThan(1e-9);
   });
 
   it('pastes below another parent where it was, with ids of its own and references that hold', () => {

@@ -165,6 +165,18 @@ describe('CommandStack', () => {
     expect(target.value).toBe(1);
   });
 
+  it('forgets no step while it is held, past its limit too: release takes all of them back', () => {
+    const target = { value: 0 };
+    const stack = new CommandStack(undefined, 2);
+    stack.run(new SetNumber(target, 1));
+    stack.hold();
+    const commands = [2, 3, 4, 5].map((value) => new SetNumber(target, value));
+    for (const command of commands) stack.run(command);
+    expect(stack.release()).toEqual(commands);
+    expect(target.value).toBe(1);
+    expect(stack.history).toEqual(['Set 1']);
+  });
+
   it('knows whether the document is as it was saved', () => {
     const target = { value: 0 };
     const stack = new CommandStack();

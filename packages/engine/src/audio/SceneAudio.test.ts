@@ -33,7 +33,15 @@ interface FakeSource {
 
 let begun: FakeSource[] = [];
 let contexts = 0;
-let panners: (Record<string, Param> & { distanceModel: string; maxDistance: number })[] = [];
+/** The numbers of a PannerNode that a source's fields set. */
+interface FakePanner {
+  readonly distanceModel: string;
+  readonly refDistance: number;
+  readonly maxDistance: number;
+  readonly rolloffFactor: number;
+}
+
+let panners: (Record<string, Param> & FakePanner)[] = [];
 let gains: { gain: Param }[] = [];
 
 class FakeContext {
@@ -171,6 +179,32 @@ test('plays on start from where the object is, ends, and makes no context before
   source.play();
   frames(1);
   expect([begun.length, begun[1].isRunning, begun[2].isRunning]).toEqual([3, false, true]);
+});
+
+test.each([
+  // a linear fall-off ends at the range, whatever the other fall-offs roll off by
+  [{ falloff: 'linear', referenceDistance: 2, maxDistance: 9, rolloff: 3 }, ['linear', 2, 9, 1]],
+  [{ falloff: 'linear', referenceDistance: 5, maxDistance: 4, rolloff: 3 }, ['linear', 5, 5.001, 1]],
+  [{ falloff: 'inverse', referenceDistance: 2, maxDistance: 9, rolloff: 3 }, ['inverse', 2, 9, 3]],
+  [{ falloff: 'exponential', referenceDistance: 0.5, rolloff: 0.25 }, ['exponential', 0.5, 20, 0.25]],
+] as const)('fades as its fields say: %o', async (values, expected) => {
+  const source = await makeScene({ ...values, volume: 0.5, playbackRate: 2, loop: true });
+  frames(1);
+  await settle();
+  frames(1);
+  const numbers = (): unknown[] => {
+    const { distanceModel, refDistance, maxDistance, rolloffFactor } = panners[0];
+    return [distanceModel, refDistance, maxDistance, rolloffFactor];
+  };
+  expect(numbers()).toEqual(expected);
+  const [, gain] = gains;
+  expect([gain.gain.value, begun[0].playbackRate.value, begun[0].loop]).toEqual([0.5, 2, true]);
+  // edits are heard while it plays
+  for (const [field, value] of Object.entries({ volume: 0.25, playbackRate: 0.5, loop: false, referenceDistance: 3 }))
+    source.set(field, value);
+  frames(1);
+  expect([gain.gain.value, begun[0].playbackRate.value, begun[0].loop]).toEqual([0.25, 0.5, false]);
+  expect(numbers()[1]).toBe(3);
 });
 
 test('stop and pause of the scene stop and pause what is heard; it goes on at the scene’s time', async () => {
