@@ -35,7 +35,7 @@ import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
 import { runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
 export interface TestPage {
@@ -82,6 +82,7 @@ export interface TestPage {
   runSettings: typeof runSettings;
   settingNames: readonly string[];
   drawn: typeof drawn;
+  techniqueInTurn: typeof techniqueInTurn;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
   devices: typeof devices;
@@ -138,6 +139,7 @@ window.testPage = {
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
+  techniqueInTurn,
   techniquesInTurn,
   Bench,
   devices,

@@ -27,3 +27,12 @@ export function techniquesInTurn(turn: number, known: readonly TechniqueName[] =
     return own.length > 0 ? [own[turn % own.length]] : [];
   });
 }
+
+/**
+ * Picks the techniques that one case of a list is drawn by: all, but in the slice a single one of those that are known, case
+ * by case another.
+ *
+ * @param turn number of the case
+ */
+export const techniqueInTurn = <T extends TechniqueName>(turn: number, known: readonly T[]): readonly T[] =>
+  isSlice ? [known[turn % known.length]] : known;

@@ -42,7 +42,7 @@ async function prepare(page: Page, technique: string, fieldLights: number): Prom
 
 // one of each way in which lights reach surfaces
 for (const technique of ['forward', 'deferred', 'tiled-deferred', 'clustered-forward']) {
-  test(`a frame with a field that moves allocates nothing for its lights, and keeps nothing: ${technique}`, async ({
+  test(`a frame with a field that moves allocates nothing for its lights, and keeps nothing: ${technique} @verify`, async ({
     page,
   }) => {
     test.setTimeout(180_000);

@@ -32,7 +32,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
 }) => {
   const results = await page.evaluate(
     (texts): Result[] => {
-      const { Bench, chunkScene, compareImages, drawn, techniquesInTurn, three: THREE } = window.testPage;
+      const { Bench, chunkScene, compareImages, drawn, techniqueInTurn, three: THREE } = window.testPage;
       const bench = new Bench(96, 64);
       // three maps tones for the canvas, and for what stands in for it
       Object.assign(bench.target, { isXRRenderTarget: true });
@@ -55,7 +55,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
         const wanted = bench.stock(scene, camera);
         if (compareImages(plain, wanted).psnr > 45) throw new Error(`${name}: does not show`);
         // one by all techniques, the rest by two or three in turn
-        const turn = techniquesInTurn(
+        const turn = techniqueInTurn(
           index,
           drawn.filter((_, i) => name === 'light loops' || (i + index) % 4 === 0),
         );
@@ -66,7 +66,7 @@ test('what a page changes in ShaderChunk is in the picture of every technique, a
         }));
         chunks[chunk] = own;
         reset();
-        const technique = drawn[index % drawn.length];
+        const technique = turn[0];
         const undone = compareImages(plain, bench.byTechnique(technique, scene, camera));
         return [...found, { name: `${name}, undone`, technique, ...undone }];
       });

@@ -78,12 +78,12 @@ test('shadows of all kinds of light at once, by every technique', async ({ bench
   test.setTimeout(180_000);
   const pairs = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, farol, shadowScene } = window.testPage;
+      const { Bench, compareImages, shadowScene, techniquesInTurn } = window.testPage;
       const bench = new Bench(width, height);
       bench.webgl.shadowMap.enabled = true;
       const { scene, camera } = shadowScene(width, height, { caster: 'mixed' });
       const stock = bench.stock(scene, camera);
-      return (Object.keys(farol.techniques) as (keyof typeof farol.techniques)[]).map((technique) => ({
+      return techniquesInTurn(4).map((technique) => ({
         technique,
         ...compareImages(stock, bench.byTechnique(technique, scene, camera)),
       }));
@@ -102,7 +102,7 @@ test('cookies: a spot light throws its map as in stock three, with and without s
 }) => {
   const { pairs, cube } = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, shadowScene, three, farol } = window.testPage;
+      const { Bench, compareImages, shadowScene, techniquesInTurn, three, farol } = window.testPage;
       const bench = new Bench(width, height);
       bench.webgl.shadowMap.enabled = true;
       const image = (hue: number) => {
@@ -120,7 +120,7 @@ test('cookies: a spot light throws its map as in stock three, with and without s
       const { scene, camera, lights } = shadowScene(width, height, { caster: 'spot', map });
       const compare = (name: string) => {
         const stock = bench.stock(scene, camera);
-        return (['forward-single-pass', 'deferred', 'tiled-deferred'] as const).map((technique) => ({
+        return techniquesInTurn(0, ['forward-single-pass', 'deferred', 'tiled-deferred']).map((technique) => ({
           name: `${name}, ${technique}`,
           ...compareImages(stock, bench.byTechnique(technique, scene, camera)),
         }));

@@ -4,6 +4,7 @@ import { Bench, type PageImage } from '../Bench';
 import { compareImages } from '../../support/images';
 import type { CaseResult } from './runSheet';
 import { settings } from './settings';
+import { techniqueInTurn } from '../techniquesInTurn';
 import { type Render, type Setting, Stage } from './Stage';
 
 const WIDTH = 96;
@@ -31,10 +32,10 @@ function readTarget(bench: Bench, target: Bench['target']): PageImage {
   };
 }
 
-/** Draws the stage under each setting by stock three and by each technique. */
+/** Draws the stage under each setting by stock three and by each technique; in the slice by one of them in turn. */
 export function runSettings(names: readonly string[], techniques: readonly TechniqueName[]): CaseResult[] {
   const benches = new Map<string, Bench>();
-  return names.flatMap((name) => {
+  return names.flatMap((name, index) => {
     const setting: Setting = settings[name];
     const key = JSON.stringify(setting.renderer ?? {});
     let bench = benches.get(key);
@@ -63,7 +64,7 @@ export function runSettings(names: readonly string[], techniques: readonly Techn
       return image;
     };
     const stock = picture(null);
-    return techniques
+    return techniqueInTurn(index, techniques)
       .filter((technique) => !setting.except?.(technique))
       .map((technique) => ({
         sheet: setting.canvas || setting.target ? 'settings, 8 bits' : 'settings',
