@@ -39,7 +39,7 @@ it('shows the latest three, and never drops what lasts for them', () => {
 
 it('shows no broken bytes', () => {
   const { log, notices } = make();
-  notices.show('error', 'a\u0000\u0001\ufffd\ufffd\ud800b\u202egnp.exe: \\u0000\\ufffd is no scene');
+  notices.show('error', 'a\u0000\u0001\ufffd\ufffd\ud800b\u202egnp.exe: \\u{0}\\u{fffd} is no scene');
   expect(notices.current[0].text).toBe('a…b…gnp.exe: … is no scene');
   expect(log.entries[0].text).toBe('a…b…gnp.exe: … is no scene');
   expect(readableText('Añadido 😀\n\tfin')).toBe('Añadido 😀\n\tfin');

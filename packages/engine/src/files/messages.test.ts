@@ -27,7 +27,7 @@ function flawOf(message: string): string {
 
 test('shortText cuts, and writes what cannot be seen', () => {
   expect(shortText('plain ü 字 🏮')).toBe('plain ü 字 🏮');
-  expect(shortText('a\nb\u0000\u200b\ud83c')).toBe('a\\u000ab\\u0000\\u200b\\ud83c');
+  expect(shortText('a\nb\u0000\u200b\ud83c')).toBe('a\\u{a}b\\u{0}\\u{200b}\\u{d83c}');
   expect(shortText('abcdef', 4)).toBe('abc…');
 });
 

@@ -29,7 +29,7 @@ it.each<[string, (camera: PerspectiveCamera) => void]>([
   warnOfNaN(camera);
   warnOfNaN(camera, new Mesh());
   expect(warn.mock.calls).toEqual([
-    [expect.stringMatching(/^Farol: PerspectiveCamera "eye" has .* \(NaN\); set them\./)],
+    [expect.stringMatching(/^Farol: PerspectiveCamera "eye" has .* with NaN; set them\./)],
   ]);
 });
 
