@@ -47,7 +47,7 @@ test.describe('on a tablet', () => {
   });
 });
 
-test('nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen', async ({
+test('nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen @verify', async ({
   page,
 }) => {
   await openEditor(page, 'empty');

@@ -42,7 +42,7 @@ for (const { lacks, text, hide, tag = '' } of [
   });
 }
 
-test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene', async ({
+test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene @verify', async ({
   page,
 }) => {
   await openEditor(page, 'empty');

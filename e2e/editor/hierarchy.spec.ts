@@ -138,7 +138,7 @@ own(
   },
 );
 
-test('what is added below many rows comes into sight', async ({ page }) => {
+test('what is added below many rows comes into sight @verify', async ({ page }) => {
   await addObject(page, 'Light', 'Point light');
   await page.keyboard.press('Shift+d');
   await page.getByRole('textbox', { name: 'Count' }).fill('30');

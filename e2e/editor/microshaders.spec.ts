@@ -136,7 +136,7 @@ own(
   },
 );
 
-test('a new chunk, and XML: into the scene and out of it', async ({ page }, info) => {
+test('a new chunk, and XML: into the scene and out of it @verify', async ({ page }, info) => {
   await openSphere(page);
   await panel(page).getByRole('button', { name: 'New microshader' }).click();
   await page.getByRole('textbox', { name: 'Name of the microshader' }).fill('own/tint');

@@ -48,7 +48,7 @@ test('a fresh profile is welcomed over a ready scene; the tour leads to real con
   await expect(card).toHaveCount(0);
 });
 
-test('the welcome opens what was worked on, offers what was not saved, and takes a model', async ({
+test('the welcome opens what was worked on, offers what was not saved, and takes a model @verify', async ({
   context,
   page,
 }) => {

@@ -236,7 +236,7 @@ test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is ne
   expect(figures['TAA, an object flying off']).toBeGreaterThan(38.7);
 });
 
-test('TAA knows the motion of objects, skins, morphs, instances and batches: alone in view, each stays where it is drawn @software', async ({
+test('TAA knows the motion of objects, skins, morphs, instances and batches: alone in view, each stays where it is drawn @software @verify', async ({
   benchPage: page,
 }) => {
   const figures = await page.evaluate(
@@ -350,7 +350,7 @@ test('TAA forgets the past when the size changes and when the camera cuts, and l
 
 for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
   const tag = kind === 'logarithmicDepthBuffer' ? ' @verify' : '';
-  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces${tag}`, async ({
+  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces${tag} @verify`, async ({
     benchPage: page,
   }) => {
     const { taa, edges, without, has } = await page.evaluate(

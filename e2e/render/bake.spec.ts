@@ -165,7 +165,7 @@ test('baked light is the light of known scenes, by every technique, and leaves t
  * What has no lightmap, and lights of other kinds. Instances and a skinned mesh stand in for the mesh of their shape, and must
  * give the light that it gives; a floor under a sky receives pi times its radiance.
  */
-test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light', async ({
+test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light @verify', async ({
   benchPage: page,
 }) => {
   const found = await page.evaluate(async () => {
@@ -297,7 +297,7 @@ const ROOMS = [
  * In a sphere with a light at its centre, whose wall shines as well, all points receive alike: after n bounces
  * (d + pi e) (1 + a + … + a^n), d the direct light, e the radiance, a the albedo.
  */
-test('lights and what shines are reflected as often as asked, on grids of all scales; unlit and transparent meshes throw shadows', async ({
+test('lights and what shines are reflected as often as asked, on grids of all scales; unlit and transparent meshes throw shadows @verify', async ({
   benchPage: page,
 }) => {
   const found = await page.evaluate(

@@ -55,7 +55,7 @@ test('after any number of frames that a host’s code has broken, each technique
   }
 });
 
-test('broken frames leave effects, the canvas with an output buffer, arrays of cameras and GPU times as they were', async ({
+test('broken frames leave effects, the canvas with an output buffer, arrays of cameras and GPU times as they were @verify', async ({
   benchPage: page,
 }) => {
   const results = await page.evaluate(async (isWhole) => {

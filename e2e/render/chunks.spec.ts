@@ -88,7 +88,7 @@ const shaders = [
   ['depth', 'vertexShader', '#include <begin_vertex>', 'transformed.y *= 2.5;'],
 ] as const;
 
-test('what a page changes in ShaderLib is in the picture of every technique, and gone when it is undone', async ({
+test('what a page changes in ShaderLib is in the picture of every technique, and gone when it is undone @verify', async ({
   benchPage: page,
 }) => {
   const results = await page.evaluate((shaders): Result[] => {

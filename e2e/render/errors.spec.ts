@@ -14,15 +14,18 @@ test('what the device or the caller lacks is named with the mend', async ({ benc
     const webgl = new three.WebGLRenderer();
     const gl = webgl.getContext() as WebGL2RenderingContext;
     const good = new farol.FarolRenderer(webgl);
-    const without = (names: string[], action: () => unknown) => {
-      const { getExtension } = gl;
-      gl.getExtension = ((name: string) =>
-        names.includes(name) ? null : getExtension.call(gl, name as 'OCULUS_multiview')) as never;
-      const result = message(action);
-      gl.getExtension = getExtension;
+    /** A renderer of its own, since three asks a context once. */
+    const withoutFloats = (technique: 'deferred' | 'forward-single-pass') => {
+      const canvas = document.createElement('canvas');
+      const context = canvas.getContext('webgl2')!;
+      const getExtension = context.getExtension.bind(context) as (name: string) => unknown;
+      context.getExtension = ((name: string) =>
+        name.startsWith('EXT_color_buffer') ? null : getExtension(name)) as never;
+      const lacking = new three.WebGLRenderer({ canvas, context });
+      const result = message(() => new farol.FarolRenderer(lacking, { technique }));
+      lacking.dispose();
       return result;
     };
-    const floats = ['EXT_color_buffer_float', 'EXT_color_buffer_half_float'];
     const fewBuffers = () => {
       const { getParameter } = gl;
       gl.getParameter = ((name: number) =>
@@ -36,8 +39,8 @@ test('what the device or the caller lacks is named with the mend', async ({ benc
       view: message(() => (good.view = 'smell' as never)),
       option: message(() => new farol.FarolRenderer(webgl, { technique: 'x' as never })),
       webgl2: message(() => new farol.FarolRenderer({ getContext: () => ({}) } as never)),
-      floats: without(floats, () => new farol.FarolRenderer(webgl, { technique: 'deferred' })),
-      floatsNotNeeded: without(floats, () => new farol.FarolRenderer(webgl, { technique: 'forward-single-pass' })),
+      floats: withoutFloats('deferred'),
+      floatsNotNeeded: withoutFloats('forward-single-pass'),
       attachments: fewBuffers(),
       count: message(() => new authoring.WebGLMultipleRenderTargets(4, 4, 0)),
       xr: message(() => {

@@ -4,7 +4,7 @@ import { expect, test } from '../support/test';
 /** Scenes that are opened and closed. */
 const SCENES = byExtent({ slice: 12, verify: 50 });
 
-test('scenes that were opened and closed leave nothing, also where few frames are drawn', async ({
+test('scenes that were opened and closed leave nothing, also where few frames are drawn @verify', async ({
   benchPage: page,
 }) => {
   await page.evaluate(() => {

@@ -44,7 +44,7 @@ for (const [technique, effects] of isWhole ? [...CASES, ...OTHERS] : CASES) {
   });
 }
 
-test('after a loss a scene without shadows is drawn right by shaders that knew some, and holds nothing of the maps that were lost', async ({
+test('after a loss a scene without shadows is drawn right by shaders that knew some, and holds nothing of the maps that were lost @verify', async ({
   benchPage: page,
   watch,
 }) => {

@@ -52,7 +52,7 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
 /** Techniques that draw each kind of node material. */
 const TURNS = byExtent({ slice: 1, verify: 2 });
 
-test('each kind of node material on each kind of object, under area lights and shadows, in fog, by techniques in turn', async ({
+test('each kind of node material on each kind of object, under area lights and shadows, in fog, by techniques in turn @verify', async ({
   benchPage: page,
 }) => {
   const results = await page.evaluate(async (turns) => {

@@ -70,7 +70,7 @@ const viewed = (['PCFShadowMap', 'BasicShadowMap', 'VSMShadowMap'] as const).fla
   (['spot', 'directional'] as const).map((caster) => ({ type, caster })),
 );
 
-test("three's ShadowMapViewer shows the maps, and stock three keeps them where the page draws them no more", async ({
+test("three's ShadowMapViewer shows the maps, and stock three keeps them where the page draws them no more @verify", async ({
   benchPage: page,
 }) => {
   const seen = await page.evaluate(

@@ -322,7 +322,9 @@ test('kept maps are drawn anew for what changes without a new version of anythin
   }
 });
 
-test('a mirror that stock three draws inside the frame shows the shadows of the frame', async ({ benchPage: page }) => {
+test('a mirror that stock three draws inside the frame shows the shadows of the frame @verify', async ({
+  benchPage: page,
+}) => {
   const seen = await page.evaluate(
     ([width, height]) => {
       const { Bench, compareImages, shadowScene, three } = window.testPage;
@@ -374,7 +376,7 @@ test('a mirror that stock three draws inside the frame shows the shadows of the 
   for (const [i, { psnr }] of seen.pairs.entries()) expectAsMeasured(psnr, measured[i], `picture ${i}`);
 });
 
-test('where point lights alone cast shadows, one that leaves its map is drawn as in stock three', async ({
+test('where point lights alone cast shadows, one that leaves its map is drawn as in stock three @verify', async ({
   benchPage: page,
 }) => {
   const seen = await page.evaluate(

@@ -257,7 +257,7 @@ const builtins = ['waves', 'water', 'snow', 'moss', 'dissolve', 'rust', 'hologra
 const builtinText = (name: string): string =>
   readFileSync(new URL(`../../apps/editor/src/model/surfaces/${name}.surface`, import.meta.url), 'utf8');
 
-test('the surfaces that the editor begins with are drawn alike by every technique, in the bounds that they declare', async ({
+test('the surfaces that the editor begins with are drawn alike by every technique, in the bounds that they declare @verify', async ({
   benchPage: page,
 }) => {
   const texts = Object.fromEntries(builtins.map((name) => [name, builtinText(name)]));
