@@ -34,8 +34,15 @@ export const isAssetDrag = (transfer: DataTransfer, kind?: AssetKind): boolean =
 /** Whether files are dragged from outside. */
 export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.includes('Files');
 
-/** What is dropped; null when it is no asset of the editor's. */
+const isText = (value: unknown): value is string => typeof value === 'string';
+
+/** What is dropped; null when it is no asset of the editor's: any page can have its own dragged under that type. */
 export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {
-  const text = transfer.getData(TYPE);
-  return text ? (JSON.parse(text) as DraggedAsset) : null;
+  try {
+    const asset = JSON.parse(transfer.getData(TYPE)) as DraggedAsset;
+    const { kind, name, names = [] } = asset;
+    return isText(kind) && isText(name) && names.every(isText) ? asset : null;
+  } catch {
+    return null;
+  }
 }

@@ -2,7 +2,8 @@ const KEY = 'farol-autosave-clean';
 
 const read = (): string[] => {
   try {
-    return JSON.parse(localStorage.getItem(KEY) ?? '[]') as string[];
+    const sessions: unknown = JSON.parse(localStorage.getItem(KEY) ?? '[]');
+    return Array.isArray(sessions) ? (sessions as string[]) : [];
   } catch {
     return [];
   }

@@ -35,6 +35,7 @@ async function sceneIn(page: string): Promise<string> {
 test.each([true, false])('a page and a link have the scripts of the scene, or not: %s', async (withScripts) => {
   const scene = scriptedScene();
   const page = await (await exportHtml(scene, { withScripts })).text();
+  expect(page).toMatch(/<noscript><p>This page shows a scene with JavaScript .*<\/p><\/noscript>/);
   expect(/farolScripts/.test(page)).toBe(withScripts);
   expect(/class Spy/.test(await sceneIn(page))).toBe(withScripts);
   expect(asked).toEqual([withScripts ? '/farol-player-scripts.js' : '/farol-player.js']);

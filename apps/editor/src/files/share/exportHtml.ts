@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Scene, ScriptAsset } from '@farol/engine';
 import { assetUses, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
@@ -121,6 +122,7 @@ export async function exportHtml(scene: Scene, options: ShareOptions = {}): Prom
 <style nonce="${nonce}">html,body{height:100%;margin:0;overflow:hidden;background:#000}p{margin:1em;color:#eee;font:16px sans-serif;white-space:pre-line}</style>
 </head>
 <body>
+<noscript><p>${escaped(t('This page shows a scene with JavaScript and WebGL 2: switch JavaScript on, or, where it is in a frame that allows no scripts, open it by itself.'))}</p></noscript>
 <script type="application/octet-stream" id="farol-scene"${dragon}>${base64Of(bytes)}</script>${physics}
 ${[...scripts, script].map((code) => scriptElement(nonce, code)).join('\n')}
 </body>

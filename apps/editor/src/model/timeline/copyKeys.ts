@@ -25,7 +25,9 @@ export function readCopiedKeys(text: string): CopiedKeys | null {
   if (!text.includes('"farol-keys"')) return null;
   try {
     const read = JSON.parse(text) as Partial<CopiedKeys> | null;
-    return read?.kind === 'farol-keys' && Array.isArray(read.tracks) ? (read as CopiedKeys) : null;
+    const isWhole =
+      read?.kind === 'farol-keys' && read.tracks!.every(({ keys }) => keys.every(({ time }) => Number.isFinite(time)));
+    return isWhole ? (read as CopiedKeys) : null;
   } catch {
     return null;
   }

@@ -203,7 +203,15 @@ describe('copyKeys and pasteKeys', () => {
 
   test('take nothing else for keys', () => {
     expect(copyKeys(data, new Set())).toBeNull();
-    for (const text of ['', '{}', '"farol-keys"', '{"kind":"farol-keys"}', '{"kind":"other","x":"farol-keys"}'])
+    for (const text of [
+      '',
+      '{}',
+      '"farol-keys"',
+      '{"kind":"farol-keys"}',
+      '{"kind":"other","x":"farol-keys"}',
+      '{"kind":"farol-keys","tracks":[null]}',
+      '{"kind":"farol-keys","tracks":[{"keys":[{"time":"x"}]}]}',
+    ])
       expect(readCopiedKeys(text)).toBeNull();
   });
 });
