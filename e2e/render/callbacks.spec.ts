@@ -369,3 +369,51 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
       .not.toThrow();
   }
 });
+
+test('what callbacks of an object have three draw is drawn as by stock three, with a target of their own and without', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, brokenScene, compareImages, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    const { webgl } = bench;
+    const { scene, camera, ball, glass } = brokenScene(64, 48);
+    glass.removeFromParent();
+    const inner = new three.Scene();
+    inner.add(new three.Mesh(new three.BoxGeometry(), new three.MeshBasicMaterial({ color: 0xff0000 })));
+    const eye = new three.PerspectiveCamera(50, 1, 0.1, 10);
+    eye.position.z = 3;
+    const target = new three.WebGLRenderTarget(16, 16);
+    const acts: Record<string, () => void> = {
+      // after three has cleared the picture so far
+      cleared: () => webgl.render(inner, eye),
+      'over it': () => {
+        webgl.autoClear = false;
+        webgl.render(inner, eye);
+        webgl.autoClear = true;
+      },
+      aside: () => {
+        const host = webgl.getRenderTarget();
+        webgl.setRenderTarget(target);
+        webgl.render(inner, eye);
+        webgl.setRenderTarget(host);
+      },
+    };
+    const others = window.testPage.techniquesInTurn(1, ['forward', 'clustered-deferred', 'light-prepass']);
+    return (['onBeforeRender', 'onAfterRender'] as const).flatMap((when) =>
+      Object.entries(acts).flatMap(([name, act]) => {
+        ball[when] = act;
+        const stock = bench.stock(scene, camera);
+        const found = (['deferred', 'tiled-deferred', ...others] as const).map((technique) => ({
+          name: `${when}, ${name}`,
+          technique,
+          difference: compareImages(stock, bench.byTechnique(technique, scene, camera)),
+        }));
+        ball[when] = three.Object3D.prototype[when];
+        return found;
+      }),
+    );
+  });
+  for (const { name, technique, difference } of results)
+    expect.soft(() => checkAgreement(technique, difference, name), name).not.toThrow();
+});

@@ -49,16 +49,23 @@ const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
 const clearing = new WeakMap<object, boolean>();
 
-/** Whether a callback's own text clears depth, and not colour. */
+/**
+ * Whether a callback's own text clears depth, and not colour, or draws and sets no target of its own: that belongs into the
+ * host's target, and not into several textures at once.
+ */
 function clears(callback: (...all: never[]) => void): boolean {
   let known = clearing.get(callback);
-  if (known === undefined) clearing.set(callback, (known = /clear(Depth|\((false|!1))/.test(String(callback))));
+  if (known === undefined)
+    clearing.set(
+      callback,
+      (known = /clear(Depth|\((false|!1))|^(?![^]*setRenderTarget)[^]*\.render\(/.test(String(callback))),
+    );
   return known;
 }
 
 /**
- * Whether the host's code, run when an object is drawn, may clear depth: by its text, and that of whatever has a place in the
- * order of draws.
+ * Whether the host's code, run when an object is drawn, may clear depth or draw: by its text, and that of whatever has a
+ * place in the order of draws.
  */
 function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;

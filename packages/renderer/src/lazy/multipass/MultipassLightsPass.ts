@@ -11,7 +11,7 @@ import {
   Vector4,
   WebGLRenderTarget,
   type BufferGeometry,
-  type Object3D,
+  Object3D,
 } from 'three';
 import { blendsFloats } from '../../gpu/checkDevice';
 import type { FieldDraws } from '../../lighting/FieldDraws';
@@ -31,6 +31,7 @@ const rectangle = new Float64Array(4);
 const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
+const { onBeforeRender } = Object3D.prototype;
 
 /**
  * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
@@ -162,6 +163,8 @@ export class MultipassLightsPass implements Pass {
       const item = this.items[i];
       if (this.compiled.get(item.object) === item.material) continue;
       this.compiled.set(item.object, item.material);
+      // a target that the host's code sets takes the scissor away, and the light would be added once more
+      if (item.object.onBeforeRender !== onBeforeRender) continue;
       if (!scissored) {
         setScissor(webgl, scissor.set(0, 0, 0, 0));
         testScissor(webgl, true);
