@@ -41,10 +41,13 @@ const SETTLED = 30;
 const MOST_TRIANGLES = 2_000_000;
 /** Triangles put in order a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
-/** Triangles of casters that are gone, below which their room is not taken back. */
+/** Triangles of casters that are gone, and such casters, below which their room is not taken back. */
 const FEW_GONE = 65_536;
-/** Walks between sweeps of casters that are gone, and walks for which those are kept. */
+const FEW_LOST = 256;
+/** Walks between sweeps of casters that are absent, and walks for which those are kept. */
 const SWEEP = 256;
+/** Casters that may be absent for so long; of more, all are let go. */
+const FEW_ABSENT = 64;
 /** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
 const GRID = 128;
 
@@ -88,6 +91,8 @@ export class MergedCasters {
   /** Triangles of casters that are gone, and of all that were merged. */
   private gone = 0;
   private triangles = 0;
+  /** Casters that are gone, whose numbers no other has yet. */
+  private lost = 0;
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -123,13 +128,13 @@ export class MergedCasters {
    */
   begin(camera: Camera, { list, count, walks }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(camera);
-    if (walks % SWEEP === 0)
-      for (const { caster } of this.members) if (walks - caster.lastWalk > SWEEP) this.letGo(caster);
-    if (this.gone > FEW_GONE && this.gone * 2 > this.triangles) this.startAnew();
+    if (walks % SWEEP === 0) this.sweep(walks - SWEEP);
+    const manyGone = this.gone > FEW_GONE && this.gone * 2 > this.triangles;
+    if (manyGone || (this.lost > FEW_LOST && this.lost > this.members.length)) this.startAnew();
     for (let i = 0; i < count; i++) this.find(list[i]);
     for (let left = BUDGET; left > 0 && this.queue.length > 0;) {
       const caster = this.queue[this.queue.length - 1];
-      left -= this.mergeNext(caster);
+      left -= this.mergeNext(caster, walks);
     }
     this.present.length = 0;
     for (let i = 0; i < count; i++) {
@@ -138,6 +143,7 @@ export class MergedCasters {
       else loose.push(list[i]);
     }
     const { present } = this;
+    if (this.members.length - present.length > Math.max(FEW_ABSENT, present.length)) this.sweep(walks);
     if (present.length * 6 > this.presentBoxes.length) this.presentBoxes = new Float64Array(present.length * 12);
     for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
@@ -164,6 +170,14 @@ export class MergedCasters {
     if (!geometry.isOf((object as Mesh).geometry) || !isMergeable(object)) return false;
     merged.signatureVersion = signatureVersion;
     return true;
+  }
+
+  /** Lets go of casters that no walk since `walk` has met: what was removed from the scene is held no longer. */
+  private sweep(walk: number): void {
+    for (const { caster } of this.members) if (caster.lastWalk < walk) this.letGo(caster);
+    const { length } = this.members;
+    this.members = this.members.filter((member) => member.caster.merged === member);
+    this.lost += length - this.members.length;
   }
 
   private letGo(caster: Caster): void {
@@ -271,8 +285,9 @@ export class MergedCasters {
   }
 
   /** Goes on with the merging of the last caster that waits. @returns triangles put in order */
-  private mergeNext(caster: Caster): number {
-    if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null) {
+  private mergeNext(caster: Caster, walks: number): number {
+    if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null || caster.lastWalk !== walks) {
+      if (caster.merged === null) caster.queuedVersion = -1;
       this.queue.pop();
       return 1;
     }
@@ -365,7 +380,7 @@ export class MergedCasters {
       page.mesh.clear();
       page.objects = 0;
     }
-    this.gone = this.triangles = 0;
+    this.gone = this.triangles = this.lost = 0;
   }
 }
 
