@@ -19,8 +19,9 @@ export class ShadowCasters {
   changeCount = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  /** Walks over the scene so far. */
+  /** Walks over the scene so far, and the scene that the last one went over. */
   walks = 0;
+  walked: Object3D | null = null;
   private receiversCast = false;
 
   /**
@@ -30,6 +31,7 @@ export class ShadowCasters {
    */
   update(root: Object3D, camera: Camera, receiversCast: boolean): void {
     this.walks++;
+    this.walked = root;
     const { list } = this;
     for (let i = 0; i < this.count; i++) this.previous[i] = list[i];
     const before = this.count;

@@ -1,5 +1,6 @@
 import type { Camera, Light, Object3D, Texture } from 'three';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
+import { isBelow } from '../isBelow';
 import { CookieSlot } from './CookieSlot';
 import { lightCoverage } from './lightCoverage';
 import type { ShadowLight } from './ShadowLight';
@@ -90,7 +91,7 @@ export class LightSlots {
   }
 
   /**
-   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long.
+   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long, or was removed from its scene.
    * @param inColours maps lie in the atlas of colours, as variance shadow maps do
    */
   sortOut(inColours: boolean): void {
@@ -102,7 +103,10 @@ export class LightSlots {
       if (isLit && slot.casts) {
         this.mapCount++;
         (inColours ? colours : depths).push(slot);
-      } else if (frame - slot.lastLit > KEPT_FRAMES) {
+      } else if (
+        frame - slot.lastLit > KEPT_FRAMES ||
+        (frame - slot.lastLit === 2 && !isBelow(slot.light, slot.root))
+      ) {
         release.map(slot);
         this.slots.delete(slot.light);
       } else if (!isLit || slot.placement.region !== null) (inColours ? keptColours : keptDepths).push(slot);

@@ -21,6 +21,7 @@ import { shadowSideOf } from '../CasterMaterials';
 import { cubeFacesOf } from '../../slots/cubeFacesOf';
 import { moveBox } from '../moveBox';
 import { isBeyond } from '../../slots/reach';
+import { isBelow } from '../../isBelow';
 import type { Caster, MergedCaster } from '../Caster';
 import type { ShadowCasters } from '../ShadowCasters';
 import type { ShadowFace } from '../../slots/ShadowFace';
@@ -44,9 +45,9 @@ const BUDGET = 150_000;
 /** Triangles of casters that are gone, and such casters, below which their room is not taken back. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/** Walks between sweeps of casters that are absent, and walks for which those are kept. */
+/** Walks between sweeps of absent casters, and for which those are kept; frames that draw no map do not come here. */
 const SWEEP = 256;
-/** Casters that may be absent for so long; of more, all are let go. */
+/** Casters that may be absent before it is looked which of them were removed from the scene. */
 const FEW_ABSENT = 64;
 /** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
 const GRID = 128;
@@ -91,8 +92,10 @@ export class MergedCasters {
   /** Triangles of casters that are gone, and of all that were merged. */
   private gone = 0;
   private triangles = 0;
-  /** Casters that are gone, whose numbers no other has yet. */
+  /** Casters that are gone, whose numbers no other has yet; the walk of the last sweep; casters absent after it. */
   private lost = 0;
+  private swept = 0;
+  private hidden = 0;
 
   constructor(
     private readonly webgl: WebGLRenderer,
@@ -126,9 +129,9 @@ export class MergedCasters {
    * @param casters of the scene
    * @param loose gets the casters that are not merged
    */
-  begin(camera: Camera, { list, count, walks }: ShadowCasters, loose: Caster[]): void {
+  begin(camera: Camera, { list, count, walks, walked }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(camera);
-    if (walks % SWEEP === 0) this.sweep(walks - SWEEP);
+    if (walks - this.swept >= SWEEP) this.sweep(walks, walked);
     const manyGone = this.gone > FEW_GONE && this.gone * 2 > this.triangles;
     if (manyGone || (this.lost > FEW_LOST && this.lost > this.members.length)) this.startAnew();
     for (let i = 0; i < count; i++) this.find(list[i]);
@@ -143,7 +146,9 @@ export class MergedCasters {
       else loose.push(list[i]);
     }
     const { present } = this;
-    if (this.members.length - present.length > Math.max(FEW_ABSENT, present.length)) this.sweep(walks);
+    const absent = this.members.length - present.length;
+    if (absent < this.hidden) this.hidden = absent;
+    if (absent > this.hidden + FEW_ABSENT) this.sweep(walks, walked);
     if (present.length * 6 > this.presentBoxes.length) this.presentBoxes = new Float64Array(present.length * 12);
     for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
@@ -172,12 +177,16 @@ export class MergedCasters {
     return true;
   }
 
-  /** Lets go of casters that no walk since `walk` has met: what was removed from the scene is held no longer. */
-  private sweep(walk: number): void {
-    for (const { caster } of this.members) if (caster.lastWalk < walk) this.letGo(caster);
+  /** Lets go of absent casters: those that were removed from the scene, and those that are hidden for long. */
+  private sweep(walks: number, root: Object3D | null): void {
+    this.swept = walks;
     const { length } = this.members;
+    for (const { caster } of this.members)
+      if (walks - caster.lastWalk > SWEEP || (caster.lastWalk !== walks && !isBelow(caster.object, root)))
+        this.letGo(caster);
     this.members = this.members.filter((member) => member.caster.merged === member);
     this.lost += length - this.members.length;
+    this.hidden = this.members.length - this.present.length;
   }
 
   private letGo(caster: Caster): void {
