@@ -1,5 +1,5 @@
-import v8 from 'node:v8';
-import vm from 'node:vm';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import {
   BoxGeometry,
   Group,
@@ -18,8 +18,8 @@ import { ShadowCasters } from '../ShadowCasters';
 import { mergedCaster, mergedCasterDepth } from '.';
 import { MergedCasters } from './MergedCasters';
 
-v8.setFlagsFromString('--expose_gc');
-const collect = vm.runInNewContext('gc') as () => void;
+setFlagsFromString('--expose_gc');
+const collect = runInNewContext('gc') as () => void;
 
 /** As far as casters are merged without being drawn. */
 const webgl = {
