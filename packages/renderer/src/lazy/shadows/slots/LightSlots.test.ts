@@ -1,54 +1,94 @@
-import { Object3D, PerspectiveCamera, PointLight } from 'three';
-import { expect, it } from 'vitest';
+import { Object3D, PerspectiveCamera, SpotLight, Texture } from 'three';
+import { expect, test } from 'vitest';
+import { placeAndDraw } from './drawnSlot';
 import { LightSlots } from './LightSlots';
+import type { ShadowSlot } from './ShadowSlot';
 
-/** Lights of a scene in frame after frame. */
-class Bench {
-  readonly released = { maps: 0 };
-  readonly slots = new LightSlots({ map: () => this.released.maps++, cookie: () => {} });
-  private readonly root = new Object3D();
-  private readonly camera = new PerspectiveCamera();
-  private frame = 0;
+const camera = new PerspectiveCamera();
+const root = new Object3D();
 
-  draw(lights: readonly PointLight[]): void {
-    // what is not lit is hidden, or far away
-    for (const light of lights) if (light.parent === null) this.root.add(light);
-    this.slots.begin(++this.frame);
-    for (const light of lights) this.slots.add(light, this.root, this.camera, true, null, 1);
-    this.slots.sortOut(false);
-  }
-
-  get count(): number {
-    return [...this.slots.all()].length;
-  }
+function setUp() {
+  const released: unknown[] = [];
+  const slots = new LightSlots({
+    map: (slot) => released.push(slot.light),
+    cookie: ({ texture }) => released.push(texture),
+  });
+  let frame = 0;
+  /** One frame, in which lights are lit: those that cast shadows, and those that throw an image alone. */
+  const light = (casting: SpotLight[], image: Texture | null = null, throwing: SpotLight[] = []) => {
+    slots.begin(++frame);
+    for (const one of [...casting, ...throwing]) if (one.parent === null) root.add(one);
+    for (const one of casting) slots.add(one, root, camera, true, image, 1);
+    for (const one of throwing) slots.add(one, root, camera, false, image, 1);
+    slots.sortOut(false);
+  };
+  return { slots, released, light };
 }
 
-const makeLight = (): PointLight => {
-  const light = new PointLight(0xffffff, 1, 5);
-  light.castShadow = true;
-  light.updateMatrixWorld();
-  return light;
-};
+const lightsOf = (slots: readonly ShadowSlot[]) => slots.map((slot) => slot.light);
 
-it('lights that come and go 500 times are not kept but for a few', () => {
-  const bench = new Bench();
-  const there = [makeLight(), makeLight()];
-  for (let i = 0; i < 500; i++) {
-    const copy = makeLight();
-    bench.draw([...there, copy]);
-    copy.removeFromParent();
-    bench.draw(there);
-    expect(bench.count).toBeLessThanOrEqual(4);
-  }
-  expect(bench.released.maps).toBeGreaterThanOrEqual(498);
-  expect(there.every((light) => bench.slots.litSlotOf(light) !== undefined)).toBe(true);
+test('what is not lit is kept for 600 frames, then released, and a light that comes back has its slot', () => {
+  const { slots, released, light } = setUp();
+  const [a, b] = [new SpotLight(), new SpotLight()];
+  const image = new Texture({ width: 8, height: 8 } as unknown as HTMLImageElement);
+  light([a, b], image);
+  const slot = slots.litSlotOf(a)!;
+  expect(lightsOf(slots.depths)).toEqual([a, b]);
+  expect(slots.colours).toHaveLength(1);
+  light([b]);
+  expect(slots.litSlotOf(a)).toBeUndefined();
+  expect([lightsOf(slots.depths), lightsOf(slots.keptDepths)]).toEqual([[b], [a]]);
+  expect([slots.colours.length, slots.keptColours.length]).toEqual([0, 1]);
+  for (let i = 0; i < 598; i++) light([b]);
+  light([a, b]);
+  expect(slots.litSlotOf(a)).toBe(slot);
+  for (let i = 0; i < 600; i++) light([b]);
+  expect(released).toEqual([image]);
+  light([b]);
+  expect(released).toEqual([image, a]);
 });
 
-it('lights that are off for a while keep their maps', () => {
-  const bench = new Bench();
-  const all = Array.from({ length: 100 }, makeLight);
-  bench.draw(all);
-  for (let i = 0; i < 50; i++) bench.draw(all.slice(0, 10));
-  expect(bench.released.maps).toBe(0);
-  expect(bench.count).toBe(100);
+test('a light that throws its image but casts no shadow any more keeps its map as long as nobody needs the room', () => {
+  const { slots, light } = setUp();
+  const spot = new SpotLight();
+  const image = new Texture({ width: 8, height: 8 } as unknown as HTMLImageElement);
+  light([], image, [spot]);
+  expect([slots.mapCount, slots.depths, slots.keptDepths], 'there is no map yet').toEqual([0, [], []]);
+  light([spot], image);
+  placeAndDraw(slots.litSlotOf(spot)!, 64);
+  light([], image, [spot]);
+  expect([slots.mapCount, slots.depths, lightsOf(slots.keptDepths)]).toEqual([0, [], [spot]]);
+});
+
+test('what a slot is told marks its map: another scene, other layers, a loss', () => {
+  const { slots, light } = setUp();
+  const spot = new SpotLight();
+  light([spot]);
+  const slot = slots.litSlotOf(spot)!;
+  const marked = (act: () => void) => {
+    placeAndDraw(slot, 64);
+    act();
+    return slot.map.state;
+  };
+  expect(marked(() => light([spot]))).toBe('whole');
+  expect(marked(() => slot.enter(new Object3D()))).toBe('stale-whole');
+  slot.enter(root);
+  spot.shadow.camera.layers.enable(3);
+  expect(marked(() => light([spot]))).toBe('stale-whole');
+  expect(marked(() => slots.lose(true))).toBe('lost');
+});
+
+test('a light that was removed from its scene is released at once, one that is hidden or far is not', () => {
+  const { slots, released, light } = setUp();
+  const there = [new SpotLight(), new SpotLight()];
+  light(there);
+  for (let i = 0; i < 500; i++) {
+    const copy = new SpotLight();
+    light([...there, copy]);
+    copy.removeFromParent();
+    light([there[0]]);
+  }
+  expect([...slots.all()].length).toBeLessThanOrEqual(4);
+  expect(released.length).toBeGreaterThanOrEqual(498);
+  expect(released).not.toContain(there[1]);
 });

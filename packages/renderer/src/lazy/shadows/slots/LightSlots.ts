@@ -91,7 +91,8 @@ export class LightSlots {
   }
 
   /**
-   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long, or was removed from its scene.
+   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long, or was
+   * removed from its scene.
    * @param inColours maps lie in the atlas of colours, as variance shadow maps do
    */
   sortOut(inColours: boolean): void {
