@@ -56,7 +56,11 @@ test('scenes that were opened and closed leave nothing, also where few frames ar
     for (let i = 0; i < 5; i++) opened();
     Object.assign(window, { heldState: state, openScenes: (count: number) => Array.from({ length: count }, opened) });
   });
-  const held = () => page.evaluate(() => (window as unknown as { heldState(): { geometries: number } }).heldState());
+  const session = await page.context().newCDPSession(page);
+  const held = async () => {
+    await session.send('HeapProfiler.collectGarbage');
+    return page.evaluate(() => (window as unknown as { heldState(): { geometries: number } }).heldState());
+  };
   await expect.poll(async () => (await held()).geometries, 'those of the open scene, and its merged casters').toBe(3);
   const first = await held();
   await page.evaluate((count) => (window as unknown as { openScenes(n: number): void }).openScenes(count), SCENES);
