@@ -1,8 +1,7 @@
-import { byExtent } from '@farol/tools/extent';
 import { expect, test } from '../support/test';
 
 /** Scenes that are opened and closed. */
-const SCENES = byExtent({ slice: 12, verify: 50 });
+const SCENES = 50;
 
 test('scenes that were opened and closed leave nothing, also where few frames are drawn @verify', async ({
   benchPage: page,
