@@ -103,7 +103,7 @@ test('a page that Vite builds draws as stock three does, with one copy of the re
   }
 });
 
-test("a page that Vite's development server serves draws as stock three does", async ({ page }) => {
+test("a page that Vite's development server serves draws as stock three does @verify", async ({ page }) => {
   const server = await createServer({
     ...{ root: host, configFile: false, logLevel: 'error', clearScreen: false },
     server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },

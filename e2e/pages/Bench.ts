@@ -64,6 +64,9 @@ export class Bench {
    */
   static release(): number {
     for (const undo of undone.splice(0).toReversed()) undo();
+    // area lights of stock three, once initialised
+    for (const name of Object.keys(THREE.UniformsLib))
+      if (name.startsWith('LTC_')) Reflect.deleteProperty(THREE.UniformsLib, name);
     for (const bench of made) bench.free();
     made.clear();
     return contexts;

@@ -349,8 +349,7 @@ test('TAA forgets the past when the size changes and when the camera cuts, and l
 });
 
 for (const kind of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) {
-  const tag = kind === 'logarithmicDepthBuffer' ? ' @verify' : '';
-  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces${tag} @verify`, async ({
+  test(`TAA follows the camera with ${kind}, and MultisampledEdges finds its surfaces @verify`, async ({
     benchPage: page,
   }) => {
     const { taa, edges, without, has } = await page.evaluate(

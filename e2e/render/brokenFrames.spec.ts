@@ -1,4 +1,3 @@
-import { isWhole } from '@farol/tools/extent';
 import { expect, test } from '../support/benchTest';
 
 test('after any number of frames that a host’s code has broken, each technique draws as before, and the host is as it was', async ({
@@ -58,7 +57,7 @@ test('after any number of frames that a host’s code has broken, each technique
 test('broken frames leave effects, the canvas with an output buffer, arrays of cameras and GPU times as they were @verify', async ({
   benchPage: page,
 }) => {
-  const results = await page.evaluate(async (isWhole) => {
+  const results = await page.evaluate(async () => {
     const { Bench, breakFrames, brokenScene, compareImages, effects, faultsOf, three } = window.testPage;
     const bench = new Bench(96, 64, { renderer: { outputBufferType: three.HalfFloatType } });
     const { webgl, farol } = bench;
@@ -94,7 +93,7 @@ test('broken frames leave effects, the canvas with an output buffer, arrays of c
     farol.timing = true;
     const faults = faultsOf(broken, webgl, (s, c) => farol.render(s, c));
     const results: { name: string; difference: number; running: boolean; toneMapping: boolean }[] = [];
-    for (const [technique, used, draw] of isWhole ? cases : [cases[0], cases[3]]) {
+    for (const [technique, used, draw] of cases) {
       farol.technique = technique;
       farol.effects = used;
       await farol.compileAsync(scene, camera);
@@ -143,7 +142,7 @@ test('broken frames leave effects, the canvas with an output buffer, arrays of c
       toneMapping: true,
     });
     return results;
-  }, isWhole);
+  });
   for (const { name, difference, running, toneMapping } of results) {
     expect.soft(difference, `${name}: the next good frame`).toBe(0);
     expect.soft(running, `${name}: a query that runs, or another target`).toBe(false);

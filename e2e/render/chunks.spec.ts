@@ -1,5 +1,4 @@
 import { checkAgreement } from '../support/agreement';
-import { inTurn } from '../support/parts';
 import { expect, test } from '../support/benchTest';
 import type { Difference } from '../support/images';
 
@@ -92,10 +91,9 @@ test('what a page changes in ShaderLib is in the picture of every technique, and
   benchPage: page,
 }) => {
   const results = await page.evaluate((shaders): Result[] => {
-    const { Bench, chunkScene, compareImages, drawn, techniquesInTurn, three: THREE } = window.testPage;
+    const { Bench, chunkScene, compareImages, drawn, three: THREE } = window.testPage;
     const all: Result[] = [];
-    for (const [i, [shader, stage, from, more]] of shaders.entries()) {
-      const names = techniquesInTurn(i + 1, drawn);
+    for (const [shader, stage, from, more] of shaders) {
       const bench = new Bench(64, 44);
       bench.farol.inferredScale = 1;
       bench.webgl.shadowMap.enabled = true;
@@ -112,20 +110,20 @@ test('what a page changes in ShaderLib is in the picture of every technique, and
       // before anything is drawn: programs of three's own depth material are for good
       library[stage] = own.replace(from, `${from}\n${more}`);
       const wanted = bench.stock(scene, camera);
-      for (const technique of names)
+      for (const technique of drawn)
         all.push({ name: `${shader}, ${stage}`, technique, ...compareImages(wanted, bench.byTechnique(technique, scene, camera)) });
       library[stage] = own;
       if (shader !== 'depth') {
         reset();
         const plain = bench.stock(scene, camera);
         if (compareImages(plain, wanted).psnr > 45) throw new Error(`${shader}: does not show`);
-        for (const technique of names.slice(0, 3))
+        for (const technique of drawn.slice(0, 3))
           all.push({ name: `${shader}, ${stage}, undone`, technique, ...compareImages(plain, bench.byTechnique(technique, scene, camera)) });
       }
       bench.webgl.dispose();
     }
     return all;
-  }, inTurn(shaders, 0, 2)); // prettier-ignore
+  }, shaders); // prettier-ignore
   for (const { name, technique, ...difference } of results)
     expect
       .soft(() => checkAgreement(technique, difference, name, technique === 'inferred' ? {} : SHADOWS))

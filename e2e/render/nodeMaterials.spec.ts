@@ -1,4 +1,3 @@
-import { byExtent } from '@farol/tools/extent';
 import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/benchTest';
 import { test as alone } from '../support/test';
@@ -50,7 +49,7 @@ test('node materials (TSL) are drawn as stock three draws them, by each techniqu
 });
 
 /** Techniques that draw each kind of node material. */
-const TURNS = byExtent({ slice: 1, verify: 2 });
+const TURNS = 2;
 
 test('each kind of node material on each kind of object, under area lights and shadows, in fog, by techniques in turn @verify', async ({
   benchPage: page,
