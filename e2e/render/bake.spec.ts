@@ -169,7 +169,7 @@ test('instances and bones throw shadows and reflect as meshes do; sky, soft suns
 }) => {
   const found = await page.evaluate(async () => {
     const { Bench, three, bake } = window.testPage;
-    const { bakeLightmaps } = await bake();
+    const { bakeLightmaps, bakeProbes } = await bake();
     const { webgl } = new Bench(8, 8);
     const warnings: string[] = [];
     const shared = { size: 32, samples: 16, denoise: false, showProgress: false };
@@ -256,7 +256,17 @@ test('instances and bones throw shadows and reflect as meshes do; sky, soft suns
     const sky = await bakeOf(new three.Scene().add(bumpy), bumpy, { bounces: 0, sky: new three.Color(0.2, 0.4, 0.6) });
     bumpy.position.x = 5;
     const several = await bakeOf(new three.Scene().add(floor, bumpy, above), bumpy, { bounces: 0, texelsPerMetre: 12 });
-    return { walls, live, warnings, open, under, soft, indirect, sky, several };
+
+    // of a sun alone, far over a floor that it does not reach
+    const slanted = new three.DirectionalLight(0xffffff, 2);
+    slanted.position.set(1, 2, 3);
+    const pit = new three.Scene().add(
+      new three.Mesh(floor.geometry, new three.MeshStandardMaterial({ color: 0 })),
+      slanted,
+    );
+    const probed = await bakeProbes(webgl, pit, Float32Array.of(0, 0, 9), { samples: 16, size: 16, bounces: 0 });
+    const probe = [...probed.coefficients].filter((_, i) => i % 3 === 0);
+    return { walls, live, warnings, open, under, soft, indirect, sky, several, probe };
   });
   const { walls } = found;
   expect(walls.mesh.mean[0]).toBeGreaterThan(0.05);
@@ -278,6 +288,11 @@ test('instances and bones throw shadows and reflect as meshes do; sky, soft suns
   [0.2, 0.4, 0.6].forEach((radiance, k) =>
     expect(Math.abs(found.sky.mean[k] / (Math.PI * radiance) - 1), 'a sky').toBeLessThan(0.005),
   );
+  // each spherical harmonic at the direction of the sun, times what reaches a surface that faces it
+  const [x, y, z] = [1, 2, 3].map((value) => value / Math.sqrt(14));
+  const bands = [0.488603 * y, 0.488603 * z, 0.488603 * x, 1.092548 * x * y, 1.092548 * y * z];
+  const harmonics = [0.282095, ...bands, 0.315392 * (3 * z * z - 1), 1.092548 * x * z, 0.546274 * (x * x - y * y)];
+  harmonics.forEach((value, i) => expect(found.probe[i], `coefficient ${i}`).toBeCloseTo(2 * value, 2));
   expect(found.several.lightmaps).toBe(2);
   for (const value of found.several.mean) expect(Math.abs(value / 3 - 1), 'several lightmaps').toBeLessThan(1e-3);
 });

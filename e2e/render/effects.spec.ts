@@ -194,3 +194,45 @@ test('a technique from outside with a G-buffer pass of its own has ambient occlu
   expect(effects, 'what ambient occlusion and a decal change').toBeGreaterThan(0.05);
   expect(faded, 'what the effect from outside changes').toBeGreaterThan(0.05);
 });
+
+test('SMAA keeps an edge beside one up to twice as strong, and leaves it to one that is stronger', async ({
+  benchPage: page,
+}) => {
+  const changed = await page.evaluate(() => {
+    const { Bench, effects, three } = window.testPage;
+    const [width, height] = [48, 16];
+    const bench = new Bench(width, height);
+    const camera = new three.OrthographicCamera(0, width, height, 0, -1, 1);
+    const grey = (value: number) =>
+      new three.MeshBasicMaterial({ color: new three.Color().setRGB(value, value, value, three.SRGBColorSpace) });
+    /** How many pixels of the lowest of three greys SMAA changes, which lie one over the other and step up by a pixel. */
+    return [0.69, 0.75].map((highest) => {
+      const scene = new three.Scene();
+      scene.background = new three.Color().setRGB(0.4, 0.4, 0.4, three.SRGBColorSpace);
+      for (const [left, bottom] of [
+        [0, 8],
+        [24, 9],
+      ]) {
+        // one row of the middle grey
+        for (const [value, from] of [
+          [0.5, bottom],
+          [highest, bottom + 1],
+        ]) {
+          const part = new three.Mesh(new three.PlaneGeometry(24, height - from), grey(value));
+          part.position.set(left + 12, (height + from) / 2, value - 0.5);
+          scene.add(part);
+        }
+      }
+      bench.farol.effects = [];
+      const before = bench.byTechnique('deferred', scene, camera).data;
+      bench.farol.effects = [new effects.SMAA()];
+      const after = bench.byTechnique('deferred', scene, camera).data;
+      const lowest = before[0];
+      return before.filter((value, i) => i % 4 === 0 && Math.abs(value - lowest) < 1e-3 && after[i] > value + 1e-3)
+        .length;
+    });
+  });
+  // steps of 0.1 between the lower two, and of 0.19 or 0.25 between the upper two (display values)
+  expect(changed[0]).toBeGreaterThan(0);
+  expect(changed[1]).toBe(0);
+});

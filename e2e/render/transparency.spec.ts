@@ -87,3 +87,34 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
     expect(near, `${technique}: near what sorting gives`).toBeGreaterThan(18);
   }
 });
+
+test('weighted blending: of faint layers the nearer counts more, by the formula of its paper', async ({
+  benchPage: page,
+}) => {
+  const OPACITY = 0.02;
+  const seen = await page.evaluate((opacity) => {
+    const { Bench, effects, three } = window.testPage;
+    const bench = new Bench(8, 8);
+    const camera = new three.PerspectiveCamera(50, 1, 0.1, 20);
+    const scene = new three.Scene();
+    scene.background = new three.Color(0, 0, 0);
+    for (const [color, away] of [
+      [0xff0000, 2],
+      [0x00ff00, 6],
+    ]) {
+      const material = new three.MeshBasicMaterial({ color, opacity, transparent: true });
+      const layer = new three.Mesh(new three.PlaneGeometry(20, 20), material);
+      layer.position.z = -away;
+      scene.add(layer);
+    }
+    bench.farol.effects = [new effects.WeightedBlendedOIT()];
+    return [...bench.byTechnique('deferred', scene, camera).data.slice(0, 3)];
+  }, OPACITY);
+  // depth as the buffer has it, 0 at the near plane and 1 at the far one; McGuire and Bavoil 2013, equation 10
+  const weightOf = (away: number) => (1 - 0.9 * ((20 / 19.9) * (1 - 0.1 / away))) ** 3;
+  const share = weightOf(2) / (weightOf(2) + weightOf(6));
+  const hidden = 1 - (1 - OPACITY) ** 2;
+  // sums in half floats
+  expect(seen[0] / hidden).toBeCloseTo(share, 2);
+  expect(seen[1] / hidden).toBeCloseTo(1 - share, 2);
+});

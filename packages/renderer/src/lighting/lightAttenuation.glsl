@@ -2,6 +2,10 @@
 // Lagarde and de Rousiers 2014, Moving Frostbite to PBR, equation 26; glTF KHR_lights_punctual
 //? farol_distanceAttenuation(2.0, 0.0, 2.0) == 0.25
 //? farol_distanceAttenuation(4.0, 4.0, 2.0) == 0.0
+//? farol_distanceAttenuation(2.0, 4.0, 1.0) == 0.439453125
+//? farol_boundedAttenuation(4.0, 0.25, 2.0) == 0.2197265625
+//? farol_boundedAttenuation(4.0, 0.25, 1.0) == 0.439453125
+//? farol_boundedAttenuation(16.0, 0.0, 0.5) == 0.5
 //? farol_nearFarAttenuation(1.0, 2.0, 4.0) == 1.0
 //? farol_nearFarAttenuation(4.0, 2.0, 4.0) == 0.0
 //? farol_polynomialAttenuation(2.0, vec3(1.0, 0.5, 0.5), 10.0) == 0.25

@@ -1,0 +1,41 @@
+import type { WebGLRenderer } from 'three';
+import { expect, it } from 'vitest';
+import type { LightTable } from '../lighting/LightTable';
+import { InfoRecorder } from './InfoRecorder';
+import type { LastFrame } from './LastFrame';
+
+const lights = { total: 7, visible: 3, uploadedBytes: 100 } as unknown as LightTable;
+
+function makeRecorder() {
+  const render = { calls: 50, triangles: 1000 };
+  const canvas = new EventTarget();
+  const webgl = { info: { render, programs: [1, 2] }, getContext: () => ({ canvas }) } as unknown as WebGLRenderer;
+  const recorder = new InfoRecorder(webgl, { pending: null } as unknown as LastFrame);
+  const draw = (name: string, calls: number, triangles: number) => {
+    recorder.beginPass(name);
+    render.calls += calls;
+    render.triangles += triangles;
+    recorder.endPass();
+  };
+  return { recorder, draw };
+}
+
+it('counts the draws and triangles of each pass, beside what the host has drawn before, and sums them up', () => {
+  const { recorder, draw } = makeRecorder();
+  const { info } = recorder;
+  for (let frame = 0; frame < 2; frame++) {
+    recorder.begin(false);
+    draw('g-buffer', 4, 240);
+    draw('lighting', 1, 1);
+    recorder.end('deferred', 'asked for', lights, null, 28, 4096);
+    expect(info.passes.map(({ name, drawCalls, triangles }) => [name, drawCalls, triangles])).toEqual([
+      ['g-buffer', 4, 240],
+      ['lighting', 1, 1],
+    ]);
+    expect([info.drawCalls, info.triangles]).toEqual([5, 241]);
+  }
+  expect([info.technique, info.reason, info.programs, info.targetBytes]).toEqual(['deferred', 'asked for', 2, 4096]);
+  expect([info.lights.total, info.lights.visible, info.uploadBytes]).toEqual([7, 3, 128]);
+  expect(info.gpuMs).toBe(null);
+  recorder.dispose();
+});
