@@ -58,7 +58,7 @@ function clears(callback: (...all: never[]) => void): boolean {
   if (known === undefined)
     clearing.set(
       callback,
-      (known = /clear(Depth|\((false|!1))|^(?![^]*setRenderTarget)[^]*\.render\(/.test(String(callback))),
+      (known = /clear(Depth|\((false|!1))|^(?!.*setRenderTarget).*\.render\(/s.test(String(callback))),
     );
   return known;
 }
