@@ -83,22 +83,14 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
    * @throws Error with file, and line where it has one; then none is added
    */
   async loadXML(text: string, file = 'microshaders'): Promise<readonly string[]> {
-    const { parseMicroShaderXML } = await import('./xml/parseMicroShaderXML');
-    const chunks = parseMicroShaderXML(text, file);
-    const known = chunks.find(({ name }) => this.has(name));
-    if (known)
-      throw new Error(
-        `${shortText(file)}: microshader "${shortText(known.name)}" exists already; give it another name.`,
-      );
-    this.add(chunks);
-    return chunks.map(({ name }) => name);
+    return (await import('./xml/loadXML')).loadXML(this, text, file);
   }
 
   /** Loads an XML file as `loadXML` does, once: asked again it gives the same promise, unless loading failed. */
   loadXMLFile(url: string): Promise<readonly string[]> {
     let names = this.files.get(url);
     if (names === undefined) {
-      names = this.fetchXML(url);
+      names = import('./xml/loadXML').then((code) => code.fetchXML(this, url));
       this.files.set(url, names);
       names.catch(() => this.files.delete(url));
     }
@@ -299,12 +291,5 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     // iteration of a set goes on to names added meanwhile
     for (const name of all) for (const dependency of this.get(name)?.dependencies ?? []) all.add(dependency);
     return all;
-  }
-
-  private async fetchXML(url: string): Promise<readonly string[]> {
-    const response = await fetch(url);
-    if (!response.ok)
-      throw new Error(`${url}: the server answers ${response.status}; is the address of the file right?`);
-    return this.loadXML(await response.text(), url);
   }
 }

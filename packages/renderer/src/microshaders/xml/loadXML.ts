@@ -1,0 +1,20 @@
+import { shortText } from '../shortText';
+import type { MicroShaderRegistry } from '../MicroShaderRegistry';
+import { parseMicroShaderXML } from './parseMicroShaderXML';
+
+/** See `MicroShaderRegistry.loadXML`. */
+export function loadXML<Program>(registry: MicroShaderRegistry<Program>, text: string, file: string): string[] {
+  const chunks = parseMicroShaderXML(text, file);
+  const known = chunks.find(({ name }) => registry.has(name));
+  if (known)
+    throw new Error(`${shortText(file)}: microshader "${shortText(known.name)}" exists already; give it another name.`);
+  registry.add(chunks);
+  return chunks.map(({ name }) => name);
+}
+
+/** See `MicroShaderRegistry.loadXMLFile`. */
+export async function fetchXML<Program>(registry: MicroShaderRegistry<Program>, url: string): Promise<string[]> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: the server answers ${response.status}; is the address of the file right?`);
+  return loadXML(registry, await response.text(), url);
+}
