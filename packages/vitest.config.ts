@@ -19,6 +19,7 @@ const alone = [
   'packages/engine/src/app/appSize.test.ts',
   'packages/engine/src/components/Decal.test.ts',
   'packages/engine/src/picture/PictureRenderer.test.ts',
+  'packages/tools/sourceFiles.test.ts',
 ];
 /** Files that measure the memory of the process: two threads of tests in one would be measured together. */
 const processes = ['packages/engine/src/fuzz/*.test.ts'];

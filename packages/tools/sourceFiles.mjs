@@ -11,6 +11,9 @@ export function sourceFiles() {
   return new Map(filesEnding('.ts', '.tsx').map((path) => [path, readFileSync(join(root, path), 'utf8')]));
 }
 
+/** Folders that are not entered: a build beside the tests empties them while they are read. */
+const notSource = new Set(['node_modules', 'dist', '.cache']);
+
 /**
  * Files of packages, apps and browser tests, without what is installed or built.
  *
@@ -18,9 +21,12 @@ export function sourceFiles() {
  * @returns {string[]} paths from the repository's root, with `/`
  */
 export function filesEnding(...endings) {
-  return ['packages', 'apps', 'e2e'].flatMap((top) =>
-    readdirSync(join(root, top), { recursive: true, encoding: 'utf8' })
-      .map((name) => `${top}/${name.replaceAll('\\', '/')}`)
-      .filter((path) => endings.some((ending) => path.endsWith(ending)) && !/\/(node_modules|dist)\//.test(path)),
-  );
+  /** @type {(folder: string) => string[]} */
+  const filesOf = (folder) =>
+    readdirSync(join(root, folder), { withFileTypes: true }).flatMap((entry) => {
+      const path = `${folder}/${entry.name}`;
+      if (entry.isDirectory()) return notSource.has(entry.name) ? [] : filesOf(path);
+      return endings.some((ending) => path.endsWith(ending)) ? [path] : [];
+    });
+  return ['packages', 'apps', 'e2e'].flatMap(filesOf);
 }
