@@ -60,6 +60,8 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   views: bySetting((farol) => (farol.view = 'normal')),
   'light-buffer': bySetting((farol) => (farol.technique = 'light-prepass')),
   multipass: bySetting((farol) => (farol.technique = 'forward')),
+  'light-grid': bySetting((farol) => (farol.technique = 'clustered-forward')),
+  'light-tiles': bySetting((farol) => (farol.technique = 'tiled-deferred')),
   'light-fields': () => {
     const { scene, camera } = plainScene();
     const field = new LightField(2);

@@ -85,11 +85,16 @@ test('after compileAsync the first frame on the canvas lacks no code and compile
 
 test('what will need code has it fetched before the first frame', async ({ page, pagesURL }) => {
   await openLazy(page, pagesURL);
-  const needs = ['a technique', 'a view', 'a LightField', 'an area light'] as const;
+  const needs = ["'auto'", 'a technique', 'a view', 'a LightField', 'an area light'] as const;
   for (const need of needs) {
     const fetched = page.waitForRequest('**/*');
-    await page.evaluate((need) => {
+    await page.evaluate(async (need) => {
       const { Bench, farol, lightFields, three } = window.testPage;
+      // fetches light lists, since 'auto' is the default; awaited so that the other needs are told apart from it
+      if (need === "'auto'") {
+        new Bench(8, 8);
+        await farol.FarolRenderer.preload(['light-grid']);
+      }
       if (need === 'a technique') new Bench(8, 8).farol.technique = 'forward';
       if (need === 'a view') new Bench(8, 8).farol.view = 'normal';
       if (need === 'a LightField') new lightFields.LightField(1);

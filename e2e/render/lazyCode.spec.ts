@@ -1,5 +1,12 @@
 import { expect, test } from '../support/test';
 
+/** Techniques that draw before the code of others is there. */
+const instead: Readonly<Record<string, string>> = {
+  'before, light-prepass': 'deferred',
+  'before, clustered-forward': 'forward-single-pass',
+  'before, tiled-deferred': 'deferred',
+};
+
 test('before lazy code is there three draws the shadows and deferred shading the rest, then Farol does: the same picture', async ({
   page,
   pagesURL,
@@ -28,10 +35,17 @@ test('before lazy code is there three draws the shadows and deferred shading the
     light.castShadow = false;
     const without = compareImages(stock, bench.stock(scene, camera)).psnr;
     light.castShadow = true;
+    const techniques = [
+      'forward-single-pass',
+      'deferred',
+      'light-prepass',
+      'clustered-forward',
+      'tiled-deferred',
+    ] as const;
     const result: { without: number; frames: [string, number, number, string][] } = { without, frames: [] };
     for (const when of ['before', 'after']) {
       if (when === 'after') await farol.FarolRenderer.preload();
-      for (const technique of ['forward-single-pass', 'deferred', 'light-prepass'] as const) {
+      for (const technique of techniques) {
         const { psnr } = compareImages(stock, bench.byTechnique(technique, scene, camera));
         result.frames.push([
           `${when}, ${technique}`,
@@ -47,8 +61,31 @@ test('before lazy code is there three draws the shadows and deferred shading the
   for (const [name, psnr, maps, technique] of seen.frames) {
     expect(psnr, name).toBeGreaterThan(45);
     expect(maps, name).toBe(name.startsWith('before') ? 0 : 1);
-    expect(technique, name).toBe(name === 'before, light-prepass' ? 'deferred' : name.split(', ')[1]);
+    expect(technique, name).toBe(instead[name] ?? name.split(', ')[1]);
   }
+});
+
+test('where lights are many, deferred shading draws until the code of light lists is there', async ({
+  page,
+  pagesURL,
+}) => {
+  await page.goto(`${pagesURL}?lazy`);
+  await page.waitForFunction(() => 'testPage' in window);
+  const drawnBy = await page.evaluate(() => {
+    const { Bench, three: THREE } = window.testPage;
+    const bench = new Bench(8, 8);
+    const scene = new THREE.Scene();
+    const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 30);
+    camera.position.z = 5;
+    const drawnBy: string[] = [];
+    for (let lights = 1; lights <= 17; lights++) {
+      scene.add(new THREE.PointLight(0xffffff, 1, 5));
+      bench.byTechnique('clustered-forward', scene, camera);
+      drawnBy.push(bench.farol.info.technique);
+    }
+    return drawnBy;
+  });
+  expect(drawnBy).toEqual([...Array<string>(16).fill('forward-single-pass'), 'deferred']);
 });
 
 test('a page that was offline gets its shadows when it is online again, with one warning meanwhile, and ready says so', async ({

@@ -340,7 +340,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
    * light nothing), node materials (three draws the scene), the views of surfaces and overdraw (the final picture is shown),
-   * 'forward', 'light-prepass' and 'inferred' ('deferred' draws), GPU times, warming programs up ('auto' changes unprepared).
+   * techniques but 'deferred' and 'forward-single-pass' (one of these two draws), GPU times, warming programs up ('auto' changes unprepared).
    * @param parts names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */

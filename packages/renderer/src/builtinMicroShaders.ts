@@ -1,19 +1,23 @@
-import type { MicroShader } from './microshaders/MicroShader';
+import { MicroShaderRegistry } from './microshaders/MicroShaderRegistry';
 import { parseMicroShader } from './microshaders/parseMicroShader';
 import * as gbuffer from './gbuffer/chunks';
 import * as gpu from './gpu/chunks';
 import * as lighting from './lighting/chunks';
-import * as lists from './lighting/lists/chunks';
 import * as loops from './lighting/loops/chunks';
 import * as shading from './lighting/shading/chunks';
 import * as volumes from './lighting/volumes/chunks';
 import * as output from './output/chunks';
 
-/** Sources by name: a new microshader is a file, and a line in the `chunks.ts` of its folder. */
-const sources = { ...gbuffer, ...gpu, ...lighting, ...lists, ...loops, ...shading, ...volumes, ...output };
+/** Sources by name that are there from the start: a new microshader is a file, and a line in the `chunks.ts` of its folder. */
+export const coreSources = { ...gbuffer, ...gpu, ...lighting, ...loops, ...shading, ...volumes, ...output };
 
-export type BuiltinMicroShader = keyof typeof sources;
+/** Parent of the registries of all renderers. */
+export const builtinRegistry = new MicroShaderRegistry();
 
-export const builtinMicroShaders: readonly MicroShader[] = Object.entries(sources).map(([name, text]) =>
-  parseMicroShader(name, text),
-);
+/** Adds microshaders of code that is fetched late; several parts may bring one of the same name. */
+export function addBuiltinMicroShaders(sources: Readonly<Record<string, string>>): void {
+  for (const [name, text] of Object.entries(sources))
+    if (!builtinRegistry.has(name)) builtinRegistry.add(parseMicroShader(name, text));
+}
+
+addBuiltinMicroShaders(coreSources);

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { builtinMicroShaders } from '../builtinMicroShaders';
+import { builtinMicroShaders } from './builtinMicroShaders';
 import { type MicroShader, parseMicroShader } from '../microshaders';
 import { formatMicroShaderXML, parseMicroShaderXML } from '.';
 import { microShaderSources } from './microShaderSources';

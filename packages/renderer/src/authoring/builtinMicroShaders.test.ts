@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { findClaims } from './findClaims';
 import { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
-import { builtinMicroShaders } from '../builtinMicroShaders';
+import { builtinMicroShaders } from './builtinMicroShaders';
 
 const files = import.meta.glob<string>('../{gbuffer,gpu,lighting,output}/**/*.glsl', {
   query: '?raw',

@@ -26,13 +26,13 @@ export { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
 export { LightGridPass } from '../lighting/lists/LightGridPass';
 export type { LightLists } from '../lighting/lists/LightLists';
 export { LightTilesPass } from '../lighting/lists/LightTilesPass';
+export { TiledOutputPass } from '../lighting/lists/TiledOutputPass';
 export type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 export type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
 export type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
 export type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
 export { DeferredOutputPass } from '../output/DeferredOutputPass';
 export { OutputPass } from '../output/OutputPass';
-export { TiledOutputPass } from '../output/TiledOutputPass';
 
 // twins: three's materials with other shaders
 export type { TwinKind, TwinRole, TwinShader } from '../materials/TwinKind';
@@ -46,7 +46,7 @@ export { Picture } from '../effects/Picture';
 
 // microshaders
 export * from '../microshaders';
-export { builtinMicroShaders, type BuiltinMicroShader } from '../builtinMicroShaders';
+export { builtinMicroShaders, type BuiltinMicroShader } from './builtinMicroShaders';
 export { addMicroShaders } from '../microshaders/addMicroShaders';
 export { findClaims, type Claim } from './findClaims';
 export { formatMicroShader } from '../microshaders/formatMicroShader';

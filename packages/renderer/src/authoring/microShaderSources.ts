@@ -1,4 +1,4 @@
-import { builtinMicroShaders } from '../builtinMicroShaders';
+import { builtinMicroShaders } from './builtinMicroShaders';
 
 const files = import.meta.glob<string>('../**/*.glsl', {
   // the query keeps the build from taking the comments out

@@ -13,13 +13,19 @@ export const viewCode = new Lazy('views', () => import('../lazy/views'), 'the fi
 /** Light pre-pass and inferred lighting. */
 export const lightBufferCode = new Lazy('light-buffer', () => import('../lazy/light-buffer'), 'deferred shading draws');
 
+/** Light lists of clusters: clustered forward and clustered deferred shading. */
+export const gridCode = new Lazy('light-grid', () => import('../lazy/light-grid'), 'other techniques draw');
+
+/** Light lists of tiles: Forward+, tiled forward and tiled deferred shading. */
+export const tileCode = new Lazy('light-tiles', () => import('../lazy/light-tiles'), 'other techniques draw');
+
 /** Multipass lighting: the technique 'forward'. */
 export const multipassCode = new Lazy('multipass', () => import('../lazy/multipass'), 'deferred shading draws');
 
-/** Lights as data: LightField. */
+/** Lights as data: LightField. Their lists are those of tiles. */
 export const lightFieldCode = new Lazy(
   'light-fields',
-  () => import('../lazy/light-fields'),
+  async () => (await Promise.all([import('../lazy/light-fields'), tileCode.load()]))[0],
   'their lights light nothing',
 );
 lightFieldMade.tell = () => lightFieldCode.ask();
@@ -47,6 +53,8 @@ export const lazyCode = [
   viewCode,
   lightBufferCode,
   multipassCode,
+  gridCode,
+  tileCode,
   lightFieldCode,
   gouraudCode,
   nodeCode,

@@ -2,12 +2,12 @@ import type { Object3D, WebGLRenderer } from 'three';
 import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from '../frame/FrameUniforms';
 import type { LightFinder } from '../frame/LightFinder';
-import { lightFieldCode } from '../frame/lazyCode';
+import { gridCode, lightFieldCode, tileCode } from '../frame/lazyCode';
 import type { LightFields } from '../lazy/light-fields/LightFields';
 import type { LightLayers } from '../lazy/shadows/LightLayers';
 import type { AreaLights } from '../lights/AreaLights';
 import type { ShadowedLights } from '../lights/classifyLight';
-import { type LightOrder, LightTable } from './LightTable';
+import { type LightOrder, LightTable, type RankLights } from './LightTable';
 import { shadowedLights } from './shadowedLights';
 
 /** Settings of a FarolRenderer that lights depend on. */
@@ -17,6 +17,11 @@ export interface LightSettings {
   readonly shadowCascades: number;
   readonly areaLightThreshold: number;
   readonly heatMapMaximum: number;
+}
+
+function rankOf(order: LightOrder): RankLights | null {
+  if (order === 'by-volume') return null;
+  return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
 }
 
 /** The lights of a frame: sorted out, masked, written to the table and sent. */
@@ -61,7 +66,7 @@ export class FrameLights {
     }
     frame.shadowMapsDrawn = shadows?.drawn ?? 0;
     frame.queue.layers = layers?.reference ?? 0;
-    table.write(frame.camera, order, frame, shadows);
+    table.write(frame.camera, order, frame, shadows, rankOf(order));
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 

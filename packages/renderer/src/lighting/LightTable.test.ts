@@ -3,11 +3,14 @@ import { describe, expect, it } from 'vitest';
 import { FLOATS_PER_RECORD, LIGHT } from '../lights/lightRecord';
 import type { LightMasks } from './LightRecords';
 import { LightTable } from './LightTable';
+import { rankByDepth } from './lists/rankByDepth';
+import { rankByGrid } from './lists/rankByGrid';
 
 const camera = new PerspectiveCamera(60, 1, 0.1, 100);
 camera.updateMatrixWorld();
 const settings = { shadows: 'all', layers: null } as const;
 const size = { width: 64, height: 64 };
+const ranks = { 'by-volume': null, 'by-depth': rankByDepth, 'by-grid': rankByGrid } as const;
 /** As while the code that masks a light is not there. */
 const without: LightMasks = { records: 0, recordOf: () => -1, write: () => {} };
 
@@ -24,7 +27,7 @@ describe('the light table', () => {
       }
       const table = new LightTable();
       table.collect([point, spot], camera, settings);
-      table.write(camera, order, size, without);
+      table.write(camera, order, size, without, ranks[order]);
       const isPlain = Array.from({ length: table.bounded }, (_, k) => {
         const emission = (table.firstBounded + k) * FLOATS_PER_RECORD + LIGHT.emission;
         return table.table.data[emission + 3] >= 0;
@@ -53,7 +56,7 @@ describe('the light table', () => {
     table.collect(all, camera, settings);
     table.slots = 256;
     table.plainSlots = plain;
-    table.write(camera, order, size, without);
+    table.write(camera, order, size, without, ranks[order]);
     expect(table.firstSlot - table.firstBounded).toBe(first);
     expect(table.listed).toBe(table.bounded + 256);
     if (order === 'by-depth') expect(table.plainQuads).toBe(quads);

@@ -1,25 +1,32 @@
 import { type Camera, type Light, type Matrix4, Vector3, type WebGLRenderer } from 'three';
 import { DataTable } from '../gpu/DataTable';
 import type { MaskSettings } from '../lights/classifyLight';
-import { NO_LIGHT } from '../lights/DepthBins';
-import { DepthOrder } from '../lights/DepthOrder';
-import { LightGrid } from '../lights/LightGrid';
-import { emissionDecay, FLOATS_PER_RECORD, LIGHT, RECORDS_PER_ROW, TEXELS_PER_RECORD } from '../lights/lightRecord';
+import type { LightGrid } from '../lights/LightGrid';
+import {
+  emissionDecay,
+  FLOATS_PER_RECORD,
+  LIGHT,
+  NO_LIGHT,
+  RECORDS_PER_ROW,
+  TEXELS_PER_RECORD,
+} from '../lights/lightRecord';
 import type { PictureSize } from '../lights/PictureSize';
-import { projectionFar, projectionNear } from '../lights/projectionDepths';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords } from './LightRecords';
 
 /** Lights of a quad of words in the lists of tiles. */
-const QUAD = 128;
+export const QUAD = 128;
 
 const position = new Vector3();
 
 /**
  * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of
- * the light grid, which is then made.
+ * the light grid, which is then made. The code of the last two is fetched with the techniques that ask for them.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
+
+/** Sets `rank` and `bounded` of a table for an order other than 'by-volume'. */
+export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize) => void;
 
 /**
  * The visible lights of a frame as one float texture, in view space, a record each, in runs: directional, local without a
@@ -39,8 +46,8 @@ export class LightTable extends VisibleLights {
   bounded = 0;
   /** Quads of 128 records, from the first on, that hold only plain point lights; after a write 'by-depth'. */
   plainQuads = 0;
-  /** Tile masks and depth bins, up to date after a write 'by-grid'. */
-  readonly grid = new LightGrid();
+  /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first. */
+  grid: LightGrid | null = null;
   /** Record of the first mask. */
   firstMask = 0;
   /**
@@ -55,8 +62,7 @@ export class LightTable extends VisibleLights {
   recordCount = 0;
   /** How the lights with a range lie. */
   order: LightOrder = 'by-volume';
-  private readonly depthOrder = new DepthOrder();
-  private volumes: Uint32Array = new Uint32Array(64);
+  private ranks: Uint32Array = new Uint32Array(64);
   private readonly records = new LightRecords(this.table);
 
   /** Directional lights. */
@@ -87,11 +93,19 @@ export class LightTable extends VisibleLights {
   /**
    * Fills the table with what was collected.
    * @param masks records of what masks lights; null for none
+   * @param rank that of the order; null for 'by-volume'
    */
-  write(camera: Camera, order: LightOrder, size: PictureSize, masks: LightMasks | null = null): void {
+  write(
+    camera: Camera,
+    order: LightOrder,
+    size: PictureSize,
+    masks: LightMasks | null = null,
+    rank: RankLights | null = null,
+  ): void {
     const view = camera.matrixWorldInverse;
     this.order = order;
-    this.setRanks(order, camera, size);
+    if (rank === null) this.rankByVolume();
+    else rank(this, camera, size);
     this.placeSlots(order);
     this.firstMask = this.firstBounded + this.bounded;
     const firstExtension = this.firstMask + (masks?.records ?? 0);
@@ -131,27 +145,19 @@ export class LightTable extends VisibleLights {
     this.table.dispose();
   }
 
-  /** Says which record each light with a range gets. */
-  private setRanks(order: LightOrder, camera: Camera, size: PictureSize): void {
-    const count = this.boundeds.length;
-    const { bounds, axes, grid } = this;
-    this.bounded = count;
-    if (order === 'by-grid') {
-      const { elements } = camera.projectionMatrix;
-      const cones = this.cones > 0 ? axes : null;
-      const near = projectionNear(elements);
-      grid.update(count, bounds, elements, near, projectionFar(elements), size.width, size.height, cones);
-      this.rank = grid.order;
-      this.bounded = grid.count;
-    } else if (order === 'by-depth') {
-      this.rank = this.volumes = this.plainFirst(count, this.depthOrder.sort(count, bounds, 4, 2));
-    } else {
-      if (this.volumes.length < count) this.volumes = new Uint32Array(count * 2);
-      this.rank = this.volumes;
-      let sphere = 0;
-      let cone = this.spheres;
-      for (let i = 0; i < count; i++) this.rank[axes[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
-    }
+  /** Takes an array of at least `count` numbers as `rank`, the one before if it is long enough. @returns it */
+  makeRanks(count: number): Uint32Array {
+    if (this.ranks.length < count) this.ranks = new Uint32Array(count * 2);
+    return (this.rank = this.ranks);
+  }
+
+  private rankByVolume(): void {
+    const { axes } = this;
+    const count = (this.bounded = this.boundeds.length);
+    const ranks = this.makeRanks(count);
+    let sphere = 0;
+    let cone = this.spheres;
+    for (let i = 0; i < count; i++) ranks[axes[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
   }
 
   /** Plain slots follow the plain point lights of quads of their own, all others the last light. */
@@ -165,25 +171,6 @@ export class LightTable extends VisibleLights {
       } else if (bounded < plainQuads * QUAD) this.plainQuads--;
     }
     this.firstSlot = this.firstBounded + before;
-  }
-
-  /** Keeps an order, but plain point lights come first, and the others from a new quad on. */
-  private plainFirst(count: number, order: Uint32Array): Uint32Array {
-    const { plain } = this;
-    let plains = 0;
-    for (let i = 0; i < count; i++) if (plain[i * 4 + 3] >= 0) plains++;
-    this.plainQuads = Math.ceil(plains / QUAD);
-    this.bounded = plains === count ? count : this.plainQuads * QUAD + count - plains;
-    const ranks = this.volumes.length < this.bounded ? new Uint32Array(this.bounded * 2) : this.volumes;
-    ranks.fill(NO_LIGHT, plains, this.bounded);
-    let a = 0;
-    let b = this.plainQuads * QUAD;
-    for (let k = 0; k < count; k++) {
-      const i = order[k];
-      if (plain[i * 4 + 3] >= 0) ranks[a++] = i;
-      else ranks[b++] = i;
-    }
-    return ranks;
   }
 
   /** @param i place of a light with a range, or NO_LIGHT */

@@ -1,6 +1,8 @@
 import { PerspectiveCamera, PointLight, SpotLight, type Light } from 'three';
 import { bench, describe } from 'vitest';
-import { type LightOrder, LightTable } from './LightTable';
+import { LightTable } from './LightTable';
+import { rankByDepth } from './lists/rankByDepth';
+import { rankByGrid } from './lists/rankByGrid';
 import { createRandom } from '../lights/testScenes';
 
 /**
@@ -10,6 +12,11 @@ import { createRandom } from '../lights/testScenes';
 const camera = new PerspectiveCamera(60, 16 / 9, 0.1, 100);
 camera.updateMatrixWorld();
 const size = { width: 1280, height: 720 };
+const orders = [
+  ['by-volume', null],
+  ['by-depth', rankByDepth],
+  ['by-grid', rankByGrid],
+] as const;
 
 /** Lights all over a hall of 20 × 16 × 40 m; every `spots`-th is a spot light. */
 function hall(count: number, spots: number): Light[] {
@@ -26,7 +33,7 @@ describe.each([
   ['10,000 point lights', hall(10_000, Infinity)],
   ['10,000 lights, a third of them spot lights', hall(10_000, 3)],
 ])('%s', (_, lights) => {
-  for (const order of ['by-volume', 'by-depth', 'by-grid'] as const satisfies LightOrder[]) {
+  for (const [order, rank] of orders) {
     const table = new LightTable();
     let shift = 0;
     bench(
@@ -35,7 +42,7 @@ describe.each([
         shift = shift > 0 ? -0.01 : 0.01;
         for (const { matrixWorld } of lights) matrixWorld.elements[12] += shift;
         table.collect(lights, camera, { shadows: 'none', layers: null });
-        table.write(camera, order, size);
+        table.write(camera, order, size, null, rank);
       },
       { time: 1500, warmupTime: 500 },
     );

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { builtinMicroShaders } from '../builtinMicroShaders';
+import { builtinMicroShaders } from '../authoring/builtinMicroShaders';
 import { gbufferUniforms } from '../gbuffer/gbufferUniforms';
 import { unprojectUniforms } from '../gpu/unprojectUniforms';
 import { microShaders as areas } from '../lazy/area-lights';

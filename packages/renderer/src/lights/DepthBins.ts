@@ -1,8 +1,7 @@
 import { type GridLights, SHAPE } from './GridLights';
+import { NO_LIGHT } from './lightRecord';
 
 export const BINS = 1024;
-/** Rank without a light. */
-export const NO_LIGHT = 0xffffffff;
 /** Buckets of the sort by depth. */
 const KEYS = 4096;
 /** Added to the range of each light at both ends (bins): a GPU rounds depths. */

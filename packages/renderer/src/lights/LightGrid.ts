@@ -1,6 +1,7 @@
-import { DepthBins, NO_LIGHT } from './DepthBins';
+import { DepthBins } from './DepthBins';
 import { GridFrame } from './GridFrame';
 import { GridLights } from './GridLights';
+import { NO_LIGHT } from './lightRecord';
 import { TileMasks } from './TileMasks';
 
 /** Most lights of a grid: ranks are 16 bits, and 31 may be left free. */

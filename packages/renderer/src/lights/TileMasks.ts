@@ -1,4 +1,4 @@
-import { NO_LIGHT } from './DepthBins';
+import { NO_LIGHT } from './lightRecord';
 import type { GridFrame } from './GridFrame';
 import { type GridLights, MARGIN, SHAPE, TILES } from './GridLights';
 

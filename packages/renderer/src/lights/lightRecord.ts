@@ -14,6 +14,9 @@ export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
+/** In place of a light's index: a record that lights nothing. */
+export const NO_LIGHT = 0xffffffff;
+
 /** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
 export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;

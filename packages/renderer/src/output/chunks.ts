@@ -4,4 +4,3 @@ export { default as deferredOutput } from './deferredOutput.glsl?raw';
 export { default as heatMap } from './heatMap.glsl?raw';
 export { default as heatScale } from './heatScale.glsl?raw';
 export { default as output } from './output.glsl?raw';
-export { default as tiledOutput } from './tiledOutput.glsl?raw';

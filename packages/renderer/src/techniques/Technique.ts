@@ -15,7 +15,10 @@ export interface Technique {
   readonly needsFloatTargets: boolean;
   /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
   readonly fills?: Fills;
-  /** Code that is fetched when the technique is first drawn by; 'deferred' draws until then. Default none. */
+  /**
+   * Code that is fetched when the technique is asked for; until it is there 'deferred' draws, or 'forward-single-pass' where
+   * lights are few or the device has no float targets. Default: that of `lightOrder`.
+   */
   readonly lazy?: Lazy<object>;
   /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */
   passes(): Pass[];

@@ -9,6 +9,9 @@ import type { TechniqueName } from '.';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
 
+/** Lights that a technique without light lists draws fast enough until the code of another is there. */
+const FEW = 16;
+
 /** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
 export class TechniquePicker {
   /** What draws this frame: the technique asked for, or what 'auto' picked. */
@@ -30,22 +33,16 @@ export class TechniquePicker {
   }
 
   set technique(name: TechniqueName) {
-    const { needsFloatTargets, lazy } = this.set.get(name);
-    checkDevice(this.webgl, needsFloatTargets);
+    checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
     this.asked = name;
-    lazy?.ask();
+    this.set.codeOf(name)?.ask();
   }
 
   /**
    * Sets `active` and `reason`; to be called when the lights of the frame are collected.
    * @param chooser of the scene that is drawn
    */
-  pick(
-    chooser: TechniqueChooser<WarmUp>,
-    frame: Frame,
-    { bounded, coverage, directional, unbounded }: LightTable,
-    { needsSurfaces }: ActiveEffects,
-  ): void {
+  pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
     this.active = this.asked;
     this.reason = 'asked for';
     this.isChanging = false;
@@ -54,12 +51,24 @@ export class TechniquePicker {
       this.reason = 'the projection is skewed';
       return;
     }
-    const { lazy } = this.set.known[this.active];
-    if (lazy !== undefined && !lazy.ask()) {
-      this.active = 'deferred';
-      this.reason = `the code of "${this.asked}" is being fetched`;
-    }
-    if (this.asked !== 'auto') return;
+    const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
+    const floatTargets = lacksFloatTargets(this.webgl) === null;
+    if (this.asked === 'auto') this.choose(chooser, frame, table, needsSurfaces, floatTargets);
+    const { active } = this;
+    if (this.set.codeOf(active)?.ask() !== false) return;
+    const single = !floatTargets || (lights <= FEW && !this.set.known[active].needsFloatTargets);
+    this.active = single ? 'forward-single-pass' : 'deferred';
+    this.reason = `the code of "${active}" is being fetched`;
+  }
+
+  /** Sets what 'auto' draws by. */
+  private choose(
+    chooser: TechniqueChooser<WarmUp>,
+    frame: Frame,
+    { bounded, coverage, directional, unbounded }: LightTable,
+    surfaces: boolean,
+    floatTargets: boolean,
+  ): void {
     const choice = chooser.choose(
       {
         bounded: bounded + (frame.fields?.count ?? 0),
@@ -67,15 +76,15 @@ export class TechniquePicker {
         everywhere: directional + unbounded,
         objects: frame.queue.opaque.length,
         transparents: frame.queue.hasLitTransparents,
-        floatTargets: lacksFloatTargets(this.webgl) === null,
-        surfaces: needsSurfaces,
+        floatTargets,
+        surfaces,
       },
       warmUpCode.isThere,
     );
     if (chooser.settled) warmUpCode.ask();
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
-    this.reason = needsSurfaces ? 'an effect works on its G-buffer' : choice.reason;
+    this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
   /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
@@ -83,6 +92,7 @@ export class TechniquePicker {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;
     const { known } = this.set;
+    if (this.set.codeOf(technique)?.ask() === false) return;
     const passes = this.set.passesOf(technique);
     // after a lost context they are others
     if (chooser.preparation?.passes !== passes)

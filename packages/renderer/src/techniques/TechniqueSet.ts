@@ -1,4 +1,6 @@
 import { unknownName } from '../errors';
+import type { Lazy } from '../frame/Lazy';
+import { gridCode, tileCode } from '../frame/lazyCode';
 import type { Pass } from '../frame/Pass';
 import { validatePasses } from '../frame/validatePasses';
 import { techniques } from '.';
@@ -33,6 +35,12 @@ export class TechniqueSet {
   get(name: string): Technique {
     if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
     return this.known[name];
+  }
+
+  /** Code that a technique needs: its own, or that of the order in which it wants the lights. */
+  codeOf(name: string): Lazy<object> | undefined {
+    const { lazy, lightOrder } = this.known[name];
+    return lazy ?? (lightOrder === 'by-grid' ? gridCode : lightOrder === 'by-depth' ? tileCode : undefined);
   }
 
   /** @throws Error when a pass reads what none before it writes, or the technique's code is not there */

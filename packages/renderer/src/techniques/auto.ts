@@ -1,3 +1,4 @@
+import { gridCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */
@@ -6,6 +7,8 @@ export const auto: Technique = {
   help: 'Picks the fastest technique for what is in view, and says why.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
+  // most scenes are drawn by it: fetched ahead
+  lazy: gridCode,
   passes() {
     throw new Error('The technique "auto" has no passes of its own; FarolRenderer draws with the one it picks.');
   },

@@ -1,7 +1,4 @@
-import { GBufferPass } from '../gbuffer/GBufferPass';
-import { LightGridPass } from '../lighting/lists/LightGridPass';
-import { TiledOutputPass } from '../output/TiledOutputPass';
-import { forwardTail } from './forwardTail';
+import { gridCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -14,10 +11,6 @@ export const clusteredDeferred: Technique = {
   lightOrder: 'by-grid',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes: () => [
-    new GBufferPass(),
-    new LightGridPass('gbuffer'),
-    new TiledOutputPass(),
-    ...forwardTail('lightLoopClustered', ['light-lists']),
-  ],
+  lazy: gridCode,
+  passes: () => gridCode.required.clusteredDeferredPasses(),
 };

@@ -1,5 +1,4 @@
-import { LightGridPass } from '../lighting/lists/LightGridPass';
-import { forwardTail } from './forwardTail';
+import { gridCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -12,5 +11,6 @@ export const clusteredForward: Technique = {
   help: 'Light lists by tile and depth, walked by the materials.',
   lightOrder: 'by-grid',
   needsFloatTargets: false,
-  passes: () => [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'])],
+  lazy: gridCode,
+  passes: () => gridCode.required.clusteredForwardPasses(),
 };

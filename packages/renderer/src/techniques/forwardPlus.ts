@@ -1,6 +1,4 @@
-import { DepthPrepass } from '../forward/DepthPrepass';
-import { LightTilesPass } from '../lighting/lists/LightTilesPass';
-import { forwardTail } from './forwardTail';
+import { tileCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -13,10 +11,6 @@ export const forwardPlus: Technique = {
   help: 'Depth, then a light list for each tile, within its depths, walked by the materials.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
-  passes: () => [
-    new DepthPrepass(),
-    new LightTilesPass('slices'),
-    // the lists know only what is opaque: what lies before it is lit by all lights
-    ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll'),
-  ],
+  lazy: tileCode,
+  passes: () => tileCode.required.forwardPlusPasses(),
 };

@@ -1,7 +1,4 @@
-import { GBufferPass } from '../gbuffer/GBufferPass';
-import { LightTilesPass } from '../lighting/lists/LightTilesPass';
-import { TiledOutputPass } from '../output/TiledOutputPass';
-import { forwardTail } from './forwardTail';
+import { tileCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -15,10 +12,6 @@ export const tiledDeferred: Technique = {
   lightOrder: 'by-depth',
   needsFloatTargets: true,
   fills: 'every-pixel',
-  passes: () => [
-    new GBufferPass(),
-    new LightTilesPass('slices'),
-    new TiledOutputPass(),
-    ...forwardTail('lightLoopAll'),
-  ],
+  lazy: tileCode,
+  passes: () => tileCode.required.tiledDeferredPasses(),
 };

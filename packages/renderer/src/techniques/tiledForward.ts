@@ -1,5 +1,4 @@
-import { LightTilesPass } from '../lighting/lists/LightTilesPass';
-import { forwardTail } from './forwardTail';
+import { tileCode } from '../frame/lazyCode';
 import type { Technique } from './Technique';
 
 /**
@@ -12,5 +11,6 @@ export const tiledForward: Technique = {
   help: 'A light list for each tile, walked by the materials.',
   lightOrder: 'by-depth',
   needsFloatTargets: false,
-  passes: () => [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])],
+  lazy: tileCode,
+  passes: () => tileCode.required.tiledForwardPasses(),
 };

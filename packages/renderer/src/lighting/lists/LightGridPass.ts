@@ -33,7 +33,8 @@ export class LightGridPass implements Pass {
     if (frame.fields !== null) return this.warmUp(frame);
     const { masks, bins } = this;
     const { uniforms } = frame;
-    const { grid, bounded, firstBounded } = frame.lights;
+    const { bounded, firstBounded } = frame.lights;
+    const grid = frame.lights.grid!;
     const words = bounded > 0 ? grid.masks : NO_WORDS;
     const rows = bounded > 0 ? Math.max(1, (grid.tilesY * grid.words) / 4) : 1;
     const width = bounded > 0 ? Math.max(1, grid.tilesX) : 1;

@@ -1,7 +1,4 @@
 // The microshaders of this folder, by name.
 export { default as lightLoopAll } from './lightLoopAll.glsl?raw';
-export { default as lightLoopClustered } from './lightLoopClustered.glsl?raw';
 export { default as lightLoopNone } from './lightLoopNone.glsl?raw';
-export { default as lightLoopTiled } from './lightLoopTiled.glsl?raw';
 export { default as lightOneByOne } from './lightOneByOne.glsl?raw';
-export { default as lightTileLists } from './lightTileLists.glsl?raw';

@@ -10,7 +10,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { expect, it } from 'vitest';
-import { builtinMicroShaders } from '../../../../builtinMicroShaders';
+import { builtinMicroShaders } from '../../../../authoring/builtinMicroShaders';
 import { MicroShaderRegistry } from '../../../../microshaders';
 import { addMicroShaders } from '../../../../microshaders/addMicroShaders';
 import type { Caster } from '../Caster';

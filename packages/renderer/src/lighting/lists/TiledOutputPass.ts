@@ -1,8 +1,8 @@
 import type { Texture } from 'three';
-import type { Frame } from '../frame/Frame';
-import { gbufferUniforms, setGBufferUniforms } from '../gbuffer/gbufferUniforms';
-import type { LightLists } from '../lighting/lists/LightLists';
-import { OutputPass } from './OutputPass';
+import type { Frame } from '../../frame/Frame';
+import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
+import type { LightLists } from './LightLists';
+import { OutputPass } from '../../output/OutputPass';
 
 const tiledUniforms = () => ({ ...gbufferUniforms(), dfgLUT: { value: null as Texture | null } });
 
