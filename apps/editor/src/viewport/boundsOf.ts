@@ -1,6 +1,6 @@
 import type { GameObject } from '@farol/engine';
 import { Box3, SkinnedMesh, Vector3 } from 'three';
-import { drawnMeshes } from './drawnMeshes';
+import { readableMeshes } from './drawnMeshes';
 
 const part = new Box3();
 const place = new Vector3();
@@ -8,7 +8,7 @@ const place = new Vector3();
 /** Adds the box round what an object draws itself; its place when it draws nothing. */
 function expandByObject(target: Box3, object: GameObject): void {
   let isDrawn = false;
-  drawnMeshes(object, (mesh, geometry, matrixWorld) => {
+  readableMeshes(object, (mesh, geometry, matrixWorld) => {
     isDrawn = true;
     if (mesh instanceof SkinnedMesh) {
       // where its bones have it now

@@ -1,5 +1,6 @@
-import { BoxHelper, type LineBasicMaterial, type Object3D, type Scene } from 'three';
+import { BoxHelper, type LineBasicMaterial, type Mesh, type Object3D, type Scene, type SkinnedMesh } from 'three';
 import type { Session } from '../model/Session';
+import { isReadable } from './isReadable';
 
 /** Objects, with those below them, up to which boxes are measured anew each frame; beyond that there is none. */
 const MEASURED = 200;
@@ -43,15 +44,24 @@ export class SelectionBox {
     let count = 0;
     this.boxes = selection.flatMap((selected) => {
       let isShown = false;
+      let isMeasured = true;
       if (selected === scene || count > MEASURED) return [];
       selected.traverse((object) => {
         count++;
-        isShown ||= 'geometry' in object;
+        if (!('geometry' in object)) return;
+        isShown = true;
+        isMeasured &&= isMeasurable(object as Mesh);
       });
-      return isShown && count <= MEASURED ? [makeBox(selected)] : [];
+      return isShown && isMeasured && count <= MEASURED ? [makeBox(selected)] : [];
     });
     if (this.boxes.length > 0) this.scene.add(...this.boxes);
   }
+}
+
+/** Whether three can find the box round an object. */
+function isMeasurable(object: Mesh): boolean {
+  const { boundingBox = object.geometry.boundingBox } = object as Mesh & Partial<Pick<SkinnedMesh, 'boundingBox'>>;
+  return boundingBox !== null || isReadable(object.geometry);
 }
 
 function makeBox(object: Object3D): BoxHelper {

@@ -1,10 +1,13 @@
-import { type Camera, type Intersection, type Object3D, Raycaster, type Vector2 } from 'three';
+import { type Camera, type Intersection, type Mesh, type Object3D, Raycaster, type Vector2 } from 'three';
+import { isReadable } from './isReadable';
 
 const raycaster = new Raycaster();
 const hits: Intersection[] = [];
+const skipped = new WeakSet<Object3D>();
 
 /**
- * The nearest visible object under a point of the picture; null when there is none.
+ * The nearest visible object under a point of the picture; null when there is none. What three alone could cast at, by vertices
+ * that the GPU alone has, does not count, and is named once.
  *
  * @param at normalised device coordinates, -1 to 1, y up
  */
@@ -14,7 +17,15 @@ export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object
   scene.traverseVisible((object) => {
     // pages switch raycasting off by taking the method away
     if (typeof object.raycast !== 'function' || !object.layers.test(camera.layers)) return;
-    raycaster.intersectObject(object, false, hits);
+    const { geometry } = object as Partial<Mesh>;
+    if (geometry === undefined || Object.hasOwn(object, 'raycast') || isReadable(geometry)) {
+      raycaster.intersectObject(object, false, hits);
+    } else if (!skipped.has(object)) {
+      skipped.add(object);
+      console.warn(
+        `Farol: clicks do not find ${object.type} "${object.name || object.uuid}", whose vertices only the GPU has; select it in the list of objects.`,
+      );
+    }
   });
   hits.sort((a, b) => a.distance - b.distance);
   return hits[0]?.object ?? null;

@@ -49,6 +49,7 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   if ('isBatchedMesh' in mesh) return skip('batched meshes have one set of UVs for all their parts; use meshes');
   const { position } = mesh.geometry.attributes;
   if (!position) return skip('its geometry has no positions');
+  if (!isReadable(mesh)) return skip('its vertices are on the GPU alone; keep their arrays until it is baked');
   for (let i = 0; i < position.count; i++) {
     if (Number.isFinite(position.getX(i) + position.getY(i) + position.getZ(i))) continue;
     return skip(`the position of its vertex ${i} is not a number`);
@@ -82,6 +83,14 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
     isReflecting: !hasLightmap && isLightable,
     throwsShadow: throwsShadow(mesh),
   };
+}
+
+/** False where the page has let go of the array of an attribute, or never had one. */
+function isReadable(mesh: Mesh): boolean {
+  const { instanceMatrix, instanceColor } = mesh as Partial<Pick<InstancedMesh, 'instanceMatrix' | 'instanceColor'>>;
+  const { attributes, index } = mesh.geometry;
+  const all = [...Object.values(attributes), index, instanceMatrix, instanceColor];
+  return all.every((each) => !each || each.count === 0 || ('array' in each && each.array?.length > 0));
 }
 
 /** What a mesh is as its bones stand, without normals: those are of the faces. */

@@ -5,6 +5,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   DirectionalLight,
+  GLBufferAttribute,
   HemisphereLight,
   InstancedMesh,
   LightProbe,
@@ -44,6 +45,10 @@ describe('collectMeshes', () => {
     const wild = new PlaneGeometry();
     wild.setIndex([0, 1, 9]);
     const empty = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(6), 3));
+    const freed = new PlaneGeometry();
+    (freed.attributes.normal as { array: unknown }).array = null;
+    const onGPU = new PlaneGeometry();
+    onGPU.setAttribute('position', new GLBufferAttribute({}, 5126, 3, 4, 4) as never);
     const options = testOptions();
     const found = collectMeshes(
       sceneOf(
@@ -53,6 +58,8 @@ describe('collectMeshes', () => {
         named(new Mesh(empty, lit), 'D'),
         named(new InstancedMesh(new PlaneGeometry(), lit, 3), 'E'),
         named(new Mesh(new PlaneGeometry(), lit), 'F'),
+        named(new Mesh(freed, lit), 'G'),
+        named(new Mesh(onGPU, lit), 'H'),
       ),
       options,
     );
@@ -62,6 +69,8 @@ describe('collectMeshes', () => {
       'Mesh “C” is not baked: its index names a vertex that is not there.',
       'Mesh “D” is not baked: it has no triangles.',
       'Mesh “E” gets no lightmap: its instances share one set of UVs. They throw shadows and reflect light; use meshes to have them lit.',
+      'Mesh “G” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',
+      'Mesh “H” is not baked: its vertices are on the GPU alone; keep their arrays until it is baked.',
     ]);
     expect(found.map(({ mesh, isLit, placements }) => [mesh.name, isLit, placements.length])).toEqual([
       ['E', false, 3],

@@ -8,6 +8,7 @@ import {
   SkinnedMesh,
   type Vector2,
 } from 'three';
+import { hasReadableVertices } from '@farol/renderer/authoring';
 import type { Scene } from '../core/SceneGraph';
 
 /**
@@ -19,13 +20,23 @@ export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]
 const raycaster = new Raycaster();
 const found: Intersection[] = [];
 
+/** False for what three alone could cast at, by vertices that the CPU cannot read. */
+function isCastable(object: Object3D): boolean {
+  const { geometry } = object as Partial<Mesh>;
+  return geometry === undefined || Object.hasOwn(object, 'raycast') || hasReadableVertices(geometry);
+}
+
+function castAt(object: Object3D, hits: Intersection[], cast: MeshCaster | undefined): void {
+  // three remembers how large it was in the first pose: the bones may have it elsewhere now
+  if (object instanceof SkinnedMesh) object.computeBoundingSphere();
+  const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
+  if (!isCast) raycaster.intersectObject(object, false, hits);
+}
+
 function collect(object: Object3D, camera: Camera, hits: Intersection[], cast: MeshCaster | undefined): void {
   if (!object.visible) return;
   if (object.layers.test(camera.layers)) {
-    // three remembers how large it was in the first pose: the bones may have it elsewhere now
-    if (object instanceof SkinnedMesh) object.computeBoundingSphere();
-    const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
-    if (!isCast) raycaster.intersectObject(object, false, hits);
+    if (isCastable(object)) castAt(object, hits, cast);
   }
   for (const child of object.children) collect(child, camera, hits, cast);
 }

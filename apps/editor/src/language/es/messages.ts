@@ -169,6 +169,7 @@ export const messages: Texts = {
   'Components that glTF does not know are left out: {typeName}':
     'Se omiten los componentes que glTF no conoce: {typeName}',
   'Meshes that are not loaded are left out': 'Se omiten las mallas sin cargar',
+  'Meshes whose vertices only the GPU has are left out': 'Se omiten las mallas cuyos vértices solo tiene la GPU',
   'Models that are not loaded are left out': 'Se omiten los modelos sin cargar',
   'Lights from all sides are left out': 'Se omiten las luces de todas direcciones',
   'The environment is left out': 'Se omite el entorno',

@@ -1,7 +1,7 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { Box3, type BufferAttribute, type Camera, type Object3D, Quaternion, type Ray, Vector3 } from 'three';
 import { boundsOf } from '../boundsOf';
-import { drawnMeshes } from '../drawnMeshes';
+import { readableMeshes } from '../drawnMeshes';
 import { surfacesAlong } from '../placing/surfaces';
 import { nearestVertex } from './nearestVertex';
 
@@ -21,7 +21,7 @@ function verticesOf(objects: readonly GameObject[], box: Box3): Vector3[] {
   const vertices: Vector3[] = [];
   for (const root of objects) {
     root.traverse((object) =>
-      drawnMeshes(object, (mesh, geometry, matrix) => {
+      readableMeshes(object, (mesh, geometry, matrix) => {
         const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
         if (!positions) return;
         const count = Math.min(positions.count, MOST_VERTICES + 1 - vertices.length);

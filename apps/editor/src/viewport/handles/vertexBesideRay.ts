@@ -1,6 +1,6 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { type BufferAttribute, type Camera, type OrthographicCamera, type Ray, Sphere, Vector3 } from 'three';
-import { drawnMeshes } from '../drawnMeshes';
+import { readableMeshes } from '../drawnMeshes';
 import { isRigid } from '../trees/castByTree';
 import { treeOf } from '../trees/meshTrees';
 
@@ -59,7 +59,7 @@ export function vertexBesideRay(
   };
   const visit = (object: GameObject): void => {
     if (without.has(object) || !object.active) return;
-    drawnMeshes(object, (mesh, geometry, matrix) => {
+    readableMeshes(object, (mesh, geometry, matrix) => {
       const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
       if (!positions) return;
       if (!geometry.boundingSphere) geometry.computeBoundingSphere();

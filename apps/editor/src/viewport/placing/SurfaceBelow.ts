@@ -1,6 +1,6 @@
 import type { GameObject, Scene } from '@farol/engine';
 import { Box3, type Intersection, Matrix3, Mesh, MeshBasicMaterial, Raycaster, Vector3 } from 'three';
-import { drawnMeshes } from '../drawnMeshes';
+import { readableMeshes } from '../drawnMeshes';
 import { castMesh } from '../trees/castByTree';
 
 const matrix = new Matrix3();
@@ -25,7 +25,7 @@ export class SurfaceBelow {
   constructor(scene: Scene, without: ReadonlySet<GameObject>) {
     const visit = (object: GameObject): void => {
       if (without.has(object) || !object.active) return;
-      drawnMeshes(object, (drawn, geometry, matrixWorld) => {
+      readableMeshes(object, (drawn, geometry, matrixWorld) => {
         if (drawn && !drawn.visible) return;
         const mesh = drawn ?? new Mesh(geometry, this.material);
         if (!drawn) mesh.matrixWorld.copy(matrixWorld);

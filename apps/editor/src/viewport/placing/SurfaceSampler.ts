@@ -1,6 +1,6 @@
 import type { GameObject } from '@farol/engine';
 import { BufferAttribute, type Matrix4, type Mesh, Triangle, Vector3 } from 'three';
-import { drawnMeshes } from '../drawnMeshes';
+import { readableMeshes } from '../drawnMeshes';
 
 /** A face counts as facing up when its normal has at least this height (of a unit vector). */
 const UPWARDS = 0.2;
@@ -38,7 +38,7 @@ export class SurfaceSampler {
     for (const root of objects) {
       root.traverse((object) => {
         if (!object.activeInHierarchy) return;
-        drawnMeshes(object, (mesh, geometry, matrix) => {
+        readableMeshes(object, (mesh, geometry, matrix) => {
           const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
           if (!positions) return;
           const { index } = geometry;

@@ -1,5 +1,5 @@
-import { BufferGeometry, Float32BufferAttribute, Mesh, SphereGeometry } from 'three';
-import { expect, test } from 'vitest';
+import { BufferGeometry, Float32BufferAttribute, GLBufferAttribute, Mesh, SphereGeometry } from 'three';
+import { expect, test, vi } from 'vitest';
 import { aliasTable, surfaceTable, TEXELS_PER_TRIANGLE } from './surfaceTable';
 
 test('by the alias method each is as likely as its weight', () => {
@@ -48,4 +48,16 @@ test('of an indexed geometry the normals of the vertices are taken; without area
   flat.setAttribute('position', new Float32BufferAttribute([0, 0, 0, 1, 0, 0, 2, 0, 0], 3));
   expect(surfaceTable(new Mesh(flat))).toBeNull();
   expect(surfaceTable(new Mesh(new BufferGeometry()))).toBeNull();
+});
+
+test('no table is made of vertices that the CPU cannot read, which is said', () => {
+  const warn = vi.spyOn(console, 'warn').mockReturnValue();
+  const freed = new SphereGeometry(2, 6, 4);
+  (freed.attributes.position as { array: unknown }).array = null;
+  const onGPU = new BufferGeometry().setAttribute('position', new GLBufferAttribute({}, 5126, 3, 4, 3) as never);
+  expect([freed, onGPU].map((geometry) => surfaceTable(new Mesh(geometry)))).toEqual([null, null]);
+  expect(warn.mock.calls.flat().map((text) => (text as string).replace(/".*"/, ''))).toEqual(
+    Array.from({ length: 2 }, () => 'Farol: no particles begin on Mesh , whose vertices only the GPU has.'),
+  );
+  warn.mockRestore();
 });

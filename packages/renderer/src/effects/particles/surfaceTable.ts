@@ -1,4 +1,5 @@
 import { Matrix4, Vector3, type Mesh } from 'three';
+import { hasReadableVertices, isReadable } from '../../three/vertexData';
 
 /** Texels of a triangle: three corners, the first two with its share and its alias, then their normals. */
 export const TEXELS_PER_TRIANGLE = 6;
@@ -43,11 +44,23 @@ export function aliasTable(weights: Float64Array): { share: Float64Array; alias:
   return { share, alias };
 }
 
-/** @param mesh its triangles count by their areas in the world @returns null where it has no area */
+type Attribute = Mesh['geometry']['attributes'][string];
+
+const readable = (attribute: Attribute | undefined) =>
+  attribute !== undefined && isReadable(attribute) ? attribute : undefined;
+
+/** @param mesh its triangles count by their areas in the world @returns null where it has no area that the CPU can read */
 export function surfaceTable(mesh: Mesh): SurfaceTable | null {
   const { geometry } = mesh;
-  const { position: positions, normal: normals } = geometry.attributes;
+  const { position: positions } = geometry.attributes;
   if (positions === undefined) return null;
+  if (!hasReadableVertices(geometry)) {
+    console.warn(
+      `Farol: no particles begin on ${mesh.type} "${mesh.name || mesh.uuid}", whose vertices only the GPU has.`,
+    );
+    return null;
+  }
+  const normals = readable(geometry.attributes.normal);
   const { index } = geometry;
   const triangles = Math.floor((index ?? positions).count / 3);
   const data = new Float32Array(triangles * TEXELS_PER_TRIANGLE * 4);

@@ -12,6 +12,7 @@ import {
   type Scene,
   Transform,
 } from '@farol/engine';
+import { hasReadableVertices } from '@farol/renderer/authoring';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import {
   type AnimationClip,
@@ -224,6 +225,10 @@ export class GltfScene {
 
   /** Gives what is drawn a geometry and materials that glTF has. @returns whether anything is left of it */
   private async convert(drawn: Drawn, user: string, object: string): Promise<boolean> {
+    if (!hasReadableVertices(drawn.geometry)) {
+      this.leftOut.add(t('Meshes whose vertices only the GPU has are left out'), object);
+      return false;
+    }
     const sources = Array.isArray(drawn.material) ? drawn.material : [drawn.material];
     const { attributes } = drawn.geometry;
     const use = { user, object, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };

@@ -1,7 +1,8 @@
-import { type Camera, type LOD, type Mesh, type Object3D, Sphere } from 'three';
+import { type Camera, type InstancedMesh, type LOD, type Mesh, type Object3D, Sphere } from 'three';
 import type { Caster } from './Caster';
 import { casterBox } from './casterBox';
 import { casterSignature, isAnimatedCaster } from './casterSignature';
+import { hasReadableVertices, isReadable } from '../../../three/vertexData';
 
 const sphere = new Sphere();
 
@@ -131,23 +132,26 @@ function makeCaster(object: Object3D): Caster {
   };
 }
 
-/** Finds the world-space sphere (m) that three culls an object by; radius Infinity where three does not cull. */
+/**
+ * Finds the world-space sphere (m) that three culls an object by; radius Infinity where three does not cull, or where nothing
+ * is known of vertices that the CPU cannot read.
+ */
 export function findSphere(object: Object3D, caster: Pick<Caster, 'x' | 'y' | 'z' | 'radius'>): void {
-  const mesh = object as Mesh & { boundingSphere?: Sphere | null; computeBoundingSphere?: () => void };
-  if (!object.frustumCulled) {
+  const mesh = object as InstancedMesh;
+  const bounded: Pick<Mesh['geometry'], 'boundingSphere' | 'computeBoundingSphere'> =
+    mesh.boundingSphere === undefined ? mesh.geometry : mesh;
+  if (object.frustumCulled && bounded.boundingSphere === null && isMeasurable(mesh)) bounded.computeBoundingSphere();
+  if (!object.frustumCulled || !Number.isFinite(bounded.boundingSphere?.radius)) {
     caster.radius = Infinity;
     return;
   }
-  if (mesh.boundingSphere !== undefined) {
-    if (mesh.boundingSphere === null) mesh.computeBoundingSphere?.();
-    sphere.copy(mesh.boundingSphere!);
-  } else {
-    if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere();
-    sphere.copy(mesh.geometry.boundingSphere!);
-  }
-  sphere.applyMatrix4(object.matrixWorld);
+  sphere.copy(bounded.boundingSphere!).applyMatrix4(object.matrixWorld);
   caster.x = sphere.center.x;
   caster.y = sphere.center.y;
   caster.z = sphere.center.z;
   caster.radius = sphere.radius;
+}
+
+function isMeasurable({ geometry, instanceMatrix }: InstancedMesh): boolean {
+  return hasReadableVertices(geometry) && (instanceMatrix === undefined || isReadable(instanceMatrix));
 }

@@ -8,24 +8,28 @@ import {
   type Object3D,
 } from 'three';
 import { surfacesOf } from '../../../materials/surfacesOf';
+import { attributeId, attributeVersion, isReadable } from '../../../three/vertexData';
 import { isAnimatedCaster } from './casterSignature';
 import { moveBox } from './moveBox';
 
 type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
-/** Boxes of geometries in their own space (m), and the positions that each box is of. */
-const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; version: number; position: BufferAttribute }>();
+/** Boxes of geometries in their own space (m), and number and version of the positions that each box is of. */
+const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; readonly id: number; readonly version: number }>();
 
 const own = new Float64Array(6);
 
+/** Box of a geometry; null where there is none, or the CPU cannot read the positions and the page tells of no box. */
 function boxOf(geometry: BufferGeometry): Box3 | null {
-  const position = geometry.attributes.position as BufferAttribute | undefined;
+  const { position } = geometry.attributes;
   if (position === undefined) return null;
-  const { version = 0 } = position;
+  const id = attributeId(position);
+  const version = attributeVersion(position);
   let known = boxes.get(geometry);
-  if (known === undefined || known.position !== position || known.version !== version) {
-    const box = (known?.box ?? new Box3()).setFromBufferAttribute(position);
-    boxes.set(geometry, (known = { box, version, position }));
+  if (known === undefined || known.id !== id || known.version !== version) {
+    if (!isReadable(position)) return geometry.boundingBox;
+    const box = (known?.box ?? new Box3()).setFromBufferAttribute(position as BufferAttribute);
+    boxes.set(geometry, (known = { box, id, version }));
   }
   return known.box;
 }

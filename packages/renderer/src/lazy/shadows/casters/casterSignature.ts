@@ -1,10 +1,8 @@
 import type {
   BatchedMesh,
-  BufferAttribute,
   BufferGeometry,
   InstancedBufferGeometry,
   InstancedMesh,
-  InterleavedBufferAttribute,
   Material,
   Mesh,
   MeshStandardMaterial,
@@ -13,8 +11,8 @@ import type {
 } from 'three';
 import { Object3D as AnyObject } from 'three';
 import { surfacesOf } from '../../../materials/surfacesOf';
-import { attributeVersion } from './attributeVersion';
 import { batchIndices, batchMatrices, batchVisibilityChanged } from '../../../three/batchTextures';
+import { attributeId, attributeVersion, isOnGPU, type VertexAttribute } from '../../../three/vertexData';
 
 type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinnedMesh?: boolean };
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
@@ -50,9 +48,9 @@ function mixTexture(texture: Texture | null | undefined, geometry: BufferGeometr
   mixAttribute(geometry.attributes[UVS[channel]]);
 }
 
-function mixAttribute(attribute: BufferAttribute | InterleavedBufferAttribute | null | undefined): void {
+function mixAttribute(attribute: VertexAttribute | null | undefined): void {
   if (!attribute) return;
-  mix((attribute as { id?: number }).id ?? attribute.count);
+  mix(attributeId(attribute));
   mix(attributeVersion(attribute));
 }
 
@@ -110,6 +108,7 @@ export function casterSignature(object: Object3D): number {
   if (caster.isInstancedMesh) {
     mixAttribute(caster.instanceMatrix);
     mix(caster.count!);
+    mix(caster.morphTexture?.id ?? 0);
     mix(caster.morphTexture?.version ?? 0);
   }
   if (caster.isBatchedMesh) {
@@ -121,9 +120,13 @@ export function casterSignature(object: Object3D): number {
   return hash;
 }
 
-/** True for objects whose shadow may change though matrix and signature do not: skinned, morphed, with shaders of their own. */
+/**
+ * True for objects whose shadow may change though matrix and signature do not: skinned, morphed, with shaders of their own, with
+ * vertices that the GPU writes.
+ */
 export function isAnimatedCaster(object: Object3D): boolean {
   const caster = object as Caster;
+  if (isOnGPU(caster.geometry.attributes.position)) return true;
   if (caster.isSkinnedMesh || caster.morphTargetInfluences?.length) return true;
   if (object.customDepthMaterial !== undefined || object.customDistanceMaterial !== undefined) return true;
   if (object.onBeforeShadow !== AnyObject.prototype.onBeforeShadow && !caster.isBatchedMesh) return true;

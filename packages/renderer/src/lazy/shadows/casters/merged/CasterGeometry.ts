@@ -1,5 +1,5 @@
 import type { BufferAttribute, BufferGeometry } from 'three';
-import { attributeVersion } from '../attributeVersion';
+import { attributeId, attributeVersion, hasReadableVertices } from '../../../../three/vertexData';
 import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 
 /**
@@ -18,6 +18,7 @@ export class CasterGeometry {
   isSound = true;
   private readonly position: BufferAttribute;
   private readonly source: BufferAttribute | null;
+  private readonly positionId: number;
   private readonly positionVersion: number;
   private readonly indexVersion: number;
   private clusters: ClusterOrder | null = null;
@@ -25,6 +26,7 @@ export class CasterGeometry {
   constructor(private readonly geometry: BufferGeometry) {
     this.position = geometry.attributes.position as BufferAttribute;
     this.source = geometry.index;
+    this.positionId = attributeId(this.position);
     this.positionVersion = attributeVersion(this.position);
     this.indexVersion = this.source?.version ?? 0;
   }
@@ -40,10 +42,15 @@ export class CasterGeometry {
   /** False once the geometry's positions or index have changed. */
   get isCurrent(): boolean {
     const { attributes, index } = this.geometry;
-    const same = attributes.position === this.position && index === this.source;
-    return (
-      same && attributeVersion(this.position) === this.positionVersion && (index?.version ?? 0) === this.indexVersion
-    );
+    const { position } = this;
+    if (attributes.position !== position || index !== this.source) return false;
+    if (attributeId(position) !== this.positionId || attributeVersion(position) !== this.positionVersion) return false;
+    return (index?.version ?? 0) === this.indexVersion;
+  }
+
+  /** Whether what is left to be worked out can be: the page may let go of vertices once three has sent them. */
+  get isReadable(): boolean {
+    return this.isDone || hasReadableVertices(this.geometry);
   }
 
   /**

@@ -304,8 +304,8 @@ export class MergedCasters {
     let geometry = this.geometries.get(source);
     if (geometry === undefined) this.geometries.set(source, (geometry = new CasterGeometry(source)));
     const room = MOST_TRIANGLES - this.triangles;
-    if (!geometry.isCurrent || !geometry.isSound || geometry.triangles > room) {
-      this.queue.pop(); // a geometry that changes is drawn by itself
+    if (!geometry.isCurrent || !geometry.isSound || !geometry.isReadable || geometry.triangles > room) {
+      this.queue.pop(); // a geometry that changes, or that the CPU cannot read, is drawn by itself
       return 1;
     }
     if (!geometry.isDone) return geometry.step(BUDGET);

@@ -1,0 +1,42 @@
+import { GameObject, ObjectRenderer, Scene } from '@farol/engine';
+import { BoxGeometry, PerspectiveCamera, Ray, Vector2, Vector3 } from 'three';
+import { beforeAll, afterAll, expect, it, vi } from 'vitest';
+import { exportInTest, PageFileReader } from '../files/share/gltf/testing/exportInTest';
+import { boundsOf } from './boundsOf';
+import { vertexBesideRay } from './handles/vertexBesideRay';
+import { pick } from './pick';
+import { SurfaceBelow } from './placing/SurfaceBelow';
+import { SurfaceSampler } from './placing/SurfaceSampler';
+
+beforeAll(() => vi.stubGlobal('FileReader', PageFileReader));
+afterAll(() => vi.unstubAllGlobals());
+
+it('what has its vertices on the GPU alone is a place, without corners or surface, and is named when left out of a file', async () => {
+  const scene = new Scene();
+  const geometry = new BoxGeometry();
+  scene.assets.register('case', geometry);
+  const object = new GameObject('Case');
+  object.addComponent(ObjectRenderer, { mesh: 'case' });
+  object.transform.position = [1, 2, 3];
+  scene.add(object);
+  scene.three.updateMatrixWorld();
+  // as a script may, once three has sent it
+  for (const attribute of [...Object.values(object.getComponent(ObjectRenderer)!.geometry!.attributes)])
+    (attribute as { array: unknown }).array = null;
+  const { min, max } = boundsOf([object]);
+  expect([min.toArray(), max.toArray()]).toEqual([
+    [1, 2, 3],
+    [1, 2, 3],
+  ]);
+  const camera = new PerspectiveCamera();
+  camera.position.set(1, 2, 9);
+  camera.updateMatrixWorld();
+  expect(pick(scene, camera, new Vector2())).toBeNull();
+  const ray = new Ray(new Vector3(1, 2, 9), new Vector3(0, 0, -1));
+  expect(vertexBesideRay(scene, ray, camera, new Set(), 100)).toBeNull();
+  expect(new SurfaceBelow(scene, new Set()).heightAt({ x: 1, y: 9, z: 3 })).toBe(0);
+  expect(() => new SurfaceSampler([object], true)).not.toThrow();
+  const { leftOut } = await exportInTest(scene);
+  expect(leftOut).toContain('Meshes whose vertices only the GPU has are left out (1)');
+  scene.dispose();
+});

@@ -1,0 +1,45 @@
+import type { BufferAttribute, BufferGeometry, GLBufferAttribute, InterleavedBufferAttribute } from 'three';
+
+/** An attribute as three draws it: with an array of its own, a share of one, or a buffer that WebGL alone can read. */
+export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute | GLBufferAttribute;
+
+type AnyAttribute = Partial<BufferAttribute & InterleavedBufferAttribute & GLBufferAttribute>;
+
+/** Numbers below 0 of buffers that three gives none. */
+const ids = new WeakMap<object, number>();
+let lastId = 0;
+
+/** Version of an attribute's data, which interleaved attributes of one buffer share. */
+export function attributeVersion(attribute: VertexAttribute): number {
+  const { data, version } = attribute as AnyAttribute;
+  return data === undefined ? version! : data.version;
+}
+
+/** Number of what holds an attribute's data: two of one number and one `attributeVersion` have the same data. */
+export function attributeId(attribute: VertexAttribute): number {
+  const { data, buffer, offset, id } = attribute as AnyAttribute & { id?: number };
+  if (id !== undefined) return id;
+  const storage = (data ?? buffer ?? attribute) as object;
+  let number = ids.get(storage);
+  if (number === undefined) ids.set(storage, (number = --lastId));
+  // an offset is below 256, the largest stride that WebGL takes (bytes)
+  return number * 256 - (offset ?? 0);
+}
+
+/** True for data that the GPU may write without a word. */
+export function isOnGPU(attribute: VertexAttribute | undefined): boolean {
+  return (attribute as AnyAttribute | undefined)?.isGLBufferAttribute === true;
+}
+
+/** False for data that the GPU alone has: of a `GLBufferAttribute`, or let go of by the page once three had sent them. */
+export function isReadable(attribute: VertexAttribute): boolean {
+  if (isOnGPU(attribute)) return false;
+  const { array, count, data, itemSize } = attribute as BufferAttribute & Partial<InterleavedBufferAttribute>;
+  return (array as ArrayLike<number> | null) !== null && array.length >= count * (data?.stride ?? itemSize);
+}
+
+/** Whether the CPU can read a geometry's positions and index. */
+export function hasReadableVertices({ attributes, index }: BufferGeometry): boolean {
+  const { position } = attributes;
+  return position !== undefined && isReadable(position) && (index === null || isReadable(index));
+}
