@@ -6,7 +6,7 @@ import { filesEnding } from './sourceFiles.mjs';
 
 vi.mock('node:fs', async (load) => {
   const fs = await load<typeof import('node:fs')>();
-  return { ...fs, readdirSync: vi.fn(fs.readdirSync) };
+  return { ...fs, readdirSync: vi.fn<typeof fs.readdirSync>(fs.readdirSync) };
 });
 
 test('sources are found without a look into folders that a build or an install empties meanwhile', () => {
