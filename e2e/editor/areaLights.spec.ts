@@ -81,7 +81,7 @@ test('lights with a shape are sized by their edges, one step a drag, with the va
   expect(await drag(page, 'Tube light', [0.6, 0], [1, 0])).toMatch(/^Length (1\.9|2|2\.0)\d? m$/);
 });
 
-test('the inspector shows the fields of shadows that a light with a shape has @verify', async ({ page }) => {
+test('the inspector shows the fields of shadows that a light with a shape has', async ({ page }) => {
   await addObject(page, 'Light', 'Rectangle light');
   const section = page.getByRole('region', { name: 'Light', exact: true });
   await section.getByLabel('Cast shadow').check();

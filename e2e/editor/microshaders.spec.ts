@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { readFile } from 'node:fs/promises';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { test as own } from '../support/test';
 import { addObject, history, openEditor, serialized } from './editor';
 import { expect, test } from './sharedEditor';

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, serialized } from './editor';
 import { expect, test } from './sharedEditor';
 

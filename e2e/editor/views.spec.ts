@@ -140,7 +140,7 @@ test('four views draw four pictures, each is worked in; keys go to the scene tha
   expect(await page.evaluate(() => window.editor.viewport.lookThrough)).toBeNull();
 });
 
-own('the lines between four views are dragged, moved by keys, and remembered', async ({ page }) => {
+own('the lines between four views are dragged, moved by keys, and remembered @verify', async ({ page }) => {
   await openEditor(page, 'empty');
   await page.keyboard.press('Control+Alt+q');
   const sizes = (): Promise<Record<string, [number, number]>> =>

@@ -102,14 +102,14 @@ test('says what helps without WebGL 2, and where the frame that is measured does
   await expect(page.getByRole('alert')).toContainText('WebGL 2 is switched off here: switch hardware acceleration on');
 });
 
-for (const [theme, width] of [
-  ['light', 1280],
-  ['dark', 390],
+for (const [theme, width, tag] of [
+  ['light', 1280, ' @verify'],
+  ['dark', 390, ''],
 ] as const) {
   test.describe(`${theme}, ${width} pixels wide`, () => {
     test.use({ colorScheme: theme, viewport: { width, height: 800 } });
 
-    test('axe finds nothing serious, nothing is cut off', async ({ page }) => {
+    test(`axe finds nothing serious, nothing is cut off${tag}`, async ({ page }) => {
       await page.goto('./' + tiny);
       await page.getByText('Build your own').click();
       await expectMachine(page);

@@ -1,12 +1,18 @@
+import type { Page } from '@playwright/test';
 import { Quaternion, Vector3 } from 'three';
 import type { Light } from '@farol/engine';
 import { byExtent } from '@farol/tools/extent';
 import { compareImages } from '../support/images';
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
+import { expect, test } from './sharedViewer';
 
 const withMenu = { ...still, gui: 1 };
-const moving = { scene: 'benchmarkLights', width: 160, height: 90, dpr: 1 };
+/** Lets time go on. */
+const startTime = (page: Page) =>
+  page.evaluate(() =>
+    (window.viewer as typeof window.viewer & { setTime(seconds: number | null): void }).setTime(null),
+  );
 const query = (address: string) => Object.fromEntries(new URL(address).searchParams);
 
 interface Pose {
@@ -22,7 +28,6 @@ function lineDistance(a: Pose, b: Pose): number {
 }
 
 test('the menu offers every technique, view and scene, and writes them into the address', async ({ page }) => {
-  await openViewer(page, withMenu);
   const known = await page.evaluate(() => {
     const { scenes, techniques, views } = window.viewer.known;
     return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
@@ -46,7 +51,7 @@ test('the menu offers every technique, view and scene, and writes them into the 
   expect(await page.evaluate(() => window.viewer.farol.view)).toBe('normal');
 });
 
-test('the address that the menu wrote opens the same picture @verify', async ({ page }) => {
+own('the address that the menu wrote opens the same picture @verify', async ({ page }) => {
   await openViewer(page, withMenu);
   const before = await readImage(page);
   await page.getByRole('button', { name: 'Temple' }).click();
@@ -59,7 +64,7 @@ test('the address that the menu wrote opens the same picture @verify', async ({ 
   expect(compareImages(chosen, await readImage(page)).largest).toBe(0);
 });
 
-test('a number of lights set in the menu is in the scene and the address, and the camera stays', async ({ page }) => {
+own('a number of lights set in the menu is in the scene and the address, and the camera stays', async ({ page }) => {
   await openViewer(page, { ...withMenu, scene: 'temple', lights: 10 });
   const place = await page.evaluate(() => {
     const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -88,7 +93,7 @@ test('a number of lights set in the menu is in the scene and the address, and th
 });
 
 test('keys fly and dragging turns the camera', async ({ page }) => {
-  await openViewer(page, { ...moving, gui: 0 });
+  await startTime(page);
   const pose = () =>
     page.evaluate(() => {
       const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -107,7 +112,6 @@ test('keys fly and dragging turns the camera', async ({ page }) => {
 });
 
 test('a finger orbits the scene: the camera moves and keeps looking at the same place', async ({ page }) => {
-  await openViewer(page, still);
   const pose = () =>
     page.evaluate(() => {
       const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -129,7 +133,6 @@ test('a finger orbits the scene: the camera moves and keeps looking at the same 
 });
 
 test('while time is stopped the camera flies, the scene stands, and no frame is drawn in between', async ({ page }) => {
-  await openViewer(page, still);
   const state = () =>
     page.evaluate(() => ({
       place: window.viewer.engineScene.activeCamera!.gameObject.object3D.position.toArray(),
@@ -152,7 +155,7 @@ test('while time is stopped the camera flies, the scene stands, and no frame is 
 });
 
 test('Space stops time and lets it go on, H hides the menu; the address follows', async ({ page }) => {
-  await openViewer(page, moving);
+  await startTime(page);
   await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(0.05);
   await page.keyboard.press('Space');
   const time = Number(query(page.url()).time);
@@ -167,7 +170,7 @@ test('Space stops time and lets it go on, H hides the menu; the address follows'
 });
 
 test('figures of each pass are shown and kept up', async ({ page }) => {
-  await openViewer(page, moving);
+  await startTime(page);
   const rows = page.locator('.statistics tbody tr');
   await expect(rows).not.toHaveCount(0);
   await expect(page.locator('.statistics')).toContainText(/\d+ FPS/);
@@ -176,7 +179,6 @@ test('figures of each pass are shown and kept up', async ({ page }) => {
 });
 
 test('the help lists keys and address parameters', async ({ page }) => {
-  await openViewer(page, still);
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Help' });
   await expect(help).toBeVisible();
@@ -189,7 +191,7 @@ test('the help lists keys and address parameters', async ({ page }) => {
   await expect(help).toBeHidden();
 });
 
-test('a lost graphics device is told of, and the picture comes back by every technique', async ({ page, watch }) => {
+own('a lost graphics device is told of, and the picture comes back by every technique', async ({ page, watch }) => {
   await openViewer(page, withMenu);
   const techniques = await page.evaluate(() => {
     const extension = window.viewer.three.getContext().getExtension('WEBGL_lose_context')!;
@@ -208,10 +210,10 @@ test('a lost graphics device is told of, and the picture comes back by every tec
   }
 });
 
-test.describe('on a phone', () => {
-  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+own.describe('on a phone', () => {
+  own.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
+  own('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
     await openViewer(page, withMenu);
     const technique = page.getByLabel('Render Type');
     await expect(technique).toBeHidden();
