@@ -93,7 +93,6 @@ function isOfVerify(node, textOf) {
  */
 export const clockLimits = [
   { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws, for a test of @verify and @long alone' },
-  { file: 'e2e/perf/autoChange.spec.ts', most: 1, reason: "frames after which 'auto' changes are what is tested" },
 ];
 
 /**
