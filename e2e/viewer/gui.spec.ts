@@ -4,7 +4,7 @@ import type { Light } from '@farol/engine';
 import { byExtent } from '@farol/tools/extent';
 import { compareImages } from '../support/images';
 import { test as own } from '../support/test';
-import { openViewer, readImage, still } from '../support/viewer';
+import { addressOf, openViewer, readImage, still } from '../support/viewer';
 import { expect, test } from './sharedViewer';
 
 const withMenu = { ...still, gui: 1 };
@@ -13,7 +13,6 @@ const startTime = (page: Page) =>
   page.evaluate(() =>
     (window.viewer as typeof window.viewer & { setTime(seconds: number | null): void }).setTime(null),
   );
-const query = (address: string) => Object.fromEntries(new URL(address).searchParams);
 
 interface Pose {
   position: number[];
@@ -43,11 +42,11 @@ test('the menu offers every technique, view and scene, and writes them into the 
 
   for (const [index, technique] of known.techniques.entries()) {
     await types.selectOption({ index });
-    await expect.poll(() => query(page.url()).technique).toBe(technique);
+    await expect.poll(async () => (await addressOf(page)).technique).toBe(technique);
     expect(await page.evaluate(() => window.viewer.farol.technique)).toBe(technique);
   }
   await views.selectOption('normal');
-  await expect.poll(() => query(page.url()).view).toBe('normal');
+  await expect.poll(async () => (await addressOf(page)).view).toBe('normal');
   expect(await page.evaluate(() => window.viewer.farol.view)).toBe('normal');
 });
 
@@ -55,11 +54,11 @@ own('the address that the menu wrote opens the same picture @verify', async ({ p
   await openViewer(page, withMenu);
   const before = await readImage(page);
   await page.getByRole('button', { name: 'Temple' }).click();
-  await expect.poll(() => query(page.url()).scene).toBe('temple');
+  await expect.poll(async () => (await addressOf(page)).scene).toBe('temple');
   const chosen = await readImage(page);
   expect(compareImages(before, chosen).largest).toBeGreaterThan(0.05);
 
-  await page.goto(page.url());
+  await page.reload();
   await page.evaluate(() => window.viewer.ready);
   expect(compareImages(chosen, await readImage(page)).largest).toBe(0);
 });
@@ -78,7 +77,7 @@ own('a number of lights set in the menu is in the scene and the address, and the
     .first();
   await input.fill('7');
   await input.press('Enter');
-  await expect.poll(() => query(page.url()).lights).toBe('7');
+  await expect.poll(async () => (await addressOf(page)).lights).toBe('7');
   await expect
     .poll(() =>
       page.evaluate(
@@ -158,15 +157,15 @@ test('Space stops time and lets it go on, H hides the menu; the address follows'
   await startTime(page);
   await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(0.05);
   await page.keyboard.press('Space');
-  const time = Number(query(page.url()).time);
+  const time = Number((await addressOf(page)).time);
   expect(time).toBeGreaterThan(0);
   expect(await page.evaluate(() => window.viewer.engineScene.time)).toBe(time);
   await page.keyboard.press('Space');
   await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(time);
-  expect(query(page.url()).time).toBeUndefined();
+  expect((await addressOf(page)).time).toBeUndefined();
   await page.keyboard.press('h');
   await expect(page.locator('.lil-gui.lil-root')).toBeHidden();
-  expect(query(page.url()).gui).toBe('0');
+  expect((await addressOf(page)).gui).toBe('0');
 });
 
 test('figures of each pass are shown and kept up', async ({ page }) => {
