@@ -5,6 +5,7 @@ import { axeProblems } from '../support/axeProblems';
 import { outOfReach } from '../support/outOfReach';
 import { addObject, openEditor, pointOf } from './editor';
 import { makeFingers, type Point } from './fingers';
+import { test as shared } from './sharedEditor';
 
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
 
@@ -28,7 +29,7 @@ async function openTheme(page: Page, theme: 'dark' | 'light', rules?: readonly s
 }
 
 // the journeys of the other panels ask axe in the dark theme
-test('axe finds nothing serious, dark theme', async ({ page }) => openTheme(page, 'dark'));
+test('axe finds nothing serious, dark theme @verify', async ({ page }) => openTheme(page, 'dark'));
 
 test.describe('on a tablet', () => {
   test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true });
@@ -47,20 +48,20 @@ test.describe('on a tablet', () => {
   });
 });
 
-test('nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen @verify', async ({
-  page,
-}) => {
-  await openEditor(page, 'empty');
-  await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
-  const small = [[640, 360]];
-  const all = [...small, [800, 600], [1440, 900], [2560, 1440]];
-  for (const [width, height] of byExtent({ slice: small, verify: all })) {
-    await page.setViewportSize({ width, height });
-    await expect(page.locator('.sheet-tabs')).toHaveCount(width < 1000 ? 1 : 0);
-    await reachEverything(page, `${width} x ${height}`);
-    await askInBothThemes(page);
-  }
-});
+shared(
+  'nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen',
+  async ({ page }) => {
+    await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
+    const small = [[640, 360]];
+    const all = [...small, [800, 600], [1440, 900], [2560, 1440]];
+    for (const [width, height] of byExtent({ slice: small, verify: all })) {
+      await page.setViewportSize({ width, height });
+      await expect(page.locator('.sheet-tabs')).toHaveCount(width < 1000 ? 1 : 0);
+      await reachEverything(page, `${width} x ${height}`);
+      await askInBothThemes(page);
+    }
+  },
+);
 
 /** Asks axe about the page as it is, and about its colours in the other theme; leaves the theme as it was. */
 async function askInBothThemes(page: Page): Promise<void> {

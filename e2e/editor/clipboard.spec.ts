@@ -1,9 +1,7 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test';
-import { history, openEditor, serialized, waitUntilReady } from './editor';
+import { history, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
-
-test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+import { expect, test } from './sharedEditor';
 
 const spin = (rate: number): string => `import { component, number } from '@farol/engine/fields';
 export default class Spin extends component({ rate: number(${rate}, { help: 'How fast it turns.' }) }) {}`;
@@ -16,9 +14,8 @@ const assetNames = (page: Page): Promise<string[]> =>
 
 const picture = '.viewport-place canvas';
 
-/** Opens the editor with a box that has a script, which has run in this browser. */
-async function openSpinning(page: Page): Promise<void> {
-  await openEditor(page, 'empty');
+/** Drops a box, and gives it a script, which runs in this browser. */
+async function dropSpinning(page: Page): Promise<void> {
   await dropFiles(page, picture, [redBox()]);
   await page.waitForFunction(() => window.editor.document.scene.find('box') !== null);
   await page.evaluate(async (source) => {
@@ -35,7 +32,7 @@ test('what is copied in a tab is pasted in another with its files, materials and
   page,
   context,
 }) => {
-  await openSpinning(page);
+  await dropSpinning(page);
   await page.locator(picture).focus();
   await page.keyboard.press('Control+c');
   await page.waitForFunction(() => localStorage.getItem('farol-clipboard') !== null);
@@ -74,7 +71,7 @@ test('a script that is pasted and that the user has never run comes switched off
   page,
   context,
 }) => {
-  await openSpinning(page);
+  await dropSpinning(page);
   const problems: string[] = [];
   const text = await page.evaluate(() => {
     const { assets, objects, ...file } = JSON.parse(window.editor.serialize()) as {

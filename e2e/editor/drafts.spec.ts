@@ -1,11 +1,14 @@
 import { byExtent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
-import { axeProblems } from '../support/axeProblems';
-import { expect, test } from '../support/test';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
+import { test as own } from '../support/test';
 import { addObject, openEditor, serialized, waitUntilReady } from './editor';
 import { dropFiles, growingBox, pixelAt, plainSky, redBox } from './models';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
+const options = { viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' } as const;
+test.use(options);
+own.use(options);
 
 /** The part of the status bar that says that drafts are not kept. */
 const status = (page: Page) => page.getByRole('contentinfo').getByRole('button', { name: /no drafts/ });
@@ -26,7 +29,7 @@ for (const { lacks, text, hide, tag = '' } of [
     tag: ' @verify',
   },
 ]) {
-  test(`without ${lacks} the editor says that no drafts are kept${tag}`, async ({ page }) => {
+  own(`without ${lacks} the editor says that no drafts are kept${tag}`, async ({ page }) => {
     await page.addInitScript(hide);
     await openEditor(page, 'empty');
     const said = `This browser keeps no drafts here: ${text}. Save to a file by Ctrl+S.`;
@@ -42,10 +45,9 @@ for (const { lacks, text, hide, tag = '' } of [
   });
 }
 
-test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene @verify', async ({
+test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene', async ({
   page,
 }) => {
-  await openEditor(page, 'empty');
   await drafts(page);
   const [worker] = page.workers();
   // as Chromium does it: without a message
@@ -87,35 +89,35 @@ test('a draft that the browser refuses for its quota is told of with the reason,
   }
 });
 
-test('two tabs of one minute are two different lines in the dialog, and each comes back @verify', async ({
-  page,
-  context,
-}) => {
-  const other = await context.newPage();
-  for (const [tab, meshes] of [
-    [page, ['Torus']],
-    [other, ['Torus', 'Cone']],
-  ] as const) {
-    await openEditor(tab, 'empty');
-    for (const mesh of meshes) await addObject(tab, 'Mesh', mesh);
-    await drafts(tab);
-  }
-  await other.close({ runBeforeUnload: false });
-  await page.close({ runBeforeUnload: false });
+own(
+  'two tabs of one minute are two different lines in the dialog, and each comes back @verify',
+  async ({ page, context }) => {
+    const other = await context.newPage();
+    for (const [tab, meshes] of [
+      [page, ['Torus']],
+      [other, ['Torus', 'Cone']],
+    ] as const) {
+      await openEditor(tab, 'empty');
+      for (const mesh of meshes) await addObject(tab, 'Mesh', mesh);
+      await drafts(tab);
+    }
+    await other.close({ runBeforeUnload: false });
+    await page.close({ runBeforeUnload: false });
 
-  const next = await context.newPage();
-  await openEditor(next, 'empty');
-  const lines = next.getByRole('dialog').locator('.session-time');
-  await expect(lines).toHaveCount(2);
-  const texts = await lines.allTextContents();
-  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 4 objects · last edit: Added Torus$/.test(text))).toHaveLength(1);
-  expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 5 objects · last edit: Added Cone$/.test(text))).toHaveLength(1);
-  await next.getByRole('button', { name: 'Recover', description: /5 objects/ }).click();
-  await expect(next.getByRole('treeitem', { name: 'Cone' })).toBeVisible();
-  await next.close({ runBeforeUnload: false });
-});
+    const next = await context.newPage();
+    await openEditor(next, 'empty');
+    const lines = next.getByRole('dialog').locator('.session-time');
+    await expect(lines).toHaveCount(2);
+    const texts = await lines.allTextContents();
+    expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 4 objects · last edit: Added Torus$/.test(text))).toHaveLength(1);
+    expect(texts.filter((text) => /\d+:\d\d:\d\d.* · 5 objects · last edit: Added Cone$/.test(text))).toHaveLength(1);
+    await next.getByRole('button', { name: 'Recover', description: /5 objects/ }).click();
+    await expect(next.getByRole('treeitem', { name: 'Cone' })).toBeVisible();
+    await next.close({ runBeforeUnload: false });
+  },
+);
 
-test('a draft that another tab has taken is said to be, by its name @verify', async ({ page, context }) => {
+own('a draft that another tab has taken is said to be, by its name @verify', async ({ page, context }) => {
   await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Torus');
   await page.waitForFunction(() => window.editor.autosave!.isUpToDate);
@@ -138,8 +140,6 @@ test('a draft that another tab has taken is said to be, by its name @verify', as
 });
 
 test('what is dragged and typed is stored while that goes on', async ({ page }) => {
-  await openEditor(page, 'empty');
-  await waitUntilReady(page);
   await drafts(page);
   const seen = await page.evaluate(async () => {
     const { commands, document, autosave } = window.editor as unknown as {
@@ -199,33 +199,33 @@ const draftFiles = (page: Page): Promise<string[][]> =>
     return stored.map(({ files }) => [...files].flatMap(([path, { size }]) => (size > 0 ? [path] : [])).toSorted());
   });
 
-test('imported files are in the draft: models and skies of a killed tab come back and are drawn', async ({
-  page,
-  context,
-}) => {
-  await openEditor(page, 'empty');
-  await dropFiles(page, '.viewport-place canvas', [redBox()]);
-  await expect(page.getByRole('treeitem', { name: 'box' })).toBeVisible();
-  await drafts(page);
-  // into a draft that is stored already
-  await dropFiles(page, '.viewport-place canvas', [growingBox(), plainSky(1)]);
-  await expect(page.getByRole('treeitem', { name: 'growing' })).toBeVisible();
-  await page.waitForFunction(() => window.editor.document.scene.settings.get('environment') !== null);
-  await page.keyboard.press('q');
-  await expect.poll(() => showsRed(page)).toBe(true);
-  await drafts(page);
-  const work = await serialized(page);
-  await kill(page);
+own(
+  'imported files are in the draft: models and skies of a killed tab come back and are drawn',
+  async ({ page, context }) => {
+    await openEditor(page, 'empty');
+    await dropFiles(page, '.viewport-place canvas', [redBox()]);
+    await expect(page.getByRole('treeitem', { name: 'box' })).toBeVisible();
+    await drafts(page);
+    // into a draft that is stored already
+    await dropFiles(page, '.viewport-place canvas', [growingBox(), plainSky(1)]);
+    await expect(page.getByRole('treeitem', { name: 'growing' })).toBeVisible();
+    await page.waitForFunction(() => window.editor.document.scene.settings.get('environment') !== null);
+    await page.keyboard.press('q');
+    await expect.poll(() => showsRed(page)).toBe(true);
+    await drafts(page);
+    const work = await serialized(page);
+    await kill(page);
 
-  const next = await context.newPage();
-  await openEditor(next, 'empty');
-  await next.getByRole('dialog').getByRole('button', { name: 'Recover' }).click();
-  await expect(next.getByRole('treeitem', { name: 'box' })).toBeVisible();
-  expect(await serialized(next)).toBe(work);
-  await expect.poll(() => showsRed(next)).toBe(true);
-  // the draft of what was recovered takes the place of the other, and has them too
-  await drafts(next);
-  const paths = await next.evaluate(() => window.editor.document.assets.files.map(({ name }) => `assets/${name}`));
-  expect(paths).toHaveLength(3);
-  expect(await draftFiles(next)).toEqual([paths.toSorted()]);
-});
+    const next = await context.newPage();
+    await openEditor(next, 'empty');
+    await next.getByRole('dialog').getByRole('button', { name: 'Recover' }).click();
+    await expect(next.getByRole('treeitem', { name: 'box' })).toBeVisible();
+    expect(await serialized(next)).toBe(work);
+    await expect.poll(() => showsRed(next)).toBe(true);
+    // the draft of what was recovered takes the place of the other, and has them too
+    await drafts(next);
+    const paths = await next.evaluate(() => window.editor.document.assets.files.map(({ name }) => `assets/${name}`));
+    expect(paths).toHaveLength(3);
+    expect(await draftFiles(next)).toEqual([paths.toSorted()]);
+  },
+);

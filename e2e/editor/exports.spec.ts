@@ -11,7 +11,7 @@ import { addObject, openEditor, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
 import { playerPicture } from './player';
 
-test.use({ viewport: { width: 900, height: 640 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 900, height: 640 }, deviceScaleFactor: 1, reducedMotion: 'reduce' });
 
 /** Of the pictures (pixels). */
 const WIDTH = 240;

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
 import { expect, test } from '../support/test';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, inspectorFollows, openEditor, serialized, waitUntilReady } from './editor';
 import { dropFiles, type TestFile } from './models';
 import { test as shared } from './sharedEditor';

@@ -1,10 +1,7 @@
-import { test as own } from '../support/test';
 import { addObject, history, openEditor, serialized } from './editor';
 import { expect, test } from './sharedEditor';
 
-const options = { viewport: { width: 900, height: 480 }, reducedMotion: 'reduce' } as const;
-test.use(options);
-own.use(options);
+test.use({ viewport: { width: 900, height: 480 } });
 
 test('searches, groups, cuts, pastes and locks, and takes all of it back', async ({ page }) => {
   await addObject(page, 'Mesh', 'Box');
@@ -97,55 +94,58 @@ test('selects with the keyboard from the row that was chosen to another, however
   await expect(selected).toHaveText(['Sun', 'Sky', 'Box']);
 });
 
-own(
-  'the focus goes from rows that are grouped to the group, also where the page is busy in between',
-  async ({ page }) => {
-    await openEditor(page, 'empty');
-    for (const mesh of ['Box', 'Cone']) await addObject(page, 'Mesh', mesh);
-    await page.getByRole('treeitem', { name: 'Box' }).click();
-    await page.getByRole('treeitem', { name: 'Cone' }).click({ modifiers: ['Shift'] });
-    // a frame and its timers come after the rows have gone, and before what React does next, which it does by messages
-    await page.evaluate(() => {
-      const { requestAnimationFrame: frame, cancelAnimationFrame: cancel, setTimeout: later } = window;
-      const post = MessagePort.prototype.postMessage;
-      const isLost = (): boolean => document.activeElement === document.body;
-      const asked = new Map<number, FrameRequestCallback>();
-      let lastId = 0;
-      window.requestAnimationFrame = (callback) => (asked.set(--lastId, callback), lastId);
-      window.cancelAnimationFrame = (id) => void (asked.delete(id) || cancel(id));
-      window.setTimeout = ((handler: () => void, ms?: number) =>
-        later(handler, isLost() ? 0 : ms)) as typeof setTimeout;
-      const goOn = (time: number): void => {
-        window.requestAnimationFrame = frame;
-        for (const callback of asked.values()) callback(time);
-      };
-      MessagePort.prototype.postMessage = function (
-        this: MessagePort,
-        ...message: Parameters<MessagePort['postMessage']>
-      ) {
-        const send = (): void => post.apply(this, message);
-        if (!isLost()) return send();
-        frame((time) => {
-          goOn(time);
-          later(() => later(send));
-        });
-      } as typeof post;
-    });
-    await page.keyboard.press('Control+g');
-    await expect(page.getByRole('treeitem', { name: 'Group' })).toBeFocused();
-    await page.keyboard.press('ArrowRight');
-    await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveAttribute('aria-level', '2');
-  },
-);
+test('the focus goes from rows that are grouped to the group, also where the page is busy in between', async ({
+  page,
+}) => {
+  for (const mesh of ['Box', 'Cone']) await addObject(page, 'Mesh', mesh);
+  await page.getByRole('treeitem', { name: 'Box' }).click();
+  await page.getByRole('treeitem', { name: 'Cone' }).click({ modifiers: ['Shift'] });
+  // a frame and its timers come after the rows have gone, and before what React does next, which it does by messages
+  await page.evaluate(() => {
+    const { requestAnimationFrame: frame, cancelAnimationFrame: cancel, setTimeout: later } = window;
+    const post = MessagePort.prototype.postMessage;
+    const putBack = (): void => {
+      MessagePort.prototype.postMessage = post;
+      Object.assign(window, { requestAnimationFrame: frame, cancelAnimationFrame: cancel, setTimeout: later });
+    };
+    Object.assign(window, { putBack });
+    const isLost = (): boolean => document.activeElement === document.body;
+    const asked = new Map<number, FrameRequestCallback>();
+    let lastId = 0;
+    window.requestAnimationFrame = (callback) => (asked.set(--lastId, callback), lastId);
+    window.cancelAnimationFrame = (id) => void (asked.delete(id) || cancel(id));
+    window.setTimeout = ((handler: () => void, ms?: number) => later(handler, isLost() ? 0 : ms)) as typeof setTimeout;
+    const goOn = (time: number): void => {
+      window.requestAnimationFrame = frame;
+      for (const callback of asked.values()) callback(time);
+    };
+    MessagePort.prototype.postMessage = function (
+      this: MessagePort,
+      ...message: Parameters<MessagePort['postMessage']>
+    ) {
+      const send = (): void => post.apply(this, message);
+      if (!isLost()) return send();
+      frame((time) => {
+        goOn(time);
+        later(() => later(send));
+      });
+    } as typeof post;
+  });
+  await page.keyboard.press('Control+g');
+  await expect(page.getByRole('treeitem', { name: 'Group' })).toBeFocused();
+  await page.evaluate(() => (Reflect.get(window, 'putBack') as () => void)());
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('treeitem', { name: 'Cone' })).toHaveAttribute('aria-level', '2');
+});
 
-test('what is added below many rows comes into sight @verify', async ({ page }) => {
-  await addObject(page, 'Light', 'Point light');
+test('what is added below many rows comes into sight', async ({ page }) => {
+  await addObject(page, 'Mesh', 'Box');
   await page.keyboard.press('Shift+d');
   await page.getByRole('textbox', { name: 'Count' }).fill('30');
   await page.getByRole('button', { name: 'Duplicate', exact: true }).last().click();
-  await page.getByRole('treeitem', { name: 'Copies of Point light' }).focus();
+  await page.getByRole('treeitem', { name: 'Copies of Box' }).focus();
   await page.keyboard.press('ArrowRight');
-  await expect(page.getByRole('treeitem', { name: 'Point light 2', exact: true })).toBeVisible();
+  await expect(page.getByRole('treeitem', { name: 'Box 2', exact: true })).toBeVisible();
   await addObject(page, 'Mesh', 'Cone');
   await expect(page.getByRole('treeitem', { name: 'Cone' })).toBeInViewport({ ratio: 0.9 });
 });

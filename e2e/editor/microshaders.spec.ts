@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { readFile } from 'node:fs/promises';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { test as own } from '../support/test';
 import { addObject, history, openEditor, serialized } from './editor';
 import { expect, test } from './sharedEditor';
@@ -110,7 +110,7 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
   await page.keyboard.press('Control+y');
   await expect.poll(() => isRed(page)).toBe(true);
 
-  await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward', { timeout: 30_000 });
+  await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward');
 });
 
 own(
@@ -198,7 +198,7 @@ test('a set of microshaders comes in as a whole or not at all, and asks before i
     tint + chunk('octahedralNormal', 'vec2 farol_encodeNormal(vec3 n) { return missing; }'),
   );
   const refusal = page.getByText('broken.xml is not imported, and nothing has changed: octahedralNormal, line');
-  await expect(refusal).toContainText('missing', { timeout: 30_000 });
+  await expect(refusal).toContainText('missing');
   expect(await serialized(page)).toBe(before);
   expect(await history(page)).toEqual(steps);
 
@@ -206,13 +206,11 @@ test('a set of microshaders comes in as a whole or not at all, and asks before i
   const sound = chunk('octahedralNormal', octahedral.replaceAll(/^\/\/.*$/gm, ''));
   await importXML('sound.xml', tint + sound);
   const dialog = page.getByRole('dialog', { name: 'sound.xml replaces microshaders that are there' });
-  await expect(dialog.getByRole('list', { name: 'Microshaders' })).toHaveText('octahedralNormal built in', {
-    timeout: 30_000,
-  });
+  await expect(dialog.getByRole('list', { name: 'Microshaders' })).toHaveText('octahedralNormal built in');
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   expect(await serialized(page)).toBe(before);
   await importXML('sound.xml', tint + sound);
-  await dialog.getByRole('button', { name: 'Replace them' }).click({ timeout: 30_000 });
+  await dialog.getByRole('button', { name: 'Replace them' }).click();
   await expect.poll(() => history(page)).toEqual([...steps, 'Imported sound.xml']);
   expect(Object.keys(JSON.parse(await serialized(page)).microShaders)).toEqual(['octahedralNormal', 'own/tint']);
 });

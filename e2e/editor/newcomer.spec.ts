@@ -4,6 +4,7 @@ import type { MeshPhysicalMaterial } from 'three';
 import { expect, test } from '../support/test';
 import { fieldOf, inspectorFollows, serialized, waitUntilReady } from './editor';
 import { pixelAt, redBox, type TestFile } from './models';
+import { test as shared } from './sharedEditor';
 
 // a small picture: the software rasteriser draws every pixel on the CPU
 test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
@@ -253,9 +254,8 @@ test('a newcomer makes a lit room with a door and a lamp @verify', async ({ page
   await page.screenshot({ path: info.outputPath('lamp.png') });
 });
 
-test('a newcomer adds a room, moves its door and measures it by its fields', async ({ page }) => {
+shared('a newcomer adds a room, moves its door and measures it by its fields', async ({ page }) => {
   const newcomer = new Newcomer(page);
-  await newcomer.beginWithEmptyScene();
   await newcomer.choose('Add', 'Room');
   await expect(page.getByRole('treeitem', { name: 'Room', selected: true })).toBeVisible();
   const room = newcomer.inspector.getByRole('region', { name: 'Room', exact: true });

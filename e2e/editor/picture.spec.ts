@@ -1,11 +1,11 @@
 import { pathToFileURL } from 'node:url';
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
-import { expect, test } from '../support/test';
-import { addObject, openEditor, serialized } from './editor';
+import { addObject, serialized } from './editor';
 import { playerPicture } from './player';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
+test.use({ viewport: { width: 840, height: 400 } });
 
 /** Of the pictures (pixels). */
 const WIDTH = 160;
@@ -50,40 +50,43 @@ async function picture(page: Page): Promise<FloatImage> {
 
 const psnr = (a: FloatImage, b: FloatImage): number => compareImages(a, b).psnr;
 
-test('the picture is the scene’s: chosen, undone, saved, opened again, and the same on a page of its own', async ({
-  page,
-  context,
-}, info) => {
-  await openEditor(page, 'empty');
+const inspectorOf = (page: Page): Locator => page.getByRole('region', { name: 'Inspector', exact: true });
+
+async function choose(page: Page, field: string, option: string): Promise<void> {
+  await inspectorOf(page).getByRole('combobox', { name: field, exact: true }).click();
+  await page.getByRole('option', { name: option }).click();
+}
+
+/** Chooses a picture that differs from the plain one in most that there is to choose. */
+async function choosePicture(page: Page): Promise<void> {
+  await choose(page, 'Background', 'Gradient');
+  await choose(page, 'Technique', 'Deferred shading');
+  await choose(page, 'Tone mapping', 'AgX');
+  for (const name of ['Vignette', 'Bloom', 'Ambient occlusion'])
+    await inspectorOf(page).getByRole('checkbox', { name }).click();
+  await expect.poll(() => effects(page)).toEqual(['ambient occlusion', 'SMAA']);
+}
+
+const effects = (page: Page): Promise<readonly string[]> =>
+  page.evaluate(() => window.editor.viewport.farol.effects.map(({ name }) => name));
+
+test('the picture is the scene’s: chosen, undone, saved, opened again', async ({ page }) => {
   await addObject(page, 'Mesh', 'Sphere');
   await page.evaluate(() => window.editor.document.selection.set([]));
-  const inspector = page.getByRole('region', { name: 'Inspector', exact: true });
-  const choose = async (field: string, option: string): Promise<void> => {
-    await inspector.getByRole('combobox', { name: field, exact: true }).click();
-    await page.getByRole('option', { name: option }).click();
-  };
   const plain = await picture(page);
   const before = await serialized(page);
-  await choose('Background', 'Gradient');
-  await choose('Technique', 'Deferred shading');
-  await choose('Tone mapping', 'AgX');
-  await inspector.getByRole('checkbox', { name: 'Vignette' }).click();
-  await inspector.getByRole('checkbox', { name: 'Bloom' }).click();
-  await inspector.getByRole('checkbox', { name: 'Ambient occlusion' }).click();
-  const names = (): Promise<readonly string[]> =>
-    page.evaluate(() => window.editor.viewport.farol.effects.map(({ name }) => name));
-  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+  await choosePicture(page);
   const chosen = await picture(page);
   expect(isFlat(chosen)).toBe(false);
   expect(psnr(chosen, plain)).toBeLessThan(20);
 
   // what the technique cannot do is said
-  await expect(inspector.locator('.technique-limit')).toHaveCount(0);
-  await choose('Technique', 'Forward, single pass');
-  await expect(inspector.locator('.technique-limit')).toContainText('no ambient occlusion');
-  await expect.poll(names).toEqual([]);
+  await expect(inspectorOf(page).locator('.technique-limit')).toHaveCount(0);
+  await choose(page, 'Technique', 'Forward, single pass');
+  await expect(inspectorOf(page).locator('.technique-limit')).toContainText('no ambient occlusion');
+  await expect.poll(() => effects(page)).toEqual([]);
   await page.keyboard.press('Control+z');
-  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+  await expect.poll(() => effects(page)).toEqual(['ambient occlusion', 'SMAA']);
 
   // in the file
   const open = (text: string): Promise<boolean> =>
@@ -93,13 +96,18 @@ test('the picture is the scene’s: chosen, undone, saved, opened again, and the
   await page.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
   await opened;
   expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('auto');
-  await expect.poll(names).not.toContain('ambient occlusion');
+  await expect.poll(() => effects(page)).not.toContain('ambient occlusion');
   await open(file);
-  await expect.poll(names).toEqual(['ambient occlusion', 'SMAA']);
+  await expect.poll(() => effects(page)).toEqual(['ambient occlusion', 'SMAA']);
   expect(await page.evaluate(() => window.editor.viewport.technique)).toBe('deferred');
   expect(psnr(await picture(page), chosen)).toBeGreaterThan(45);
+});
 
-  // on a page of its own
+test('an exported page has the picture of the editor @verify', async ({ page, context }, info) => {
+  await addObject(page, 'Mesh', 'Sphere');
+  await page.evaluate(() => window.editor.document.selection.set([]));
+  await choosePicture(page);
+  const chosen = await picture(page);
   await page.keyboard.press('Control+Shift+E');
   const download = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Web page…' }).click();

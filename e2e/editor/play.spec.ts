@@ -1,4 +1,4 @@
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { fieldOf, history, serialized } from './editor';
 import { expect, test } from './sharedEditor';
 

@@ -1,15 +1,16 @@
-import { byExtent } from '@farol/tools/extent';
 import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 460, height: 340 }, reducedMotion: 'no-preference' });
 
-// one in the slice, since unit tests play them all
-test('samples that are files open, play 20 steps, and are as they were once they are stopped', async ({ page }) => {
+// unit tests play them too, and playedPages.spec.ts one of them
+test('samples that are files open, play 20 steps, and are as they were once they are stopped @verify', async ({
+  page,
+}) => {
   const names = await page.evaluate(() =>
     Object.keys(window.editor.samples).filter((name) => window.editor.samples[name].file !== null),
   );
   expect(names).toHaveLength(10);
-  for (const name of byExtent({ slice: ['animation'], verify: names })) {
+  for (const name of names) {
     const seen = await page.evaluate(async (name) => {
       const { editor } = window;
       await editor.openSample(name);

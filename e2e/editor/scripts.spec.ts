@@ -2,10 +2,11 @@ import { pathToFileURL } from 'node:url';
 import { inflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { deadTabOf } from '../support/deadTab';
-import { expect, test } from '../support/test';
+import { test as own } from '../support/test';
 import { addObject, openEditor, serialized } from './editor';
+import { expect, test } from './sharedEditor';
 
-test.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
+own.use({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' });
 
 const spin = (axis: string): string => `import { component, number } from '@farol/engine/fields';
 import { Vector3 } from 'three';
@@ -36,8 +37,6 @@ test('a script turns an object, an edit is live with its values, and the exporte
   page,
   context,
 }, info) => {
-  await page.addInitScript(() => Reflect.deleteProperty(window, 'showSaveFilePicker'));
-  await openEditor(page, 'empty');
   await addObject(page, 'Mesh', 'Box');
   await page.evaluate(async (source) => {
     const { assets, scripts, scene } = window.editor.document;
@@ -107,44 +106,45 @@ export default class Stuck extends component({}) {
   update() { console.info('stuck'); /^(a+)+$/.test('a'.repeat(99) + 'b'); }
 }`;
 
-test('a tab that hung in a script, and was ended, comes back with scripts off, until they are mended @verify', async ({
-  page,
-}) => {
-  await openEditor(page, 'empty');
-  await page.evaluate(async (source) => {
-    const { assets, scripts, scene } = window.editor.document;
-    assets.addFieldAsset('script', 'Stuck', { source });
-    await scripts.settled();
-    scene.find('Sun')!.addComponent('Stuck');
-  }, stuck);
-  await addObject(page, 'Mesh', 'Box');
-  await page.waitForFunction(() => window.editor.autosave?.isUpToDate);
-  const tab = await deadTabOf(page);
-  const hung = page.waitForEvent('console', (message) => message.text() === 'stuck');
-  // never answered: the page does not come to it
-  void page.keyboard.press('Control+p').catch(() => {});
-  await hung;
-  await tab.killAndReload();
+own(
+  'a tab that hung in a script, and was ended, comes back with scripts off, until they are mended @verify',
+  async ({ page }) => {
+    await openEditor(page, 'empty');
+    await page.evaluate(async (source) => {
+      const { assets, scripts, scene } = window.editor.document;
+      assets.addFieldAsset('script', 'Stuck', { source });
+      await scripts.settled();
+      scene.find('Sun')!.addComponent('Stuck');
+    }, stuck);
+    await addObject(page, 'Mesh', 'Box');
+    await page.waitForFunction(() => window.editor.autosave?.isUpToDate);
+    const tab = await deadTabOf(page);
+    const hung = page.waitForEvent('console', (message) => message.text() === 'stuck');
+    // never answered: the page does not come to it
+    void page.keyboard.press('Control+p').catch(() => {});
+    await hung;
+    await tab.killAndReload();
 
-  const button = (name: string): string =>
-    `[...document.querySelectorAll('[role=dialog] button, [role=alert] button')].find((each) => each.textContent === '${name}')`;
-  await expect
-    .poll(() => tab.evaluate(`${button('Recover')} && (${button('Recover')}.click(), 'clicked')`))
-    .toBe('clicked');
-  const bar = `document.querySelector('[role=alert][aria-label="Scripts are off"]')?.textContent`;
-  await expect.poll(() => tab.evaluate(bar)).toContain('the page ended while they ran');
-  const known = `window.editor.document.scripts.classOf('Stuck') !== null`;
-  expect(await tab.evaluate(known)).toBe(false);
-  // it plays without them, and with the one that was mended
-  await tab.evaluate(`window.editor.document.simulation.step()`);
-  await tab.evaluate(`window.editor.document.simulation.stop()`);
-  await tab.evaluate(`{
+    const button = (name: string): string =>
+      `[...document.querySelectorAll('[role=dialog] button, [role=alert] button')].find((each) => each.textContent === '${name}')`;
+    await expect
+      .poll(() => tab.evaluate(`${button('Recover')} && (${button('Recover')}.click(), 'clicked')`))
+      .toBe('clicked');
+    const bar = `document.querySelector('[role=alert][aria-label="Scripts are off"]')?.textContent`;
+    await expect.poll(() => tab.evaluate(bar)).toContain('the page ended while they ran');
+    const known = `window.editor.document.scripts.classOf('Stuck') !== null`;
+    expect(await tab.evaluate(known)).toBe(false);
+    // it plays without them, and with the one that was mended
+    await tab.evaluate(`window.editor.document.simulation.step()`);
+    await tab.evaluate(`window.editor.document.simulation.stop()`);
+    await tab.evaluate(`{
     const script = window.editor.document.assets.fieldAsset('Stuck');
     script.set('source', script.get('source').replace(/update.*/, "update() { document.title = 'mended'; }"));
   }`);
-  await tab.evaluate(`${button('Run them')}.click()`);
-  await expect.poll(() => tab.evaluate(known)).toBe(true);
-  await tab.evaluate(`window.editor.document.simulation.step()`);
-  await expect.poll(() => tab.evaluate('document.title')).toBe('mended');
-  expect(await tab.evaluate(bar)).toBeUndefined();
-});
+    await tab.evaluate(`${button('Run them')}.click()`);
+    await expect.poll(() => tab.evaluate(known)).toBe(true);
+    await tab.evaluate(`window.editor.document.simulation.step()`);
+    await expect.poll(() => tab.evaluate('document.title')).toBe('mended');
+    expect(await tab.evaluate(bar)).toBeUndefined();
+  },
+);

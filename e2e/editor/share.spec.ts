@@ -3,7 +3,7 @@ import { pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/test';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { addObject, serialized, waitUntilReady } from './editor';
 import { dropFiles, redBox } from './models';
 

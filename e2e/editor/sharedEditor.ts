@@ -1,26 +1,39 @@
 import type { Page } from '@playwright/test';
-import { test as base } from '../support/test';
+import { expect, testWithSharedPage } from '../support/sharedPage';
 import { openEditor } from './editor';
 
-export { expect } from '@playwright/test';
+export { expect };
 
 /** The parts of `window.editor` that are put back between tests; documented in apps/editor/src/Editor.ts. */
 interface Kept {
   readonly actions: { get(id: string): { run(editor: unknown): Promise<void> } | undefined };
   readonly clipboard: { text: string | null };
-  readonly commands: { clear(): void };
-  readonly dialogs: { close(agreed: boolean): void };
-  readonly keys: { reset(): void };
-  readonly layout: { close(panel: string): void; isSmall(): boolean; open(panel: string): void; reset(): void };
-  readonly log: { clear(): void };
+  readonly commands: { readonly history: readonly string[]; readonly isDirty: boolean; clear(): void };
+  readonly dialogs: { readonly current: object | null; close(agreed: boolean): void };
+  readonly document: (typeof window.editor)['document'];
+  readonly keys: { readonly store: { getState(): object }; reset(): void };
+  readonly layout: {
+    maximised(): string | null;
+    sheet(): string | null;
+    isSmall(): boolean;
+    open(panel: string): void;
+    close(panel: string): void;
+    reset(): void;
+  };
+  readonly log: { readonly entries: readonly object[]; clear(): void };
   readonly notices: { readonly current: readonly { readonly id: number }[]; remove(id: number): void };
   readonly panels: { readonly list: readonly { readonly id: string }[] };
   readonly plugins: { readonly list: readonly { readonly name: string }[] };
   removePlugin(name: string): void;
-  readonly preferences: { getInitialState(): object; setState(values: object, replaces: boolean): void };
+  readonly preferences: {
+    getInitialState(): object;
+    getState(): object;
+    setState(values: object, replaces: boolean): void;
+  };
   readonly recentFiles: { list: readonly object[] };
-  readonly tools: { end(): boolean };
-  readonly tour: { show(step: null): void };
+  serialize(): string;
+  readonly tools: { readonly current: object | null; end(): boolean };
+  readonly tour: { readonly current: number | null; show(step: null): void };
   readonly viewport: Record<string, unknown>;
 }
 
@@ -41,7 +54,7 @@ const viewportSettings = {
 };
 
 /** Puts the editor back to how it opens with the empty scene: all that is kept in the page and in the browser's storage. */
-async function reset(page: Page): Promise<void> {
+async function putBack(page: Page): Promise<void> {
   await page.mouse.move(0, 0);
   await page.evaluate(async (settings) => {
     const editor = window.editor as unknown as Kept;
@@ -49,6 +62,7 @@ async function reset(page: Page): Promise<void> {
     editor.tools.end();
     editor.tour.show(null);
     for (const { name } of editor.plugins.list) editor.removePlugin(name);
+    localStorage.clear();
     editor.keys.reset();
     editor.preferences.setState(editor.preferences.getInitialState(), true);
     editor.clipboard.text = null;
@@ -73,45 +87,52 @@ async function reset(page: Page): Promise<void> {
     }
     (document.activeElement as HTMLElement | null)?.blur();
   }, viewportSettings);
-  await base.expect(page.getByRole('dialog').or(page.getByRole('menu'))).toHaveCount(0);
+  await expect(page.getByRole('dialog').or(page.getByRole('menu'))).toHaveCount(0);
 }
 
+/** Puts the editor back; once more where something that the test before began ended only then. */
+const reset = (page: Page): Promise<void> =>
+  expect(async () => {
+    await putBack(page);
+    expect(await stateOf(page), 'an editor that was put back').toEqual(opened);
+  }).toPass({ timeout: 30_000 });
+
+/** What tests may leave behind, of an editor as it opens. */
+let opened: object;
+
 /**
- * As `test` of ../support/test, with one page for all tests of a worker: the editor with the empty scene, which opens once,
- * and is put back before each test. For tests that neither reload the page nor change what it runs on: its storage, its
- * network, what the browser can do.
+ * What tests may leave behind, but for ids, the order of panels, which goes by the size of the window, and recent files, which
+ * are noted a while after they were opened.
  */
-export const test = base.extend<{ emptyScene: void }, { sharedPage: Page }>({
-  sharedPage: [
-    async ({ browser }, use) => {
-      const baseURL = process.env.FAROL_EDITOR_URL;
-      const context = await browser.newContext({ baseURL });
-      await use(await context.newPage());
-      await context.close();
-    },
-    { scope: 'worker' },
-  ],
+const stateOf = (page: Page): Promise<object> =>
+  page.evaluate((names) => {
+    const editor = window.editor as unknown as Kept;
+    const { clipboard, commands, dialogs, keys, layout, log, notices, plugins, preferences, tools, tour } = editor;
+    return {
+      scene: editor.serialize().replaceAll(/"(id|parent|activeCamera)": "[^"]+"/g, '"$1"'),
+      assets: editor.document.assets.files.length,
+      simulation: editor.document.simulation.state,
+      selection: editor.document.selection.ids,
+      commands: [commands.history, commands.isDirty],
+      preferences: preferences.getState(),
+      keys: keys.store.getState(),
+      layout: [layout.maximised(), layout.isSmall() && layout.sheet()],
+      plugins: plugins.list.map(({ name }) => name),
+      shown: [dialogs.current, notices.current, tools.current, tour.current, log.entries],
+      clipboard: clipboard.text,
+      storage: Object.keys(localStorage).filter((key) => !key.startsWith('farol-editor')),
+      viewport: names.map((name) => editor.viewport[name]),
+      document: { ...document.documentElement.dataset, language: document.documentElement.lang },
+    };
+  }, Object.keys(viewportSettings));
 
-  context: async ({ sharedPage }, use) => use(sharedPage.context()),
+async function open(page: Page): Promise<void> {
+  await openEditor(page, 'empty');
+  opened = await stateOf(page);
+}
 
-  page: async ({ sharedPage }, use) => {
-    await use(sharedPage);
-    for (const other of sharedPage.context().pages()) if (other !== sharedPage) await other.close();
-  },
-
+/** `test` with an editor that shows the empty scene, which opens once for the tests of a worker. */
+export const test = testWithSharedPage('editor', open, reset).extend({
   viewport: { width: 1000, height: 560 },
-
   reducedMotion: 'reduce',
-
-  emptyScene: [
-    async ({ page, viewport, reducedMotion, watch }, use) => {
-      void watch;
-      await page.setViewportSize(viewport!);
-      await page.emulateMedia({ reducedMotion });
-      if (page.url() === 'about:blank') await openEditor(page, 'empty');
-      else await reset(page);
-      await use();
-    },
-    { auto: true },
-  ],
 });

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { axeProblems } from '../support/axeProblems';
+import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
 import { addObject, fieldOf, history, serialized } from './editor';
 import { expect, test } from './sharedEditor';
 
@@ -27,7 +27,7 @@ test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped',
   await expect(playhead).toHaveAttribute('aria-valuetext', '1.00 s, frame 30');
   await x.fill('8 / 2');
   await x.press('Enter');
-  expect(await shownX(page)).toBe(4);
+  await expect.poll(() => shownX(page)).toBe(4);
   expect(await fieldOf(page, 'Box', 'Transform', 'position')).toEqual(authored);
   expect((await history(page)).slice(2)).toEqual(['Recorded position in Box clip', 'Recorded position in Box clip']);
   expect(await axeProblems(page, ['color-contrast'])).toEqual([]);
@@ -40,7 +40,7 @@ test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped',
   await page.mouse.move(sheet.x + 14 + (sheet.width - 44) / 2, sheet.y + 8, { steps: 3 });
   await page.mouse.up();
   await expect(playhead).toHaveAttribute('aria-valuetext', '0.50 s, frame 15');
-  expect(await shownX(page)).toBe(2);
+  await expect.poll(() => shownX(page)).toBe(2);
   const text = await serialized(page);
   await panel.getByRole('application', { name: 'Dope sheet' }).focus();
   await page.keyboard.press('Control+a');
@@ -65,12 +65,12 @@ test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped',
 
   // another object ends the preview; playing moves the box, stopping puts it back
   await page.getByRole('treeitem', { name: 'Sun' }).click();
-  expect(await shownX(page)).toBe((authored as number[])[0]);
+  await expect.poll(() => shownX(page)).toBe((authored as number[])[0]);
   const before = await serialized(page);
   await page.getByRole('treeitem', { name: 'Box' }).click();
   await page.keyboard.press('Control+p');
   await expect.poll(() => shownX(page)).toBeGreaterThan(0.01);
   await page.getByRole('button', { name: /^Stop/ }).click();
-  expect(await shownX(page)).toBe((authored as number[])[0]);
+  await expect.poll(() => shownX(page)).toBe((authored as number[])[0]);
   expect(await serialized(page)).toBe(before);
 });

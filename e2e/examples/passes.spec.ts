@@ -25,7 +25,7 @@ const cases: Record<'three' | 'pmndrs' | 'effects', Record<string, Case>> = {
 
 for (const technique of ['clustered-forward', 'deferred'] as const) {
   const deferred = technique === 'deferred';
-  test(`FarolPass draws as RenderPass does, ${technique}`, async ({ page, pagesURL }) => {
+  test(`FarolPass draws as RenderPass does, ${technique}${deferred ? '' : ' @verify'}`, async ({ page, pagesURL }) => {
     await page.goto(`${pagesURL}composers.html`);
     await page.waitForFunction(() => 'compareInComposer' in window);
     for (const [host, list] of Object.entries(cases)) {

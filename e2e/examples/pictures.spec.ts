@@ -22,7 +22,7 @@ const byBoth = ['composer', 'gltf', 'mixed'];
 const asked = { 'clustered-forward': { psnr: 60, share: 0 }, deferred: { psnr: 55, share: 0.001 } };
 
 /** One of each way to draw in the slice; behaviour, attach and drei.spec.ts open the others. */
-const inSlice = ['composer', 'mixed', 'postprocessing'];
+const inSlice = ['composer', 'postprocessing'];
 
 for (const name of examples) {
   test(`${name}: the picture is that of three's own renderer${inSlice.includes(name) ? '' : ' @verify'}`, async ({

@@ -4,7 +4,7 @@ interface Stage {
   drawNormals(way: string, size: object): Promise<{ picture: ImageData; leaning: number }>;
 }
 
-test('figure 4.3: normals by faces lean at edges, those by crease angle do not, and it can be seen', async ({
+test('figure 4.3: normals by faces lean at edges, those by crease angle do not, and it can be seen @verify', async ({
   page,
 }) => {
   await page.goto('./stage.html');

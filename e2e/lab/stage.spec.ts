@@ -110,7 +110,7 @@ test('every competitor draws the picture of stock three, is timed and counted, a
 
 const kept = (name: string): string | null => (farol.includes(name) ? name : null);
 
-test('moved lights change the picture; what cannot be drawn is refused in a sentence', async ({ page }) => {
+test('moved lights change the picture; what cannot be drawn is refused in a sentence @verify', async ({ page }) => {
   const said = await page.evaluate(async () => {
     const stage = window.stage!;
     const { signal } = new AbortController();

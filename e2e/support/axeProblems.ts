@@ -1,4 +1,5 @@
 import AxeBuilder from '@axe-core/playwright';
+import { isWhole } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 
 /**
@@ -15,3 +16,7 @@ export async function axeProblems(page: Page, rules?: readonly string[]): Promis
     .filter(({ impact }) => impact === 'serious' || impact === 'critical')
     .flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html}\n${failureSummary}`));
 }
+
+/** As `axeProblems` in verify. The slice asks axe where accessibility is the subject, not on the way of other tests. */
+export const axeProblemsInVerify = async (page: Page, rules?: readonly string[]): Promise<string[]> =>
+  isWhole ? axeProblems(page, rules) : [];

@@ -1,6 +1,6 @@
 import { basename, dirname } from 'node:path';
 import { type ConsoleMessage, type Page, test as base } from '@playwright/test';
-import { extent } from '@farol/tools/extent';
+import { byExtent, extent } from '@farol/tools/extent';
 
 export { expect } from '@playwright/test';
 
@@ -8,6 +8,9 @@ export { expect } from '@playwright/test';
 const apps: Record<string, string | undefined> = { editor: 'EDITOR', lab: 'LAB', rivals: 'LAB' };
 /** Folders whose tests have a window of a desktop's size, unless they ask for another. */
 const desktop = new Set(['editor', 'lab']);
+
+/** Pixels of a picture for each of the page's, where a picture is large and seldom what a test is about. */
+export const pixelRatio = byExtent({ slice: 0.5, verify: 1 });
 
 /** Folder of e2e/ that holds a test's file. */
 const folderOf = (file: string): string => basename(dirname(file));
@@ -52,8 +55,33 @@ export interface Watch {
  * - `watch`: the problems seen; a test that provokes one calls `watch.forgive(/…/)`.
  * - `pagesURL`: where the tests' own pages (e2e/pages) are served, with a slash at its end.
  * - `benchPage`: the first of them, open, with what it offers as `window.testPage`.
+ * - `sharedPages`: gives the page of an app that tests of a worker share: see sharedPage.ts. Every test has this fixture,
+ *   since one more kind of worker would be one more browser, which compiles all shaders anew.
  */
-export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Page }>({
+export const test = base.extend<
+  { watch: Watch; pagesURL: string; benchPage: Page },
+  { sharedPages: (app: 'editor' | 'viewer') => Promise<Page> }
+>({
+  sharedPages: [
+    async ({ browser }, use) => {
+      const pages = new Map<string, Promise<Page>>();
+      const make = async (app: string): Promise<Page> => {
+        const context = await browser.newContext({
+          baseURL: process.env[`FAROL_${app.toUpperCase()}_URL`],
+          deviceScaleFactor: app === 'editor' ? pixelRatio : undefined,
+        });
+        return context.newPage();
+      };
+      await use((app) => {
+        const page = pages.get(app) ?? make(app);
+        pages.set(app, page);
+        return page;
+      });
+      for (const page of pages.values()) await (await page).context().close();
+    },
+    { scope: 'worker' },
+  ],
+
   // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
   pagesURL: async ({}, use) => use(process.env.FAROL_PAGES_URL ?? ''),
 
@@ -64,6 +92,9 @@ export const test = base.extend<{ watch: Watch; pagesURL: string; benchPage: Pag
     const isUsual = viewport === project.use.viewport;
     return use(isUsual && desktop.has(folderOf(file)) ? { width: 1280, height: 720 } : viewport);
   },
+
+  deviceScaleFactor: async ({ deviceScaleFactor }, use, { file }) =>
+    use(deviceScaleFactor ?? (folderOf(file) === 'editor' ? pixelRatio : undefined)),
 
   watch: [
     async ({ page }, use) => {

@@ -55,3 +55,7 @@ export async function readImage(page: Page, by: 'farol' | 'three' = 'farol'): Pr
   const bytes = Buffer.from(text, 'base64');
   return { width, height, data: new Float32Array(new Uint8Array(bytes).buffer) };
 }
+
+/** Parameters of a page's address as they are now; `page.url()` is told of a change a while later. */
+export const addressOf = async (page: Page): Promise<Readonly<Record<string, string>>> =>
+  Object.fromEntries(new URLSearchParams(await page.evaluate(() => location.search)));

@@ -1,13 +1,18 @@
+import type { Page } from '@playwright/test';
 import { Quaternion, Vector3 } from 'three';
 import type { Light } from '@farol/engine';
 import { byExtent } from '@farol/tools/extent';
 import { compareImages } from '../support/images';
-import { expect, test } from '../support/test';
-import { openViewer, readImage, still } from '../support/viewer';
+import { test as own } from '../support/test';
+import { addressOf, openViewer, readImage, still } from '../support/viewer';
+import { expect, test } from './sharedViewer';
 
 const withMenu = { ...still, gui: 1 };
-const moving = { scene: 'benchmarkLights', width: 160, height: 90, dpr: 1 };
-const query = (address: string) => Object.fromEntries(new URL(address).searchParams);
+/** Lets time go on. */
+const startTime = (page: Page) =>
+  page.evaluate(() =>
+    (window.viewer as typeof window.viewer & { setTime(seconds: number | null): void }).setTime(null),
+  );
 
 interface Pose {
   position: number[];
@@ -22,7 +27,6 @@ function lineDistance(a: Pose, b: Pose): number {
 }
 
 test('the menu offers every technique, view and scene, and writes them into the address', async ({ page }) => {
-  await openViewer(page, withMenu);
   const known = await page.evaluate(() => {
     const { scenes, techniques, views } = window.viewer.known;
     return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
@@ -38,28 +42,28 @@ test('the menu offers every technique, view and scene, and writes them into the 
 
   for (const [index, technique] of known.techniques.entries()) {
     await types.selectOption({ index });
-    await expect.poll(() => query(page.url()).technique).toBe(technique);
+    await expect.poll(async () => (await addressOf(page)).technique).toBe(technique);
     expect(await page.evaluate(() => window.viewer.farol.technique)).toBe(technique);
   }
   await views.selectOption('normal');
-  await expect.poll(() => query(page.url()).view).toBe('normal');
+  await expect.poll(async () => (await addressOf(page)).view).toBe('normal');
   expect(await page.evaluate(() => window.viewer.farol.view)).toBe('normal');
 });
 
-test('the address that the menu wrote opens the same picture @verify', async ({ page }) => {
+own('the address that the menu wrote opens the same picture @verify', async ({ page }) => {
   await openViewer(page, withMenu);
   const before = await readImage(page);
   await page.getByRole('button', { name: 'Temple' }).click();
-  await expect.poll(() => query(page.url()).scene).toBe('temple');
+  await expect.poll(async () => (await addressOf(page)).scene).toBe('temple');
   const chosen = await readImage(page);
   expect(compareImages(before, chosen).largest).toBeGreaterThan(0.05);
 
-  await page.goto(page.url());
+  await page.reload();
   await page.evaluate(() => window.viewer.ready);
   expect(compareImages(chosen, await readImage(page)).largest).toBe(0);
 });
 
-test('a number of lights set in the menu is in the scene and the address, and the camera stays', async ({ page }) => {
+own('a number of lights set in the menu is in the scene and the address, and the camera stays', async ({ page }) => {
   await openViewer(page, { ...withMenu, scene: 'temple', lights: 10 });
   const place = await page.evaluate(() => {
     const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -73,7 +77,7 @@ test('a number of lights set in the menu is in the scene and the address, and th
     .first();
   await input.fill('7');
   await input.press('Enter');
-  await expect.poll(() => query(page.url()).lights).toBe('7');
+  await expect.poll(async () => (await addressOf(page)).lights).toBe('7');
   await expect
     .poll(() =>
       page.evaluate(
@@ -88,7 +92,7 @@ test('a number of lights set in the menu is in the scene and the address, and th
 });
 
 test('keys fly and dragging turns the camera', async ({ page }) => {
-  await openViewer(page, { ...moving, gui: 0 });
+  await startTime(page);
   const pose = () =>
     page.evaluate(() => {
       const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -107,7 +111,6 @@ test('keys fly and dragging turns the camera', async ({ page }) => {
 });
 
 test('a finger orbits the scene: the camera moves and keeps looking at the same place', async ({ page }) => {
-  await openViewer(page, still);
   const pose = () =>
     page.evaluate(() => {
       const { object3D } = window.viewer.engineScene.activeCamera!.gameObject;
@@ -129,7 +132,6 @@ test('a finger orbits the scene: the camera moves and keeps looking at the same 
 });
 
 test('while time is stopped the camera flies, the scene stands, and no frame is drawn in between', async ({ page }) => {
-  await openViewer(page, still);
   const state = () =>
     page.evaluate(() => ({
       place: window.viewer.engineScene.activeCamera!.gameObject.object3D.position.toArray(),
@@ -152,22 +154,22 @@ test('while time is stopped the camera flies, the scene stands, and no frame is 
 });
 
 test('Space stops time and lets it go on, H hides the menu; the address follows', async ({ page }) => {
-  await openViewer(page, moving);
+  await startTime(page);
   await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(0.05);
   await page.keyboard.press('Space');
-  const time = Number(query(page.url()).time);
+  const time = Number((await addressOf(page)).time);
   expect(time).toBeGreaterThan(0);
   expect(await page.evaluate(() => window.viewer.engineScene.time)).toBe(time);
   await page.keyboard.press('Space');
   await expect.poll(() => page.evaluate(() => window.viewer.engineScene.time)).toBeGreaterThan(time);
-  expect(query(page.url()).time).toBeUndefined();
+  expect((await addressOf(page)).time).toBeUndefined();
   await page.keyboard.press('h');
   await expect(page.locator('.lil-gui.lil-root')).toBeHidden();
-  expect(query(page.url()).gui).toBe('0');
+  expect((await addressOf(page)).gui).toBe('0');
 });
 
 test('figures of each pass are shown and kept up', async ({ page }) => {
-  await openViewer(page, moving);
+  await startTime(page);
   const rows = page.locator('.statistics tbody tr');
   await expect(rows).not.toHaveCount(0);
   await expect(page.locator('.statistics')).toContainText(/\d+ FPS/);
@@ -176,7 +178,6 @@ test('figures of each pass are shown and kept up', async ({ page }) => {
 });
 
 test('the help lists keys and address parameters', async ({ page }) => {
-  await openViewer(page, still);
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Help' });
   await expect(help).toBeVisible();
@@ -189,7 +190,7 @@ test('the help lists keys and address parameters', async ({ page }) => {
   await expect(help).toBeHidden();
 });
 
-test('a lost graphics device is told of, and the picture comes back by every technique', async ({ page, watch }) => {
+own('a lost graphics device is told of, and the picture comes back by every technique', async ({ page, watch }) => {
   await openViewer(page, withMenu);
   const techniques = await page.evaluate(() => {
     const extension = window.viewer.three.getContext().getExtension('WEBGL_lose_context')!;
@@ -208,10 +209,10 @@ test('a lost graphics device is told of, and the picture comes back by every tec
   }
 });
 
-test.describe('on a phone', () => {
-  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+own.describe('on a phone', () => {
+  own.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
+  own('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
     await openViewer(page, withMenu);
     const technique = page.getByLabel('Render Type');
     await expect(technique).toBeHidden();

@@ -1,8 +1,8 @@
 import type { Page } from '@playwright/test';
 import { drop } from '../support/drop';
 import { compareImages } from '../support/images';
-import { expect, test } from '../support/test';
-import { openViewer, readImage, still } from '../support/viewer';
+import { readImage } from '../support/viewer';
+import { expect, test } from './sharedViewer';
 
 /** A square that faces the camera, without normals; paths as programs of Windows write them. */
 const obj = `mtllib Room.MTL
@@ -36,7 +36,6 @@ async function middle(page: Page): Promise<{ red: number; blue: number }> {
 }
 
 test('an OBJ is shown with its MTL and a TGA, and one message names what is missing', async ({ page }) => {
-  await openViewer(page, { ...still, gui: 1 });
   const before = await readImage(page);
   await drop(page, { 'room.obj': obj, 'room.mtl': mtl, 'blue wall.tga': blueTga });
   await expect.poll(() => page.evaluate(() => window.viewer.modelName)).toBe('room.obj');

@@ -92,10 +92,7 @@ function isOfVerify(node, textOf) {
  * @type {readonly { file: string, most: number, reason: string }[]}
  */
 export const clockLimits = [
-  { file: 'e2e/support/loseContext.ts', most: 1, reason: 'WebGL restores a context in a later task than its loss' },
-  { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws: used on a GPU alone' },
-  { file: 'e2e/editor/assets.spec.ts', most: 4, reason: 'the longest wait of the page for its turn' },
-  { file: 'e2e/perf/autoChange.spec.ts', most: 1, reason: "frames after which 'auto' changes are what is tested" },
+  { file: 'e2e/perf/areaLightCost.ts', most: 4, reason: 'times draws, for a test of @verify and @long alone' },
 ];
 
 /**

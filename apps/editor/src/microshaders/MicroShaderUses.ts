@@ -56,9 +56,10 @@ export class MicroShaderUses {
    */
   find(): Promise<void> {
     if (this.isKnown) return Promise.resolve();
-    this.search ??= this.findAll().finally(() => {
-      this.search = null;
-    });
+    // whoever is told may ask for more at once: a plugin may have added a technique meanwhile
+    this.search ??= this.findAll()
+      .finally(() => (this.search = null))
+      .then(() => this.changed.emit());
     return this.search;
   }
 
@@ -131,7 +132,6 @@ export class MicroShaderUses {
       await idle();
       this.byView.set(view, this.chunksWith({ technique: 'clustered-forward', view }));
     }
-    this.changed.emit();
   }
 
   private chunksWith(options: Parameters<typeof dryRun>[1]): Set<string> {
