@@ -1,9 +1,15 @@
 import { shortText } from '../shortText';
-import type { MicroShaderRegistry } from '../MicroShaderRegistry';
+import type { MicroShader } from '../MicroShader';
 import { parseMicroShaderXML } from './parseMicroShaderXML';
 
+/** A MicroShaderRegistry as far as it takes chunks. */
+interface ChunkTaker {
+  has(name: string): boolean;
+  add(chunks: readonly MicroShader[]): void;
+}
+
 /** See `MicroShaderRegistry.loadXML`. */
-export function loadXML<Program>(registry: MicroShaderRegistry<Program>, text: string, file: string): string[] {
+export function loadXML(registry: ChunkTaker, text: string, file: string): string[] {
   const chunks = parseMicroShaderXML(text, file);
   const known = chunks.find(({ name }) => registry.has(name));
   if (known)
@@ -13,7 +19,7 @@ export function loadXML<Program>(registry: MicroShaderRegistry<Program>, text: s
 }
 
 /** See `MicroShaderRegistry.loadXMLFile`. */
-export async function fetchXML<Program>(registry: MicroShaderRegistry<Program>, url: string): Promise<string[]> {
+export async function fetchXML(registry: ChunkTaker, url: string): Promise<string[]> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: the server answers ${response.status}; is the address of the file right?`);
   return loadXML(registry, await response.text(), url);
