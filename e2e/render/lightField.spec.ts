@@ -260,7 +260,8 @@ test('a picture without a field, and its programs, are the same before and after
     const camera = new three.PerspectiveCamera(50, 4 / 3, 0.1, 20);
     camera.position.set(0, -2, 6);
     camera.lookAt(0, 0, 0);
-    // what needs code of another kind is left out: it would change with that
+    // what needs code of another kind is left out, or its code fetched: it would change with that
+    await farol.FarolRenderer.preload(['light-grid', 'light-tiles']);
     const techniques = ['forward-single-pass', 'deferred', 'tiled-deferred', 'clustered-deferred', 'clustered-forward'];
     const draw = () => {
       const bench = new Bench(64, 48);

@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { explainCompileError } from '@farol/renderer/authoring';
+import { explainCompileError } from '@farol/renderer/microshaders';
 import type { EditorApi } from './api/EditorApi';
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -1,5 +1,6 @@
 import { t } from '@farol/editing';
-import { MicroShaderCompileError } from '@farol/renderer/authoring';
+import { parseMicroShaderXML } from '@farol/renderer/authoring';
+import { formatMicroShader, MicroShaderCompileError } from '@farol/renderer/microshaders';
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 
@@ -33,7 +34,7 @@ export async function importMicroShaders(
   file: string,
 ): Promise<readonly string[] | null> {
   const { microShaders, dialogs, document, viewport } = editor;
-  const edits = microShaders.readXML(text, file);
+  const edits = parseMicroShaderXML(text, file).map((chunk) => ({ name: chunk.name, text: formatMicroShader(chunk) }));
   const { scene } = document;
   const texts = new Map(scene.microShaders.texts);
   for (const edit of edits) texts.set(edit.name, edit.text);

@@ -5,8 +5,7 @@ import {
   type MicroShader,
   type MicroShaderCompileEntry,
   type MicroShaderRegistry,
-  parseMicroShaderXML,
-} from '@farol/renderer/authoring';
+} from '@farol/renderer/microshaders';
 import { type MicroShaderEdit, SetMicroShaders } from '../model/commands/SetMicroShaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
@@ -124,11 +123,6 @@ export class MicroShaderEditing extends TextDrafts<string> {
     if (this.names.includes(name))
       throw new Error(t('There is a microshader “{name}” already: choose another name.', { name }));
     this.run(t('New microshader {name}', { name }), [{ name, text: TEMPLATE }]);
-  }
-
-  /** The chunks of a file of XML as texts. @throws Error with file and line */
-  readXML(text: string, file: string): { readonly name: string; readonly text: string }[] {
-    return parseMicroShaderXML(text, file).map((chunk) => ({ name: chunk.name, text: formatMicroShader(chunk) }));
   }
 
   /** Takes texts into the scene as one step of history, in place of those of the same name. */

@@ -1,6 +1,6 @@
 import { Signal } from '@farol/editing';
 import type { FarolRenderer, TechniqueName, View } from '@farol/renderer';
-import { formatMicroShader } from '@farol/renderer/authoring';
+import { formatMicroShader } from '@farol/renderer/microshaders';
 import { chunksOf, dryRun } from './dryRun';
 import { isOfSurface } from './MicroShaderEditing';
 import { probeMicroShader } from './probeMicroShader';

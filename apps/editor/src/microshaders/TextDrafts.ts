@@ -1,5 +1,5 @@
 import { type Command, type CommandStack, type Gesture, Signal } from '@farol/editing';
-import { type MicroShaderCompileEntry, MicroShaderCompileError } from '@farol/renderer/authoring';
+import { type MicroShaderCompileEntry, MicroShaderCompileError } from '@farol/renderer/microshaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 
 /** How long after the last key a text is compiled (ms). */

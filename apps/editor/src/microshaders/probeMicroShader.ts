@@ -1,9 +1,5 @@
-import {
-  MicroShaderCompileError,
-  type MicroShaderRegistry,
-  type Technique,
-  WebGLShaderCompiler,
-} from '@farol/renderer/authoring';
+import type { Technique } from '@farol/renderer/authoring';
+import { MicroShaderCompileError, type MicroShaderRegistry, WebGLShaderCompiler } from '@farol/renderer/microshaders';
 import type { TechniqueName } from '@farol/renderer';
 import { chunksOf, dryRun } from './dryRun';
 

@@ -1,4 +1,4 @@
-import { MicroShaderRegistry } from '@farol/renderer/authoring';
+import { MicroShaderRegistry } from '@farol/renderer/microshaders';
 import { expect, it } from 'vitest';
 import { Scene } from '../core/Scene';
 import { MicroShaderOverrides } from './MicroShaderOverrides';

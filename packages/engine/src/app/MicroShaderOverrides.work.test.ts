@@ -1,4 +1,4 @@
-import { MicroShaderRegistry } from '@farol/renderer/authoring';
+import { MicroShaderRegistry } from '@farol/renderer/microshaders';
 import { growthOf } from '@farol/tools/workOf';
 import { expect, it } from 'vitest';
 import { MicroShaderOverrides } from './MicroShaderOverrides';

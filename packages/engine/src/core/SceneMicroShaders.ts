@@ -1,4 +1,4 @@
-import { parseMicroShader } from '@farol/renderer/authoring';
+import { parseMicroShader } from '@farol/renderer/microshaders';
 
 /**
  * The microshaders that belong to a scene: texts in place of the renderer's own, and chunks that it adds. The scene only

@@ -1,4 +1,4 @@
-import { parseMicroShader } from '@farol/renderer/authoring';
+import { parseMicroShader } from '@farol/renderer/microshaders';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 

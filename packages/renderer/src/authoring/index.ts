@@ -50,6 +50,5 @@ export * from '../microshaders';
 export { builtinMicroShaders, type BuiltinMicroShader } from './builtinMicroShaders';
 export { addMicroShaders } from '../microshaders/addMicroShaders';
 export { findClaims, type Claim } from './findClaims';
-export { formatMicroShader } from '../microshaders/formatMicroShader';
 export { parseMicroShaderXML } from '../microshaders/xml/parseMicroShaderXML';
 export { formatMicroShaderXML } from './formatMicroShaderXML';

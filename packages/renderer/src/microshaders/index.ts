@@ -1,4 +1,6 @@
+// Texts of shaders in pieces: what programs that show or check them need, without the passes of '@farol/renderer/authoring'.
 export { explainCompileError, type MicroShaderCompileEntry } from './explainCompileError';
+export { formatMicroShader } from './formatMicroShader';
 export type { MicroShader, MicroShaderStage } from './MicroShader';
 export { MicroShaderCompileError } from './MicroShaderCompileError';
 export { MicroShaderRegistry, type MicroShaderListener, type MicroShaderRegistryOptions } from './MicroShaderRegistry';
