@@ -10,11 +10,11 @@ const hits: Intersection[] = [];
  */
 export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object3D | null {
   raycaster.setFromCamera(at, camera);
+  raycaster.layers.mask = camera.layers.mask;
   hits.length = 0;
   scene.traverseVisible((object) => {
     // pages switch raycasting off by taking the method away
-    if (typeof object.raycast !== 'function' || !object.layers.test(camera.layers)) return;
-    raycaster.intersectObject(object, false, hits);
+    if (typeof object.raycast === 'function') raycaster.intersectObject(object, false, hits);
   });
   hits.sort((a, b) => a.distance - b.distance);
   return hits[0]?.object ?? null;
