@@ -83,14 +83,35 @@ describe('the properties of three objects', () => {
     expect(sectionsOf([new THREE.Mesh(undefined, [a, b, a])])).toHaveLength(4);
   });
 
-  it('has another program compiled where an edit needs it', () => {
-    const material = new THREE.MeshStandardMaterial();
-    const [owner] = sectionsOf([new THREE.Mesh(undefined, material)]).at(-1)!.owners;
-    owner.set('flatShading', true);
-    expect(material.version).toBe(1);
-    owner.set('roughness', 0.2);
-    expect(material.version).toBe(1);
+  it('has another program compiled where an edit needs it, and nowhere else', () => {
+    const compiled = (material: THREE.Material): string[] => {
+      const [owner] = sectionsOf([new THREE.Mesh(undefined, material)]).at(-1)!.owners;
+      return Object.entries(owner.fields).flatMap(([name, field]) => {
+        const { version } = material;
+        owner.set(name, other(field, owner.getAuthored(name)));
+        return material.version > version ? [name] : [];
+      });
+    };
+    const always = ['transparent', 'alphaTest', 'side'];
+    expect(compiled(new THREE.MeshBasicMaterial())).toEqual(always);
+    expect(compiled(new THREE.MeshStandardMaterial())).toEqual([...always, 'flatShading']);
+    const layers = ['clearcoat', 'sheen', 'transmission'];
+    expect(compiled(new THREE.MeshPhysicalMaterial())).toEqual([...layers, ...always, 'flatShading']);
   });
+
+  it.each([new THREE.PerspectiveCamera(), new THREE.OrthographicCamera()])(
+    'projects anew with each property of a $type',
+    (camera) => {
+      const { owners } = sectionsOf([camera]).at(-1)!;
+      const names = Object.keys(owners[0].fields);
+      expect(names).toEqual(expect.arrayContaining(['zoom', 'near', 'far']));
+      for (const name of names) {
+        const before = camera.projectionMatrix.toArray();
+        owners[0].set(name, other(owners[0].fields[name], owners[0].getAuthored(name)));
+        expect(camera.projectionMatrix.toArray(), name).not.toEqual(before);
+      }
+    },
+  );
 
   it('moves objects whose matrix is set by hand', () => {
     const object = new THREE.Object3D();

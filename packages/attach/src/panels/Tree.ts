@@ -4,6 +4,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import { icon } from '../ui/icon';
 import { objectIcon } from '../ui/objectIcon';
+import { rangeOf } from './rangeOf';
 
 const ROW = 22; // CSS pixels, as in style.css
 const MARGIN = 4; // rows drawn above and below what is seen
@@ -193,12 +194,11 @@ export class Tree {
 
   /** @param keys that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before */
   private choose(object: Object3D, { ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): void {
-    const { rows, session } = this;
-    const from = rows.findIndex((row) => row.object === this.anchor);
-    if (shiftKey && from >= 0) {
-      const to = rows.findIndex((row) => row.object === object);
-      const range = rows.slice(Math.min(from, to), Math.max(from, to) + 1).map((row) => row.object);
-      session.selection.set(from < to ? range : range.toReversed());
+    const { rows, session, anchor } = this;
+    const objects = rows.map((row) => row.object);
+    const range = shiftKey ? rangeOf(objects, anchor, object) : null;
+    if (range) {
+      session.selection.set(range);
       return;
     }
     this.anchor = object;

@@ -13,14 +13,15 @@ const skipped = new WeakSet<Object3D>();
  */
 export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object3D | null {
   raycaster.setFromCamera(at, camera);
+  raycaster.layers.mask = camera.layers.mask;
   hits.length = 0;
   scene.traverseVisible((object) => {
     // pages switch raycasting off by taking the method away
-    if (typeof object.raycast !== 'function' || !object.layers.test(camera.layers)) return;
+    if (typeof object.raycast !== 'function') return;
     const { geometry } = object as Partial<Mesh>;
     if (geometry === undefined || Object.hasOwn(object, 'raycast') || isReadable(geometry)) {
       raycaster.intersectObject(object, false, hits);
-    } else if (!skipped.has(object)) {
+    } else if (object.layers.test(camera.layers) && !skipped.has(object)) {
       skipped.add(object);
       console.warn(
         `Farol: clicks do not find ${object.type} "${object.name || object.uuid}", whose vertices only the GPU has; select it in the list of objects.`,

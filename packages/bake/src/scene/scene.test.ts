@@ -177,10 +177,22 @@ describe('mergeTriangles', () => {
     const copies = new InstancedMesh(new PlaneGeometry(), lit, 2);
     copies.setMatrixAt(0, new Matrix4());
     copies.setMatrixAt(1, new Matrix4().makeTranslation(5, 0, 0));
-    const meshes = collectMeshes(sceneOf(copies), testOptions());
+    const above = new Object3D().add(copies);
+    above.position.set(0, 40, 300);
+    above.scale.setScalar(2);
+    const meshes = collectMeshes(sceneOf(above), testOptions());
     const { count, positions, ranges } = mergeTriangles(meshes, [null]);
     expect(count).toBe(4);
-    expect(Math.max(...positions)).toBe(5.5);
+    const bounds = [0, 1, 2].map((axis) => {
+      const values = [...positions].filter((_, i) => i % 3 === axis);
+      return [Math.min(...values), Math.max(...values)];
+    });
+    // copies at 0 and 5, sides of 1, all of it twice as large
+    expect(bounds).toEqual([
+      [-1, 11],
+      [39, 41],
+      [300, 300],
+    ]);
     expect(ranges).toEqual([expect.objectContaining({ lightmap: -1, first: 0, count: 4 })]);
   });
 });

@@ -21,18 +21,7 @@ export async function unwrapStaticMeshes(
   { size, padding, texelsPerMetre, signal, onWarning }: CheckedBakeOptions,
   onProgress: (share: number) => void,
 ): Promise<UnwrappedMeshes> {
-  const surfaces: SurfaceToUnwrap[] = [];
-  const known = new Map<string, number>();
-  const lit = meshes.filter(({ isLit }) => isLit);
-  const surfaceOf = lit.map(({ geometry, index, surfaces: parts, placements: [placement] }) => {
-    const isFlat = parts.some(({ material }) => (material as MeshStandardMaterial).flatShading);
-    const { x, y, z } = new Vector3().setFromMatrixScale(placement);
-    const key = [geometry.uuid, isFlat, ...[x, y, z].map((scale) => scale.toPrecision(4))].join(' ');
-    const found = known.get(key);
-    if (found !== undefined) return found;
-    known.set(key, surfaces.length);
-    return surfaces.push(scaledSurface(geometry, index, isFlat, [x, y, z])) - 1;
-  });
+  const { surfaces, surfaceOf } = distinctSurfaces(meshes.filter(({ isLit }) => isLit));
   const request = { surfaces, meshes: surfaceOf, size, padding, texelsPerMetre: texelsPerMetre ?? null };
   const result = await unwrapInWorkers(request, signal, onProgress);
   let next = 0;
@@ -47,6 +36,26 @@ export async function unwrapStaticMeshes(
     );
   });
   return { unwrapped, surfaces: surfaceOfEach, texelsPerMetre: result.texelsPerMetre };
+}
+
+/**
+ * Surfaces of meshes in metres, one for all meshes of equal geometry, scale and shading.
+ *
+ * @returns surfaces, and of each mesh the index of its own
+ */
+export function distinctSurfaces(meshes: readonly StaticMesh[]): { surfaces: SurfaceToUnwrap[]; surfaceOf: number[] } {
+  const surfaces: SurfaceToUnwrap[] = [];
+  const known = new Map<string, number>();
+  const surfaceOf = meshes.map(({ geometry, index, surfaces: parts, placements: [placement] }) => {
+    const isFlat = parts.some(({ material }) => (material as MeshStandardMaterial).flatShading);
+    const { x, y, z } = new Vector3().setFromMatrixScale(placement);
+    const key = [geometry.uuid, isFlat, ...[x, y, z].map((scale) => scale.toPrecision(4))].join(' ');
+    const found = known.get(key);
+    if (found !== undefined) return found;
+    known.set(key, surfaces.length);
+    return surfaces.push(scaledSurface(geometry, index, isFlat, [x, y, z])) - 1;
+  });
+  return { surfaces, surfaceOf };
 }
 
 async function unwrapInWorkers(

@@ -42,6 +42,22 @@ describe('what is typed as a number', () => {
     expect(valueOf(text)).toBeCloseTo(value, 12);
   });
 
+  // international yard and pound agreement of 1959; SI prefixes; CSS
+  it.each([
+    ['m', { m: 1, km: 1000, cm: 0.01, mm: 0.001, µm: 1e-6, um: 1e-6, nm: 1e-9 }],
+    ['m', { in: 0.0254, '"': 0.0254, ft: 0.3048, "'": 0.3048, yd: 0.9144, mi: 1609.344 }],
+    ['rad', { rad: 1, mrad: 0.001, deg: Math.PI / 180, '°': Math.PI / 180, turn: 2 * Math.PI, turns: 2 * Math.PI }],
+    ['s', { s: 1, ms: 0.001, µs: 1e-6, us: 1e-6, min: 60, h: 3600 }],
+    ['W', { W: 1, kW: 1000, mW: 0.001 }],
+    ['cd', { cd: 1, kcd: 1000 }],
+    ['lm', { lm: 1, klm: 1000 }],
+    ['lx', { lx: 1, klx: 1000 }],
+    ['Hz', { Hz: 1, kHz: 1000 }],
+  ])('in a field of %s: each unit by its own size %o', (field, units) => {
+    for (const [unit, size] of Object.entries(units))
+      expect(valueOf(`3 ${unit}`, field), unit).toBeCloseTo(3 * size, 12);
+  });
+
   it('keeps the digits of a number as it was typed, and no others', () => {
     expect(valueOf('0.30000000000000004')).toBe(0.30000000000000004);
     expect(valueOf('0.1+0.2')).toBe(0.3);

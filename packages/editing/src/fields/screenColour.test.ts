@@ -16,6 +16,16 @@ describe('linear colours on a screen', () => {
     expect(rounded(joinColour(hex, intensity))).toEqual([4, 2.01, 0]);
   });
 
+  it.each([
+    ['#ff0000', [3, 0, 0]],
+    ['#00ff00', [0, 3, 0]],
+    ['#0000ff', [0, 0, 3]],
+  ] as const)('%s has its brightness in the one channel that is above 1', (hex, [r, g, b]) => {
+    expect(splitColour([r, g, b])).toEqual({ hex, intensity: 3 });
+    expect(joinColour(hex, 3)).toEqual([r, g, b]);
+    expect(withIntensity(6)([r, g, b])).toEqual([2 * r, 2 * g, 2 * b]);
+  });
+
   it('cuts what is below 0', () => {
     expect(splitColour([-1, 0.5, 1]).hex).toBe('#00bcff');
   });
