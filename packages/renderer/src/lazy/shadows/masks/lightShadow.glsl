@@ -101,12 +101,13 @@ vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 c
 }
 
 // 1 in the light, 0 in full shadow: an upper bound by mean and deviation of the depths, with light bleeding cut off
-float farol_varianceShadow(const in vec4 region, const in vec3 coord) {
+// away: 1 where depth grows with distance, -1 where it is reversed
+float farol_varianceShadow(const in vec4 region, const in vec3 coord, const in float away) {
   vec2 texel = clamp(region.xy + coord.xy * region.zw, region.xy + 0.5, region.xy + region.zw - 0.5);
   vec2 moments = textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rg;
-  if (coord.z <= moments.x) return 1.0;
+  float beyond = (coord.z - moments.x) * away;
+  if (beyond <= 0.0) return 1.0;
   float variance = max(moments.y * moments.y, 0.0000001);
-  float beyond = coord.z - moments.x;
   return clamp((variance / (variance + beyond * beyond) - 0.3) / 0.65, 0.0, 1.0);
 }
 
@@ -244,7 +245,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
         clamp(floor(region.xy + across.xy * region.zw) + 0.5, region.xy + 0.5, region.xy + region.zw - 0.5), across.z);
 #endif
 #ifdef FAROL_VARIANCE_SHADOWS
-    if (mask.lookup == FAROL_LOOKUP_VARIANCE) lit = farol_varianceShadow(region, across);
+    if (mask.lookup == FAROL_LOOKUP_VARIANCE) lit = farol_varianceShadow(region, across, mask.filtering.y);
 #endif
 #ifdef FAROL_PCF_SHADOWS
     disk = farol_mapDisk(region, across, mask.filtering.yz);

@@ -52,7 +52,8 @@ export function writeMask(
   const radius = softSize > 0 ? softSize * mapSize.x : slot.filterRadius;
   const depthRange = far - near;
   const filtering = at + MASK.filtering;
-  if (!isCube) table.set4(filtering, bias, radius / mapSize.x, radius / mapSize.y, intensity);
+  if (lookup === shadowLookups.variance) table.set4(filtering, bias, reversed ? -1 : 1, 0, intensity);
+  else if (!isCube) table.set4(filtering, bias, radius / mapSize.x, radius / mapSize.y, intensity);
   else if (reversed) {
     table.set4(filtering, -near / depthRange + bias, (near * far) / depthRange, radius / mapSize.x, intensity);
   } else table.set4(filtering, far / depthRange + bias, (-near * far) / depthRange, radius / mapSize.x, intensity);
