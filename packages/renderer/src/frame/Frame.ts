@@ -107,8 +107,8 @@ export class Frame {
   gbufferExtras: readonly GBufferAttachment[] = [];
   /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
   inferredScale = 0.5;
-  /** Depth is too coarse to rebuild positions from: surfaces store how far they are. */
-  storesDistance = false;
+  /** Depth is too coarse to rebuild positions from. */
+  private isDepthCoarse = false;
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
   hasPlainProjection = true;
   /** Whether the canvas has depth, and no stencil. */
@@ -145,6 +145,11 @@ export class Frame {
     return index < 0 ? -1 : gbufferLayout.length + index;
   }
 
+  /** Positions are not rebuilt from depth, which is too coarse or shifted: surfaces store how far they are. */
+  get storesDistance(): boolean {
+    return this.isDepthCoarse || this.queue.farthest === -Infinity;
+  }
+
   /** Samples a pixel of the target: above 0 it is multisampled. */
   get samples(): number {
     return this.target === null ? this.canvasSamples : this.target.samples;
@@ -171,7 +176,7 @@ export class Frame {
     this.hasPlainProjection = isPlainProjection(elements, 'isOrthographicCamera' in camera);
     const reversed = isDepthReversed(webgl);
     const logarithmic = logarithmicFar(camera, webgl);
-    this.storesDistance = needsStoredDistance(elements, reversed || logarithmic > 0);
+    this.isDepthCoarse = needsStoredDistance(elements, reversed || logarithmic > 0);
     const coarse = this.target?.depthTexture?.type === UnsignedShortType;
     this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
     warnOfNaN(camera);

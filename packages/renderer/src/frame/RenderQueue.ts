@@ -94,7 +94,7 @@ export class RenderQueue {
   /** True if something opaque may be as far as depth can tell it from nothing, see `watchFar`. */
   reachesFar = false;
   private camera!: Camera;
-  /** The distance (m) from which it is so. */
+  /** The distance (m) from which it is so; -Infinity where depths tell no distances. */
   farthest = Infinity;
   /** What three's own lights alone are right for. */
   readonly refused = new RefusedMaterials();
@@ -169,8 +169,11 @@ export class RenderQueue {
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     item.splits = item.plain && item.lit && !ownShader;
-    if (list === this.opaque && !this.reachesFar && this.farthest !== Infinity)
-      this.reachesFar = this.reaches(object, geometry);
+    if (list === this.opaque) {
+      // its depth is not that of its place
+      if (material.polygonOffset) this.farthest = -Infinity;
+      if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
+    }
     if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
     if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
     if (item.ordered) this.ordered = true;
