@@ -11,6 +11,7 @@ const include = [
   'apps/*/src/**/*.test.{ts,tsx}',
   'apps/lab/rivals/src/**/*.test.ts',
   'e2e/support/*.test.ts',
+  'e2e/pages/chance/*.test.ts',
 ];
 const exclude = ['**/node_modules/**', '**/dist/**'];
 /** Files that replace modules, or need modules that nothing has used before. */

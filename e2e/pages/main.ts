@@ -74,6 +74,8 @@ export interface TestPage {
   nodeCases(): Promise<typeof import('./nodeCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;
+  /** Fetched by the tests that need it. */
+  chance(): Promise<typeof import('./chance/runScenes')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
@@ -133,6 +135,7 @@ window.testPage = {
   LateCase,
   addonCases: () => import('./addonCases'),
   bake: () => import('@farol/bake'),
+  chance: () => import('./chance/runScenes'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   runSheet,

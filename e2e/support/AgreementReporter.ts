@@ -1,6 +1,7 @@
 import { writeFileSync } from 'node:fs';
 import { stripVTControlCharacters } from 'node:util';
 import type { FullResult, Reporter, TestCase, TestError, TestResult } from '@playwright/test/reporter';
+import { CHANCE, scenesByKind } from './chance';
 import { COMPARISON, type Comparison, readComparison } from './comparison';
 import { figuresOf } from './images';
 
@@ -24,20 +25,22 @@ export default class AgreementReporter implements Reporter {
   private readonly failed: string[] = [];
   private passed = 0;
   private readonly comparisons: string[] = [];
+  private readonly scenes: string[] = [];
 
   onTestEnd(test: TestCase, { status, annotations, errors }: TestResult): void {
     if (status === 'passed') this.passed++;
     else this.failed.push([test.titlePath().slice(2).join(' > '), ...errors.map(said), status].join('\n  '));
     for (const { type, description = '' } of annotations) {
+      if (type === CHANCE) this.scenes.push(description);
       if (type !== COMPARISON) continue;
       this.comparisons.push(description);
       this.add(readComparison(description));
     }
   }
 
-  onEnd({ status }: FullResult): void {
+  onEnd({ status }: FullResult): Promise<{ status: FullResult['status'] }> {
     const file = process.env.FAROL_AGREE_FILE;
-    if (file) writeFileSync(file, `${this.comparisons.join('\n')}\n`);
+    if (file) writeFileSync(file, `${[...this.comparisons, ...this.scenes].join('\n')}\n`);
     const lines = [...this.rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, row]) => tableLine(key, row));
     console.log(
       '\n| suite | technique | pictures | within limits | named exceptions | largest error | least PSNR (dB) | most pixels off | largest error of alpha |',
@@ -49,9 +52,11 @@ export default class AgreementReporter implements Reporter {
     const good = rows.reduce((sum, row) => sum + row.good, 0);
     const exceptions = rows.reduce((sum, row) => sum + row.exceptions, 0);
     for (const line of this.off) console.log(`off: ${line}`);
+    for (const line of scenesByKind(this.scenes)) console.log(line);
     for (const line of this.failed) console.log(`failed: ${line}`);
     console.log(`\n${good} of ${count} pictures within the limits, ${exceptions} named exceptions; ${status}.`);
     console.log(`${this.passed} passed, ${this.failed.length} failed`);
+    return Promise.resolve({ status: this.off.length > 0 ? 'failed' : status });
   }
 
   private add(comparison: Comparison): void {

@@ -42,7 +42,7 @@ try {
   process.exitCode = 1;
 }
 
-/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, json?: string, only?: string }} options */
+/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, json?: string, only?: string, chance?: string, seed?: string }} options */
 async function agree(options) {
   const isPacked = existsSync(marker);
   if (isPacked) {
@@ -55,17 +55,23 @@ async function agree(options) {
     });
     if (built.status !== 0) return 1;
   }
-  const models = await modelsOf(options, isPacked);
+  const chance = wholeOf('chance', options.chance, 0);
+  const models = chance > 0 ? null : await modelsOf(options, isPacked);
   if (options.pack) return pack(resolve(options.pack), models);
-  const workers = Number(options.workers ?? Math.min(10, availableParallelism()));
-  if (!Number.isInteger(workers) || workers < 1)
-    throw new Error(`--workers ${options.workers}: give a whole number above 0.`);
+  const workers = wholeOf('workers', options.workers, Math.min(10, availableParallelism()));
+  if (workers < 1) throw new Error(`--workers ${workers}: give a whole number above 0.`);
   const begin = performance.now();
   const code = runTool(
     '@playwright/test',
     'playwright',
     [
-      ...['test', '--config', 'e2e/playwright.config.ts', `--workers=${workers}`, 'e2e/render/'],
+      ...[
+        'test',
+        '--config',
+        'e2e/playwright.config.ts',
+        `--workers=${workers}`,
+        `e2e/render/${chance > 0 ? 'chance' : ''}`,
+      ],
       ...['--reporter', join(root, 'e2e/support/AgreementReporter.ts')],
       ...[...(models ? ['e2e/models/'] : []), ...(options.only ? ['--grep', options.only] : [])],
     ],
@@ -74,6 +80,7 @@ async function agree(options) {
       FAROL_TESTS: 'verify',
       ...(options.gpu ? { FAROL_GPU: '1' } : {}),
       ...(models ? { FAROL_MODELS: models } : {}),
+      ...(chance > 0 ? { FAROL_CHANCE: `${chance}`, FAROL_CHANCE_SEED: `${wholeOf('seed', options.seed, 0)}` } : {}),
       ...(options.json ? { FAROL_AGREE_FILE: resolve(options.json) } : {}),
     },
   );
@@ -81,6 +88,17 @@ async function agree(options) {
     `${workers} browsers, ${((performance.now() - begin) / 1000).toFixed(0)} s, ${options.gpu ? 'GPU' : 'software rasteriser'}`,
   );
   return code;
+}
+
+/**
+ * @param {string} name of an option
+ * @param {string | undefined} value
+ * @param {number} otherwise
+ */
+function wholeOf(name, value, otherwise) {
+  const number = Number(value ?? otherwise);
+  if (!Number.isInteger(number) || number < 0) throw new Error(`--${name} ${value}: give a whole number.`);
+  return number;
 }
 
 /**

@@ -6,6 +6,8 @@ Draws the agreement suites by every technique against stock three, in linear flo
   --workers N       browsers side by side; default the number of cores, at most 10
   --models DIR      compare the glTF models of a folder of yours; default those of three npm packages
   --no-models       leave the models out
+  --chance N        draw N scenes made by chance in place of the suites; those that are off are cut down and named by kind
+  --seed N          seed of the first scene by chance; default 0. One scene: --chance 1 --seed N
   --only TEXT       the tests whose title matches this regular expression
   --json FILE       write each comparison to FILE, a line of JSON each
   --pack DIR        put all that a host without a network needs into DIR, and run nothing
@@ -17,6 +19,8 @@ export const agreeOptions = /** @type {const} */ ({
   workers: { type: 'string' },
   models: { type: 'string' },
   'no-models': { type: 'boolean' },
+  chance: { type: 'string' },
+  seed: { type: 'string' },
   only: { type: 'string' },
   json: { type: 'string' },
   pack: { type: 'string' },

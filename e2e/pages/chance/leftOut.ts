@@ -1,0 +1,59 @@
+import type { TechniqueName } from '@farol/renderer';
+import type { LightFacts, SceneFacts, ThingFacts } from './SceneFacts';
+
+/** A part of scenes that is taken out before they are drawn. */
+interface LeftOut {
+  readonly what: string;
+  readonly why: string;
+  readonly from: (facts: SceneFacts) => SceneFacts;
+}
+
+/** Kinds of objects whose geometry has no normals. */
+const withoutNormals = ({ as, traits = [] }: ThingFacts) =>
+  as === 'sprite' || as === 'segments' || traits.includes('without normals');
+
+const isAround = (background: unknown) => background === 'cube' || background === 'equirect';
+
+/** What is not compared, since stock three's own picture of it is not defined: a line for each. */
+export const leftOut: readonly LeftOut[] = [
+  {
+    what: 'a lit material of the scene (overrideMaterial) for sprites and other things without normals',
+    why: 'normals are what the device has for an attribute that is not there, and of the length 0',
+    from: ({ world: { override, ...world } = {}, ...facts }) =>
+      override && facts.things?.some(withoutNormals)
+        ? { ...facts, world }
+        : { ...facts, world: { ...world, override } },
+  },
+  {
+    what: 'a background all round, seen by an orthographic camera',
+    why: 'it is a cube of 2 units: beside it shows the colour that the last shadow map was cleared to',
+    from: ({ world: { background, ...world } = {}, ...facts }) =>
+      facts.view?.camera === 'orthographic' && isAround(background)
+        ? { ...facts, world }
+        : { ...facts, world: { ...world, background } },
+  },
+  {
+    what: 'cameras of an array whose viewports leave a part of the picture out, or overlap (buildScene makes none)',
+    why: 'what is left out has the colour that the last shadow map was cleared to, and depth is not cleared between them',
+    from: (facts) => facts,
+  },
+];
+
+/** Takes out of a scene all that is {@link leftOut}. */
+export const leaveOut = (facts: SceneFacts): SceneFacts => leftOut.reduce((left, { from }) => from(left), facts);
+
+const ownLights: readonly (keyof LightFacts)[] = ['profile', 'cookie', 'shape', 'castShadow'];
+/** Techniques that AmbientOcclusion can work with. */
+const withDepth = ['forward-plus', 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass', 'inferred'];
+
+/** With what a scene's pictures are compared, null for stock three, and which techniques can draw it. */
+export function ownOf({ world = {}, lights = [] }: SceneFacts): {
+  readonly reference: TechniqueName | null;
+  readonly able: (technique: TechniqueName) => boolean;
+} {
+  const { effects = [], shadowCascades, lightLayers } = world;
+  const isOwn = lights.some((light) => ownLights.some((name) => light[name] !== undefined));
+  if (!isOwn && effects.length === 0 && !shadowCascades && !lightLayers) return { reference: null, able: () => true };
+  const able = (name: TechniqueName) => !effects.includes('AmbientOcclusion') || withDepth.includes(name);
+  return { reference: 'forward-plus', able };
+}

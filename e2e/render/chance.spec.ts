@@ -1,0 +1,33 @@
+import { askedScenes, decksOf, recordScenes } from '../support/chance';
+import { expect, test } from '../support/benchTest';
+import { chanceExceptions } from './chanceExceptions';
+
+/** Scenes in a row that share their programs: `DECK` of e2e/pages/chance/chooseScene.ts. */
+const DECK = 8;
+const asked = askedScenes();
+const { seed: first, count } = asked ?? { seed: 0, count: 32 };
+const isExcused = (seed: number, technique: string) =>
+  chanceExceptions.some((one) => one.seeds.includes(seed) && one.techniques.includes(technique));
+
+// eight scenes by nine techniques, and up to 120 more pictures of each that fails
+test.describe.configure({ timeout: 480_000 });
+
+for (const seeds of decksOf(first, count, DECK)) {
+  test(`scenes by chance ${seeds[0]} to ${seeds.at(-1)} as in stock three @verify`, async ({ benchPage: page }) => {
+    const result = await page.evaluate(
+      async ([seeds, shrinks]) => {
+        const { runScenes } = await window.testPage.chance();
+        return runScenes(seeds, { shrinks });
+      },
+      [seeds, asked ? 1000 : 0] as const,
+    );
+    recordScenes(result, isExcused);
+    // the tool's reporter tells of them; a test that fails costs a new browser
+    if (asked) return;
+    const off = result.pictures.filter(({ seed, technique, good }) => !good && !isExcused(seed, technique));
+    const names = off.map(({ seed, technique }) => `${seed} ${technique}`);
+    expect(names, 'scenes that are off; npm run agree -- --chance 1 --seed N says what of them').toEqual([]);
+    const healed = result.pictures.filter(({ seed, technique, good }) => good && isExcused(seed, technique));
+    if (!process.env.FAROL_GPU) expect(healed, 'scenes that need no exception any more').toEqual([]);
+  });
+}

@@ -1,0 +1,6 @@
+/** Scenes by chance that techniques draw otherwise than stock three, and why. It may only become shorter. */
+export const chanceExceptions: readonly {
+  readonly seeds: readonly number[];
+  readonly techniques: readonly string[];
+  readonly reason: string;
+}[] = [];
