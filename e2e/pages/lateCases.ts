@@ -75,6 +75,12 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
     setShading(ball.material as THREE.Material, 'gouraud');
     return { scene, camera };
   },
+  antialiasing: ({ farol, target }) => {
+    farol.technique = 'deferred';
+    target.texture.type = THREE.HalfFloatType;
+    target.samples = 4;
+    return plainScene();
+  },
   nodes: async ({ webgl }) => (await import('./nodeScene')).nodeScene(webgl, WIDTH, HEIGHT),
   timer: bySetting((farol) => (farol.timing = true)),
   'warm-up': bySetting((farol) => (farol.technique = 'auto')),

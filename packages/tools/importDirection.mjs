@@ -57,6 +57,11 @@ export const importRules = [
     may: ['packages/renderer/src/lights', 'three'],
     ofThree: /^((Ambient|Directional|Hemisphere|Point|RectArea|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
   },
+  {
+    // the option `antialias` draws by the effect SMAA
+    from: 'packages/renderer/src/lazy/antialiasing',
+    may: ['packages/renderer/src', 'three'],
+  },
   { from: 'packages/renderer/src/lazy', may: ['packages/renderer', 'three'], not: aroundTheCore },
   { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'], types: [lazyFolder] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },

@@ -17,6 +17,8 @@ export interface FarolOptions {
    * for lights without a range, but no more than 8192.
    */
   shadowAtlasSize?: number;
+  /** As the property of that name. Default true. */
+  antialias?: boolean;
   /** As the property of that name. Default false. */
   lightLayers?: boolean;
 }

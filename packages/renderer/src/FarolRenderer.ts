@@ -80,6 +80,12 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    */
   lightLayers: boolean;
   /**
+   * Whether techniques that shade a G-buffer, and so one sample a pixel, smooth edges by SMAA where the canvas (`antialias` of
+   * the WebGLRenderer) or the render target (`samples`) asks for more, unless one of `effects` does it. The others are
+   * multisampled there as stock three is. Default true.
+   */
+  antialias: boolean;
+  /**
    * Irradiance at which a RectAreaLight without `userData.farol.range` ends, in a surface that faces it: where it ends, lists
    * leave it out. Up to half of that distance it gives what three has it give. Above 0; 0: no such light ends. Default 0.0002.
    */
@@ -142,6 +148,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
     this.timing = options.timing ?? false;
+    this.antialias = options.antialias ?? true;
     this.lightLayers = options.lightLayers ?? false;
     this.technique = options.technique ?? 'auto';
     this.view = options.view ?? 'final';
@@ -298,7 +305,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
     frame.seenBy = sceneView.seenBy = seenBy;
-    draws.begin(sceneView, effects);
+    draws.begin(sceneView, effects, this.antialias);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
       this.lights.update(scene, frame, finder, this, this.pick);
@@ -339,8 +346,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
    * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
    * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
-   * light nothing), node materials (three draws the scene), the views of surfaces and overdraw (the final picture is shown),
-   * techniques but 'deferred' and 'forward-single-pass' (one of these two draws), GPU times, warming programs up ('auto' changes unprepared).
+   * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
+   * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (one
+   * of these two draws), GPU times, warming programs up ('auto' changes unprepared).
    * @param parts names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -400,6 +408,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     this.last.isDrawn = false;
     this.set.dispose();
     if (!this.disposed) this.effectList.dispose();
+    this.draws.edges?.dispose();
     this.views.dispose();
     this.twins.dispose();
     this.lights.dispose();
@@ -409,11 +418,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
 
   /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
   private pickTechnique(): LightOrder {
-    const { frame, picker } = this;
-    const { sceneView, effects } = this.draws;
-    picker.pick(sceneView.chooser, frame, frame.lights, effects);
+    const { draws, frame, picker } = this;
+    picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
     const technique = this.set.known[picker.active];
-    for (const effect of effects.all) effect.picked?.(frame, technique);
+    draws.effects = draws.effectsOf(picker.active);
+    for (const effect of draws.effects.all) effect.picked?.(frame, technique);
     return technique.lightOrder;
   }
 
@@ -432,6 +441,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
       (this.finder.shadows?.bytes ?? 0) +
       (this.frame.fields?.bytes ?? 0) +
       this.views.bytes +
+      (this.draws.edges?.bytes ?? 0) +
       this.set.bytes;
     for (const effect of this.effects) bytes += effect.bytes;
     return bytes;

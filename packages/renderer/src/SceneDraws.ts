@@ -2,12 +2,15 @@ import { DoubleSide, type Vector4 } from 'three';
 import { type ActiveEffects, NO_EFFECTS } from './frame/ActiveEffects';
 import { drawPasses } from './frame/drawPasses';
 import type { Frame } from './frame/Frame';
+import { antialiasingCode } from './frame/lazyCode';
 import type { InfoRecorder } from './frame/InfoRecorder';
+import type { Pass } from './frame/Pass';
 import type { LazyViews } from './frame/LazyViews';
 import { isSurfaceView } from './frame/views';
 import { drawEarly } from './forward/drawEarly';
 import { forwardTwins } from './forward/forwardTwin';
 import { plainBack } from './forward/plainTwins';
+import type { SmoothEdges } from './lazy/antialiasing/SmoothEdges';
 import type { TechniquePicker } from './techniques/TechniquePicker';
 import type { TechniqueSet } from './techniques/TechniqueSet';
 import { clearValue } from './three/clearValue';
@@ -17,6 +20,9 @@ import type { DrawScene, SceneView } from './three/SceneView';
 export class SceneDraws {
   sceneView!: SceneView;
   effects: ActiveEffects = NO_EFFECTS;
+  /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
+  edges: SmoothEdges | null = null;
+  private antialias = false;
   /** What is seen through transmissive things is drawn at another size than light lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
@@ -32,8 +38,9 @@ export class SceneDraws {
 
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins a frame with these effects. */
-  begin(sceneView: SceneView, effects: ActiveEffects): void {
+  /** Begins a frame. @param antialias as `FarolOptions.antialias` */
+  begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
+    this.antialias = antialias;
     this.sceneView = sceneView;
     this.effects = effects;
     this.frame.adapters = effects.adapters;
@@ -53,6 +60,15 @@ export class SceneDraws {
     else if (this.frame.webgl.getRenderTarget() !== this.frame.target) this.drawTransmitted();
     else this.drawFrame();
   };
+
+  /** The effects of the frame, with anti-aliasing where it is to be and the technique does not do it itself. */
+  effectsOf(technique: string): ActiveEffects {
+    const { effects, frame } = this;
+    if (!this.antialias || frame.view !== 'final' || frame.hostSamples === 0) return effects;
+    if (!this.set.passesOf(technique).some(shadesGBuffer)) return effects;
+    this.edges ??= antialiasingCode.use((code) => new code.SmoothEdges());
+    return this.edges?.addTo(effects, frame) ?? effects;
+  }
 
   /** Draws what has figures of its own in `FarolInfo.passes`. */
   run(name: string, render: () => void): void {
@@ -76,7 +92,7 @@ export class SceneDraws {
     drawPasses(frame, picker.active, set.passesOf(picker.active), effects.all, this.recorder);
     if (overdraw !== null && !set.showsOverdraw(picker.active)) overdraw.show(frame);
     if (frame.view === 'grid') this.showSurface();
-    picker.warmUp(this.sceneView.chooser, frame, effects);
+    picker.warmUp(this.sceneView.chooser, frame, this);
     frame.bindTarget();
   }
 
@@ -113,3 +129,6 @@ export class SceneDraws {
     this.run('view', () => this.views.passes!.surfaceView.render(this.frame));
   }
 }
+
+/** True for the passes of techniques that shade one sample a pixel. */
+const shadesGBuffer = ({ reads }: Pass): boolean => reads.includes('gbuffer');

@@ -64,7 +64,7 @@ function Knot() {
 function App() {
   const [by, setBy] = useState<Drawer>(askedDrawer);
   const [smooth, setSmooth] = useState(false);
-  const effects = useMemo(() => (smooth ? [new SMAA()] : address.has('antialias') ? undefined : []), [smooth]);
+  const effects = useMemo(() => (smooth ? [new SMAA()] : []), [smooth]);
   const [loads, suspend] = useState<Promise<unknown> | null>(null);
   Object.assign(page, { choose: setBy, suspend });
   return (

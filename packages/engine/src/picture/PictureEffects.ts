@@ -84,6 +84,7 @@ export class PictureEffects {
   private refresh(): void {
     const { farol, settings } = this;
     if (settings === null) return;
+    farol.antialias = false; // edges are smoothed by what the settings name
     const names = this.isSuspended ? [] : this.wanted(settings);
     const key = names.join();
     if (key !== this.current && late.code === null) {

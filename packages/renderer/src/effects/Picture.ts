@@ -28,7 +28,8 @@ import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
 import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
-const pictures = new WeakMap<Frame, Picture>();
+/** By an object that each renderer has one of. */
+const pictures = new WeakMap<Frame['twins'], Picture>();
 
 /**
  * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole of it:
@@ -68,8 +69,8 @@ export class Picture {
 
   /** The picture of a renderer's frames: one, shared by its effects. */
   static of(frame: Frame): Picture {
-    let picture = pictures.get(frame);
-    if (picture === undefined) pictures.set(frame, (picture = new Picture()));
+    let picture = pictures.get(frame.twins);
+    if (picture === undefined) pictures.set(frame.twins, (picture = new Picture()));
     return picture;
   }
 
@@ -107,9 +108,18 @@ export class Picture {
     if (!this.clears) frame.clear(1, true);
   }
 
-  /** An effect is through with it; the last one writes it to the host's target. */
-  end(frame: Frame): void {
+  /** Whether the rest of a frame can be drawn over the host's target: one effect uses the picture, and pixels are the same. */
+  get isAlone(): boolean {
+    return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
+  }
+
+  /**
+   * An effect is through with it; the last one writes it to the host's target.
+   * @param goesOn whether more of the frame is drawn then, over the host's target
+   */
+  end(frame: Frame, goesOn = false): void {
     if (--this.users > 0) return;
+    const { webgl } = frame;
     frame.target = this.hostTarget;
     frame.face = this.hostFace;
     frame.level = this.hostLevel;
@@ -124,6 +134,17 @@ export class Picture {
     material.blending = this.clears ? NoBlending : CustomBlending;
     material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
+    // three has cleared the picture's target in place of it
+    if (goesOn && this.clears && webgl.autoClearStencil) webgl.clear(false, false, true);
+    const samples = goesOn && frame.wantsSampleDepths;
+    material.depthWrite = !samples;
+    if (samples) frame.clear(0, true);
+    this.present.draw(frame);
+    if (samples) frame.drawSampleDepths();
+  }
+
+  /** Has the program compiled that writes it to the host's target. */
+  warmUp(frame: Frame): void {
     this.present.draw(frame);
   }
 

@@ -34,6 +34,8 @@ export interface FarolEffect {
   lacks?(webgl: WebGLRenderer): string | null;
   /** True if `begin` has the frame drawn to a target of the effect: targets with several textures then go without. Default false. */
   readonly takesPicture?: boolean;
+  /** True if it smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
+  readonly smoothsEdges?: boolean;
   /** Bytes of the effect's targets. */
   readonly bytes: number;
   /**
@@ -61,6 +63,11 @@ export interface FarolEffect {
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
+  /**
+   * Draws as in a frame, where 'auto' is about to change to a technique that the effect is for: nothing is drawn, programs are
+   * compiled, one a call.
+   */
+  warmUp?(frame: Frame): void;
   /** Frees the GPU resources; a later frame makes them anew. */
   dispose(): void;
 }

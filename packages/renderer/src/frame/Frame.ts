@@ -77,6 +77,8 @@ export class Frame {
   view: View = 'final';
   /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
+  /** Samples a pixel of the host's target, whatever an effect has the frame drawn to. */
+  hostSamples = 0;
   /** The part of the target that is drawn to: x, y, width, height (pixels). */
   readonly viewport = new Vector4();
   /** Size of the viewport (pixels), 1 at least. */
@@ -117,7 +119,7 @@ export class Frame {
   readonly premultiplied: boolean;
   private readonly canvasSamples: number;
   /** Whether the host's target has several textures; then no effect replaces the target. */
-  private several = false;
+  several = false;
   private nodes: NodeDraws | null = null;
   /** Something of a node material was to be drawn, whose code is not there. */
   lacksNodes = false;
@@ -167,6 +169,7 @@ export class Frame {
     this.nodes?.begin();
     this.lacksNodes = false;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    this.hostSamples = this.samples;
     this.face = webgl.getActiveCubeFace();
     this.level = webgl.getActiveMipmapLevel();
     this.several = this.target !== null && this.target.textures.length > 1;

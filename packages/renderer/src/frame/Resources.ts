@@ -10,6 +10,8 @@ import type { RenderItem } from './RenderItem';
 export interface Resources {
   /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
+  /** Written where the surfaces of a G-buffer, or sums of their light, are drawn to the target. Nothing is handed over. */
+  output: never;
   /** Shadings of each pixel, in red: there from the start in the view 'overdraw', else never. */
   overdraw: Texture;
   /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
@@ -37,7 +39,7 @@ export interface Resources {
 export type Resource = keyof Resources;
 
 /** A resource that is handed over by `put` and `get`. */
-export type HandedResource = Exclude<Resource, 'target'>;
+export type HandedResource = Exclude<Resource, 'target' | 'output'>;
 
 /** Resources that no pass need write. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];

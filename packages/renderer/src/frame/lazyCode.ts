@@ -43,6 +43,9 @@ export const warmUpCode = new Lazy(
   "what 'auto' picks is compiled when it is first drawn",
 );
 
+/** Anti-aliasing of techniques that draw one sample a pixel. */
+export const antialiasingCode = new Lazy('antialiasing', () => import('../lazy/antialiasing'), 'edges are not smooth');
+
 /** Times of passes on the GPU. */
 export const timerCode = new Lazy('timer', () => import('../lazy/timer'), 'there are none');
 
@@ -58,6 +61,7 @@ export const lazyCode = [
   lightFieldCode,
   gouraudCode,
   nodeCode,
+  antialiasingCode,
   timerCode,
   warmUpCode,
 ] as const;

@@ -12,7 +12,7 @@ import { OUTPUT_COUNTS, OUTPUT_FINAL, OUTPUT_LIGHTING, outputUniforms, type Outp
 export abstract class OutputPass<U extends Uniforms> extends FullscreenPass<OutputUniforms & U> implements Pass {
   readonly name = 'output';
   abstract readonly reads: readonly Resource[];
-  readonly writes = ['target'] as const;
+  readonly writes = ['target', 'output'] as const;
 
   /** @param options `uniforms` are those of the pass beside `OutputUniforms` */
   constructor(options: Omit<FullscreenPassOptions<U>, 'asThree'> & { readonly uniforms: U }) {

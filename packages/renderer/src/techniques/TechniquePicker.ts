@@ -12,6 +12,11 @@ import type { TechniqueSet } from './TechniqueSet';
 /** Lights that a technique without light lists draws fast enough until the code of another is there. */
 const FEW = 16;
 
+/** Tells the effects of a frame, by the technique that draws it. */
+interface EffectsByTechnique {
+  effectsOf(technique: string): ActiveEffects;
+}
+
 /** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
 export class TechniquePicker {
   /** What draws this frame: the technique asked for, or what 'auto' picked. */
@@ -88,7 +93,7 @@ export class TechniquePicker {
   }
 
   /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
-  warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, effects: ActiveEffects): void {
+  warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;
     const { known } = this.set;
@@ -97,6 +102,6 @@ export class TechniquePicker {
     // after a lost context they are others
     if (chooser.preparation?.passes !== passes)
       chooser.preparation = warmUpCode.use(({ WarmUp }) => new WarmUp(frame, known[technique], technique, passes));
-    chooser.preparation?.step(effects.all);
+    chooser.preparation?.step(draws.effectsOf(technique).all);
   }
 }

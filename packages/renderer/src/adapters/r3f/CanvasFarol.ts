@@ -5,14 +5,11 @@ import type { FarolOptions } from '../../FarolOptions';
 import { FarolRenderer } from '../../FarolRenderer';
 import { type Interception, interceptRender } from '../intercept';
 import { isWorthFarol } from './isWorthFarol';
-import { SmoothEdges } from './SmoothEdges';
 
 /** How one component wants to be drawn. */
 export interface FarolSettings extends FarolOptions {
   /** What it is for: a scene, or null for all that the canvas draws. */
   readonly scene: Object3D | null;
-  /** Whether edges are smoothed where the canvas asks for it, when there are no `effects`. */
-  readonly antialias: boolean;
   /** Asks for a frame. */
   readonly invalidate: () => void;
 }
@@ -30,7 +27,6 @@ export class CanvasFarol {
   private readonly listeners = new Set<() => void>();
   private released: FarolSettings[] = [];
   private applied: FarolSettings | null = null;
-  private edges: SmoothEdges | null = null;
   private interception: Interception | null = null;
   private unhookCompile: (() => void) | null = null;
 
@@ -103,8 +99,6 @@ export class CanvasFarol {
     if (mounted.size > 0 || farol === null) return;
     this.farol = null;
     farol.dispose();
-    this.edges?.dispose();
-    this.edges = null;
     this.tell();
   }
 
@@ -115,13 +109,13 @@ export class CanvasFarol {
   private apply(settings: FarolSettings): void {
     if (this.applied === settings) return;
     const farol = this.farol!;
-    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias } = settings;
+    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias = true } = settings;
     farol.technique = technique;
     farol.view = view;
     farol.timing = timing;
     farol.lightLayers = lightLayers;
-    if (settings.effects !== undefined) farol.effects = settings.effects;
-    else farol.effects = antialias ? [(this.edges ??= new SmoothEdges())] : NO_EFFECTS;
+    farol.antialias = antialias;
+    farol.effects = settings.effects ?? NO_EFFECTS;
     this.applied = settings;
   }
 

@@ -11,13 +11,8 @@ import { useFarol } from './useFarol';
  * `shadowAtlasSize` makes a new FarolRenderer.
  */
 export interface FarolProps extends FarolOptions {
-  /** Stays the same list from render to render (`useMemo`); its effects are freed with the component. Default: see `antialias`. */
+  /** Stays the same list from render to render (`useMemo`); its effects are freed with the component. Default none. */
   effects?: FarolOptions['effects'];
-  /**
-   * Whether techniques with a G-buffer smooth edges by SMAA where the canvas or target asks for samples: Canvas' `antialias`
-   * is true unless `gl` says otherwise. The others are multisampled as stock three. Default true; `effects` win over it.
-   */
-  antialias?: boolean;
   /** False: Farol frees what it holds, and three draws. Default true. */
   enabled?: boolean;
   /** Gets the FarolRenderer, for `info`, `microshaders` and what else it offers; null while not enabled. */
@@ -26,17 +21,7 @@ export interface FarolProps extends FarolOptions {
 
 /** Has a scene of the canvas drawn by Farol while the component is mounted. @param scene null for all that the canvas draws */
 export function useFarolSettings(props: FarolProps, scene: Object3D | null): void {
-  const {
-    technique,
-    view,
-    timing,
-    effects,
-    shadowAtlasSize,
-    lightLayers,
-    antialias = true,
-    enabled = true,
-    ref,
-  } = props;
+  const { technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, enabled = true, ref } = props;
   const webgl = useThree((state) => state.gl);
   const invalidate = useThree((state) => state.invalidate);
   const canvas = CanvasFarol.of(webgl);

@@ -35,6 +35,7 @@ export class MultisampledEdges implements FarolEffect {
   readonly name = 'Multisampled edges';
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
+  readonly smoothsEdges = true;
   /** Lights up to which all edges are shaded anew. Default 32. */
   shadedLights = 32;
   /** Lights beyond which nothing is shaded: what no pixel nearby shows has edges as in the picture. Default 128. */

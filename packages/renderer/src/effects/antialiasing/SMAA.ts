@@ -24,6 +24,7 @@ export class SMAA implements FarolEffect {
   readonly name = 'SMAA';
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
+  readonly smoothsEdges = true;
   private readonly edges = new FullscreenPass({
     program: 'smaaEdges',
     fragment: 'smaaEdges',
@@ -45,7 +46,7 @@ export class SMAA implements FarolEffect {
     uniforms: { ...this.edges.uniforms, farol_weightMap: { value: null as Texture | null } },
     target: { type: HalfFloatType, ...LINEAR },
   });
-  private shared: Picture | null = null;
+  protected shared: Picture | null = null;
 
   get bytes(): number {
     return this.edges.bytes + this.weights.bytes + this.blend.bytes + (this.shared?.bytes ?? 0);
@@ -56,7 +57,8 @@ export class SMAA implements FarolEffect {
     this.shared.begin(frame);
   }
 
-  end(frame: Frame): void {
+  /** @param goesOn as of `Picture.end` */
+  end(frame: Frame, goesOn = false): void {
     const picture = this.shared!;
     const { edges, weights, blend } = this;
     const { width, height } = frame;
@@ -72,7 +74,12 @@ export class SMAA implements FarolEffect {
     blend.uniforms.farol_weightMap.value = weights.texture;
     picture.texture = blend.drawToOwn(frame, width, height).texture;
     picture.encoded = false;
-    picture.end(frame);
+    picture.end(frame, goesOn);
+  }
+
+  warmUp(frame: Frame): void {
+    for (const pass of [this.edges, this.weights, this.blend]) pass.draw(frame);
+    Picture.of(frame).warmUp(frame);
   }
 
   dispose(): void {

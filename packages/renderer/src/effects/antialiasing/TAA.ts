@@ -64,6 +64,7 @@ export class TAA implements FarolEffect {
   readonly name = 'TAA';
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
+  readonly smoothsEdges = true;
   readonly movesCamera = true;
   /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
   share = 0.65;

@@ -106,6 +106,7 @@ export class WarmUp implements Preparation {
         if (pass.warmUp !== undefined) pass.warmUp(dry);
         else pass.render(dry);
       }
+      for (const effect of effects) effect.warmUp?.(dry);
     } finally {
       unwatch();
       waiting.unblock();

@@ -1,0 +1,1 @@
+export { SmoothEdges } from './SmoothEdges';
