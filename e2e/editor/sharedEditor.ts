@@ -116,7 +116,7 @@ const stateOf = (page: Page): Promise<object> =>
       commands: [commands.history, commands.isDirty],
       preferences: preferences.getState(),
       keys: keys.store.getState(),
-      layout: [layout.maximised(), layout.isSmall() && layout.sheet()],
+      layout: [layout.maximised(), layout.isSmall() ? layout.sheet() : null],
       plugins: plugins.list.map(({ name }) => name),
       shown: [dialogs.current, notices.current, tools.current, tour.current, log.entries],
       clipboard: clipboard.text,
