@@ -23,7 +23,7 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/dropOn'),
       import('./files/landInPicture'),
       import('./files/readScene'),
-      import('./files/saveFile'),
+      import('./files/writeScene'),
       import('./files/thumbnails'),
       import('./panels/dialogs/TextDialog'),
       import('./panels/palette/CommandPalette'),

@@ -1,5 +1,5 @@
 import type { Action } from '../api/Action';
-import { fileType } from './save';
+import { fileType } from '../files/fileType';
 
 export const open: Action = {
   id: 'file.open',

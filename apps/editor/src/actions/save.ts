@@ -1,73 +1,9 @@
-import { t } from '@farol/editing';
-import type { Scene } from '@farol/engine';
-import { containerContent, inlineAssets, writeContainer } from '@farol/engine/files';
-import type { EditorApi } from '../api/EditorApi';
-import { fileNameOf } from '../files/fileNameOf';
 import type { Action } from '../api/Action';
-
-/** What the file dialogs of open and save offer. */
-export const fileType = {
-  id: 'farol-scene',
-  get description() {
-    return t('Farol scene');
-  },
-  mimeTypes: ['application/x-farol'],
-  extensions: ['.farol', '.json'],
-};
-
-/**
- * The scene as a file: JSON with all assets inside where the name ends so, else a container.
- * @throws Error that names the file and says why it was not saved
- */
-async function bytesFor(scene: Scene, name: string): Promise<Blob> {
-  const { notSaved } = await import('../files/saveFile');
-  try {
-    const content = containerContent(scene);
-    const isJson = name.toLowerCase().endsWith('.json');
-    const part = isJson ? `${JSON.stringify(await inlineAssets(content), null, 1)}\n` : await writeContainer(content);
-    return new Blob([part], { type: isJson ? 'application/json' : fileType.mimeTypes[0] });
-  } catch (error) {
-    throw notSaved(name, error);
-  }
-}
-
-/** The message of the last save that failed, which one that does not takes away. */
-const failures = new WeakMap<EditorApi, number>();
+import type { EditorApi } from '../api/EditorApi';
 
 async function write(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
-  const { notices } = editor;
-  try {
-    const { mayReplace } = await import('../files/saveFile');
-    const name = await writeTo(editor, handle && (await mayReplace(editor, handle)));
-    notices.remove(failures.get(editor) ?? 0);
-    notices.show('info', t('Saved {name}', { name }));
-  } catch (error) {
-    if (!(error instanceof Error) || error.name === 'AbortError') throw error;
-    failures.set(editor, notices.show('error', error.message, 'file', { lasts: true }));
-  }
-}
-
-/** @returns the name of the file */
-async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<string> {
-  const { scene } = editor.document;
-  const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
-  const { saveFile, seenFile } = await import('../files/saveFile');
-  const step = editor.commands.last;
-  // the picker gives the file; a browser without one downloads, and gives none
-  let content = await bytesFor(scene, fileName);
-  let saved = await saveFile(content, { ...fileType, fileName }, handle);
-  if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
-    // another kind was chosen in the picker than the name stood for
-    content = await bytesFor(scene, saved.name);
-    saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
-  }
-  const name = saved?.name ?? fileName;
-  // another scene that was opened meanwhile is in no file yet, and would be written over this one
-  if (editor.document.scene !== scene) return name;
-  editor.saved(await seenFile(content, { name, handle: saved }), step);
-  const { noteRecent } = await import('../files/recent/noteRecent');
-  void noteRecent(editor, content, true);
-  return name;
+  const { writeScene } = await import('../files/writeScene');
+  await writeScene(editor, handle);
 }
 
 export const save: Action = {

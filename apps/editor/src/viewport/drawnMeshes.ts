@@ -1,5 +1,5 @@
 import { type GameObject, ModelRenderer, ObjectRenderer } from '@farol/engine';
-import { hasReadableVertices } from '@farol/renderer/authoring';
+import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import { type BufferGeometry, type Matrix4, Mesh } from 'three';
 
 type Visit = (mesh: Mesh | null, geometry: BufferGeometry, matrixWorld: Matrix4) => void;

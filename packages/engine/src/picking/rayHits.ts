@@ -8,7 +8,7 @@ import {
   SkinnedMesh,
   type Vector2,
 } from 'three';
-import { hasReadableVertices } from '@farol/renderer/authoring';
+import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import type { Scene } from '../core/SceneGraph';
 
 /**

@@ -1,4 +1,4 @@
-/** Fetches what is otherwise fetched when a scene is first built. The temple, which both apps begin with, is there already. */
+/** Fetches what is otherwise fetched when a scene is first built. */
 export async function preloadSceneCode(): Promise<void> {
   await Promise.all([
     import('./benchmark/benchmarkLights'),
@@ -6,5 +6,6 @@ export async function preloadSceneCode(): Promise<void> {
     import('./dragon/dragons'),
     import('./dragon/niceScene'),
     import('./sponza/sponza'),
+    import('./temple/temple'),
   ]);
 }

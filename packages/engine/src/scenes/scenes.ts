@@ -4,7 +4,7 @@ import { dragonsScene } from './dragon/dragonsScene';
 import { niceSceneScene } from './dragon/niceSceneScene';
 import type { SceneDefinition } from './SceneDefinition';
 import { sponzaScene } from './sponza/sponzaScene';
-import { templeScene } from './temple/temple';
+import { templeScene } from './temple/templeScene';
 
 /** The scenes that the apps offer, by name. */
 export const scenes: Readonly<Record<string, SceneDefinition>> = Object.fromEntries(

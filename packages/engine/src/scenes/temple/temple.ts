@@ -1,12 +1,10 @@
-import { number, type Vector3Tuple } from '@farol/editing/fields';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import type { Scene } from '../../core/SceneGraph';
 import type { GameObject } from '../../core/SceneGraph';
 import { SceneBuilder } from '../SceneBuilder';
-import { defineScene, type SceneBuildOptions } from '../SceneDefinition';
+import type { SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';
 import { registerMeshes } from '../registerMeshes';
-import { seedField } from '../seedField';
-import { shadowsField } from '../shadowsField';
 import { templeMeshes } from './templeMeshes';
 import { templePlan, templeSize } from './templePlan';
 
@@ -124,17 +122,3 @@ export async function temple(lights: number, options: SceneBuildOptions = {}): P
   }));
   return build.scene;
 }
-
-export const templeScene = defineScene({
-  name: 'temple',
-  label: 'Temple',
-  help: 'A temple of columns on a green plane, with moving lights.',
-  parameters: {
-    lights: number(50, { integer: true, min: 0, max: 20000, help: 'Moving point lights.' }),
-    shadows: shadowsField,
-    seed: seedField,
-  },
-  sample: { shadows: true },
-  make: (get, assets) =>
-    temple(get('lights') as number, { shadows: get('shadows') as boolean, seed: get('seed') as number, assets }),
-});

@@ -7,8 +7,10 @@ export async function addLazyMicroShaders(
   microshaders: MicroShaderRegistry,
   parts: readonly Lazy<object>[],
 ): Promise<void> {
-  for (const part of parts) {
-    const code: { readonly microShaders?: Readonly<Record<string, string>> } = await part.load();
-    if (code.microShaders) addMicroShaders(microshaders, part.name, code.microShaders);
-  }
+  const codes: readonly { readonly microShaders?: Readonly<Record<string, string>> }[] = await Promise.all(
+    parts.map((part) => part.load()),
+  );
+  codes.forEach((code, i) => {
+    if (code.microShaders) addMicroShaders(microshaders, parts[i].name, code.microShaders);
+  });
 }

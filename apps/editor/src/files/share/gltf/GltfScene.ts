@@ -12,7 +12,7 @@ import {
   type Scene,
   Transform,
 } from '@farol/engine';
-import { hasReadableVertices } from '@farol/renderer/authoring';
+import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import {
   type AnimationClip,
