@@ -11,6 +11,8 @@ beforeEach(() => {
   mkdirSync(join(folder, 'dist'));
   writeFileSync(join(folder, 'dist/index.html'), 'the page');
   writeFileSync(join(folder, 'secret.txt'), 'not for you');
+  mkdirSync(join(folder, 'dist-secret'));
+  writeFileSync(join(folder, 'dist-secret/index.html'), 'not for you');
 });
 afterEach(() => rmSync(folder, { recursive: true }));
 
@@ -30,6 +32,8 @@ it('serves a folder and nothing outside of it, isolated for a fine clock', async
     for (const path of ['/../secret.txt', '/%2e%2e/secret.txt', '/..%2fsecret.txt', '/..%5csecret.txt', '/%']) {
       expect(await status(server.url, path), path).toBe(404);
     }
+    // a folder whose path begins as the served one's does
+    expect(await status(server.url, '/..%2fdist-secret/index.html')).toBe(404);
   } finally {
     await server.close();
   }

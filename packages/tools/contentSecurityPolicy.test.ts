@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { ViteDevServer } from 'vite';
-import { frameHeaders, securePages } from './contentSecurityPolicy.mjs';
+import { contentSecurityPolicy, frameHeaders, securePages } from './contentSecurityPolicy.mjs';
 
 const own = { 'content-security-policy': "frame-ancestors 'self'" };
 
@@ -19,4 +19,38 @@ test('the development server sends it with its pages', () => {
   used[0]({ url: '/' }, { setHeader: (name: string, value: string) => (sent[name] = value) }, () => (goesOn = true));
   expect(sent).toEqual(own);
   expect(goesOn).toBe(true);
+});
+
+/** Sources that a policy allows, by directive. */
+const directives = (options?: Parameters<typeof contentSecurityPolicy>[0]): Record<string, string[]> =>
+  Object.fromEntries(
+    contentSecurityPolicy(options)
+      .split('; ')
+      .map((directive) => directive.split(' '))
+      .map(([name, ...sources]) => [name, sources]),
+  );
+
+test('a built page runs its own files, sends no form, has no other base, and reads nothing that is not named', () => {
+  const built = {
+    'default-src': ["'none'"],
+    'script-src': ["'self'", "'wasm-unsafe-eval'"],
+    'worker-src': ["'self'", 'blob:'],
+    'frame-src': ["'self'"],
+    'style-src': ["'self'", "'unsafe-inline'"],
+    'img-src': ["'self'", 'data:', 'blob:'],
+    'font-src': ["'self'", 'data:'],
+    'connect-src': ["'self'", 'data:', 'blob:', 'https:', 'http:'],
+    'base-uri': ["'none'"],
+    'form-action': ["'none'"],
+  };
+  expect(directives()).toEqual(built);
+  expect(directives({ runsScripts: true })).toEqual({ ...built, 'script-src': [...built['script-src'], 'blob:'] });
+});
+
+test('what is served from source may be written into its pages, and is told of edits', () => {
+  const { 'script-src': scripts, 'connect-src': hosts, ...others } = directives({ isServed: true });
+  const { 'script-src': builtScripts, 'connect-src': builtHosts, ...builtOthers } = directives();
+  expect(scripts).toEqual([...builtScripts, "'unsafe-inline'"]);
+  expect(hosts).toEqual([...builtHosts, 'ws:', 'wss:']);
+  expect(others).toEqual(builtOthers);
 });

@@ -67,4 +67,11 @@ export function ensureBrowser(world = thisMachine()) {
   );
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) console.log(ensureBrowser());
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  try {
+    console.log(ensureBrowser());
+  } catch (error) {
+    console.error(error instanceof Error ? error.message : error);
+    process.exitCode = 1;
+  }
+}

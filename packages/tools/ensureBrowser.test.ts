@@ -1,5 +1,8 @@
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { ensureBrowser } from './ensureBrowser.mjs';
+import { root } from './root.mjs';
 
 /** A machine on which `installs` says what a command brings, and `broken` what does not start. */
 function machine(options: { there?: string; installs?: Record<string, string>; broken?: string[]; root?: boolean }) {
@@ -48,4 +51,12 @@ it('mends missing libraries as root', () => {
 it('says what to do when there is no way', () => {
   expect(() => ensureBrowser(machine({}))).toThrow(/Install Chromium or Google Chrome.*CHROMIUM_PATH/);
   expect(() => ensureBrowser(machine({ there: '/cache/chrome', broken: ['/cache/chrome'] }))).toThrow(/install-deps/);
+});
+
+it('as a script ends with one sentence and no trace', () => {
+  const env = { ...process.env, CHROMIUM_PATH: join(root, 'no browser') };
+  const script = join(root, 'packages/tools/ensureBrowser.mjs');
+  const { status, stdout, stderr } = spawnSync(process.execPath, [script], { env, encoding: 'utf8' });
+  expect([status, stdout]).toEqual([1, '']);
+  expect(stderr).toMatch(/^CHROMIUM_PATH is .*no browser, which does not exist: correct the variable or unset it\.\n$/);
 });

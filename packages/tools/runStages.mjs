@@ -2,6 +2,7 @@
  * @typedef {object} Stage
  * @property {readonly string[]} [needs] names of stages that must have passed before; those that are not asked for are ignored
  * @property {boolean} [alone] whether it uses all cores of a small machine; default false
+ * @property {boolean} [waits] whether it waits for the network and hardly uses a core: it runs beside all others; default false
  * @property {() => Promise<boolean>} run true when all is well
  *
  * @typedef {'passed' | 'failed' | 'left out'} Outcome 'left out': a stage that it needs did not pass
@@ -13,7 +14,7 @@
  * @param {Readonly<Record<string, Stage>>} stages in the order that they are to start in
  * @param {object} options
  * @param {boolean} options.isSmall whether the machine has few cores: a stage that is `alone` then waits for the others, and
- *   they for it
+ *   they for it, but for those that wait for the network
  * @param {(name: string) => void} [options.onStart]
  * @param {(name: string, outcome: Outcome) => void} [options.onEnd]
  * @returns {Promise<Record<string, Outcome>>} by name, in the order that they ended in
@@ -35,8 +36,9 @@ export async function runStages(stages, { isSmall, onStart, onEnd }) {
   const needsOf = (name) => (stages[name].needs ?? []).filter((need) => need in stages);
   /** @param {string} name */
   const hasRoom = (name) => {
-    if (!isSmall || running.size === 0) return true;
-    return !stages[name].alone && ![...running.keys()].some((other) => stages[other].alone);
+    const busy = [...running.keys()].filter((other) => !stages[other].waits);
+    if (!isSmall || stages[name].waits || busy.length === 0) return true;
+    return !stages[name].alone && !busy.some((other) => stages[other].alone);
   };
 
   while (waiting.size > 0 || running.size > 0) {

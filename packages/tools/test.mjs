@@ -17,6 +17,7 @@ import { findBrowser } from './findBrowser.mjs';
 import { root } from './root.mjs';
 import { copyBuilt, makeRunFolder, whileNobodyBuilds } from './runFolder.mjs';
 import { runStages } from './runStages.mjs';
+import { stagePlan } from './stagePlan.mjs';
 import { startScript, startTool } from './startTool.mjs';
 import { addTallies, playwrightTally, tallyLine, vitestTally } from './tally.mjs';
 
@@ -34,34 +35,25 @@ const isSmall = availableParallelism() < 6;
 /** Of what runs beside others on a small machine, the output is shown in one piece. */
 const held = { isHeld: true };
 
-/** @type {Record<string, import('./runStages.mjs').Stage>} */
-const stages = {
-  chromium: {
-    run: async () => findBrowser() !== null || (await startScript(tool('ensureBrowser.mjs'), [], held)) === 0,
-  },
-  types: { run: async () => (await startTool('typescript', 'tsc', ['-b', 'packages'], held)) === 0 },
-  lint: {
-    run: async () =>
-      (await startTool('oxlint', 'oxlint', [], held)) + (await startTool('oxfmt', 'oxfmt', ['--check'], held)) === 0,
-  },
-  unit: { alone: true, run: () => vitest() },
-  build: {
-    needs: ['types'],
-    alone: true,
-    run: () => whileNobodyBuilds(async () => (await startScript(tool('build.mjs'), ['--tests'], held)) === 0),
-  },
-  packages: {
-    needs: ['build', 'chromium'],
-    alone: true,
-    run: () => whileNobodyBuilds(() => playwright('packages', 'e2e/packages/playwright.config.ts')),
-  },
-  browser: {
-    needs: ['build', 'chromium'],
-    alone: true,
-    run: () =>
-      playwright('browser', 'e2e/playwright.config.ts', { FAROL_E2E: 'built', FAROL_BUILT: copyBuilt(folder) }),
-  },
+/** @type {Record<keyof typeof stagePlan, () => Promise<boolean>>} */
+const runs = {
+  chromium: async () => findBrowser() !== null || (await startScript(tool('ensureBrowser.mjs'), [], held)) === 0,
+  types: async () => (await startTool('typescript', 'tsc', ['-b', 'packages'], held)) === 0,
+  lint: async () =>
+    (await startTool('oxlint', 'oxlint', [], held)) + (await startTool('oxfmt', 'oxfmt', ['--check'], held)) === 0,
+  unit: () => vitest(),
+  build: () => whileNobodyBuilds(async () => (await startScript(tool('build.mjs'), ['--tests'], held)) === 0),
+  packages: () => whileNobodyBuilds(() => playwright('packages', 'e2e/packages/playwright.config.ts')),
+  browser: () =>
+    playwright('browser', 'e2e/playwright.config.ts', { FAROL_E2E: 'built', FAROL_BUILT: copyBuilt(folder) }),
 };
+/** @type {Record<string, import('./runStages.mjs').Stage>} */
+const stages = Object.fromEntries(
+  Object.entries(stagePlan).map(([name, stage]) => [
+    name,
+    { ...stage, run: runs[/** @type {keyof typeof stagePlan} */ (name)] },
+  ]),
+);
 
 const unknown = positionals.filter((name) => !(name in stages));
 if (unknown.length > 0) {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SeriesChoice } from './Configuration';
 import { lightKindNames, shadingNames } from './lightKinds';
-import { planOf } from './planOf';
+import { estimate, planOf } from './planOf';
 import { presets } from './presets';
 
 const base = presets.lights.configuration;
@@ -84,4 +84,26 @@ it('the preset matter has the rows of the issue', () => {
     ['sponza', 100, 'points', null, 'phong'],
   ]);
   expect(new Set(series.map(({ name }) => name)).size).toBe(series.length);
+});
+
+describe('the time that a plan takes', () => {
+  const effort = { ...base.effort, rounds: 3, turn: 1000, changes: false, limit: null };
+  const time = (changes: Partial<typeof base>, values = [10, 20]) =>
+    estimate(planOf({ ...base, effort, competitors: ['forward'], ...changes, series: [atrium({ values })] }));
+  const one = time({});
+
+  it('is that of its turns, and some to open each case', () => {
+    expect(one).toBeGreaterThan(2 * 3 * 1000);
+    expect(one).toBeLessThan(2 * 3 * 1000 + 2 * 1000);
+  });
+
+  it('grows with cases, competitors, rounds, turns and changes, and ends at its limit', () => {
+    expect(time({}, [10, 20, 30, 40])).toBe(2 * one);
+    expect(time({ competitors: ['forward', 'deferred', 'three'] })).toBe(3 * one);
+    expect(time({ effort: { ...effort, rounds: 4 } })).toBe(one + 2 * 1000);
+    expect(time({ effort: { ...effort, turn: 1200 } })).toBe(one + 2 * 3 * 200);
+    expect(time({ effort: { ...effort, changes: true } })).toBeGreaterThan(one);
+    expect(time({ effort: { ...effort, limit: 5000 } })).toBe(5000);
+    expect(time({ effort: { ...effort, limit: 60_000 } })).toBe(one);
+  });
 });

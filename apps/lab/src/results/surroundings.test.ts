@@ -33,6 +33,18 @@ it('names the short version where the browser refuses the long one', async () =>
 });
 
 it.each([
+  ['0.3.0', 'Windows 0.3.0'], // 8.1
+  ['1.0.0', 'Windows 10'],
+  ['10.0.0', 'Windows 10'],
+  ['13.0.0', 'Windows 11'],
+  ['19.0.0', 'Windows 11'],
+])('the platform version %s of Windows is that of %s', async (platformVersion, system) => {
+  const getHighEntropyValues = async () => ({ platformVersion });
+  const teller = { ...windows, userAgentData: { ...windows.userAgentData!, getHighEntropyValues } };
+  expect(await surroundingsOf(device, [], teller)).toMatchObject({ system });
+});
+
+it.each([
   ['Mozilla/5.0 (X11; Linux x86_64; rv:150.0) Gecko/20100101 Firefox/150.0', 'Firefox 150.0', 'Linux'],
   [
     'Mozilla/5.0 (Macintosh; Intel Mac OS X 10_15_7) AppleWebKit/605.1.15 Version/26.1 Safari/605.1.15',

@@ -175,6 +175,8 @@ describe('fitSize', () => {
     [8192, 8, 8, 8192],
     [4096, 4096, 1, 2048],
     [8192, 1, 0.5, 2048],
+    [1, 8192, 0.5, 2048],
+    [8, 8192, 8, 8192],
   ])('%i × %i at %f, at most %i a side, is drawn smaller, and that is said', (width, height, dpr, side) => {
     const fitted = fitSize(width, height, dpr, side);
     expect(fitted.dpr).toBeLessThan(dpr);
