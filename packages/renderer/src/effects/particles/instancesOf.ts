@@ -1,13 +1,19 @@
+import { hasReadableVertices } from '../../three/vertexData';
 import { type BufferGeometry, InstancedBufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
 
 /**
  * Instances of a copy of a geometry; none yet. Attributes are copied since three deletes the GPU buffers of a geometry's
- * attributes when that geometry is disposed of: another one of the same attributes would draw from deleted buffers.
+ * attributes when that geometry is disposed of: another one of the same attributes would draw from deleted buffers. None are
+ * copied that the CPU cannot read.
  */
 export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeometry {
   const instanced = new InstancedBufferGeometry();
   instanced.instanceCount = 0;
   if (geometry === null) return instanced;
+  if (!hasReadableVertices(geometry)) {
+    console.warn('Farol: mesh particles copy their geometry; keep its arrays, which only the GPU has.');
+    return instanced;
+  }
   const buffers = new Map<InterleavedBufferAttribute['data'], InterleavedBuffer>();
   for (const [name, attribute] of Object.entries(geometry.attributes)) {
     if (!(attribute instanceof InterleavedBufferAttribute)) {
