@@ -49,7 +49,7 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
     });
     const sun = new three.DirectionalLight(0xffffff, 1);
     sun.position.set(2, 8, 3);
-    Object.assign(sun.shadow.camera, { left: -12, right: 12, top: 12, bottom: -12 });
+    Object.assign(sun.shadow.camera, { left: -12, right: 12, top: 12, bottom: -12, far: 30 }).updateProjectionMatrix();
     const spot = new three.SpotLight(0xffffff, 300, 20, 0.9);
     spot.position.set(0, 9, 2);
     for (const light of [sun, spot]) {
@@ -79,5 +79,90 @@ test('vertices that the CPU cannot read any more, or never could, throw and rece
   for (const { name, psnr, drawn } of frames) {
     expect.soft(psnr, name).toBeGreaterThan(60);
     expect.soft(drawn, name).toBe(2);
+  }
+});
+
+test('shadows follow interleaved vertices that are moved or replaced, also instances and morphs that are', async ({
+  benchPage: page,
+}) => {
+  const steps = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 50);
+    camera.position.set(0, 6, 12);
+    camera.lookAt(0, 0, 0);
+    const material = new three.MeshStandardMaterial();
+    const floor = new three.Mesh(new three.PlaneGeometry(24, 12), material);
+    floor.rotation.x = -Math.PI / 2;
+    floor.receiveShadow = true;
+    /** A box whose positions and normals share a buffer. */
+    const interleaved = (width: number, x: number) => {
+      const { position, normal } = new three.BoxGeometry(width, 1.5, 1).translate(x, 0, 0).attributes;
+      const data = new Float32Array(position.count * 6);
+      for (let i = 0; i < position.count; i++) {
+        data.set([position.getX(i), position.getY(i), position.getZ(i)], 6 * i);
+        data.set([normal.getX(i), normal.getY(i), normal.getZ(i)], 6 * i + 3);
+      }
+      return new three.InterleavedBuffer(data, 6);
+    };
+    const geometry = new three.BufferGeometry();
+    const take = (buffer: import('three').InterleavedBuffer) => {
+      geometry.setAttribute('position', new three.InterleavedBufferAttribute(buffer, 3, 0));
+      geometry.setAttribute('normal', new three.InterleavedBufferAttribute(buffer, 3, 3));
+    };
+    const buffer = interleaved(1, -4);
+    take(buffer);
+    geometry.setIndex(new three.BoxGeometry().index);
+    geometry.boundingSphere = new three.Sphere(new three.Vector3(), 9);
+    const box = new three.Mesh(geometry, material);
+    box.position.y = 1.5;
+    const matrices = (z: number) => {
+      const attribute = new three.InstancedBufferAttribute(new Float32Array(32), 16);
+      [0, 4].forEach((x, i) => new three.Matrix4().makeTranslation(x, 0, z).toArray(attribute.array, 16 * i));
+      return attribute;
+    };
+    const group = new three.InstancedMesh(new three.BoxGeometry(0.6, 0.6, 0.6), material, 2);
+    group.instanceMatrix = matrices(3);
+    group.boundingSphere = new three.Sphere(new three.Vector3(), 9);
+    for (const caster of [box, group]) caster.castShadow = caster.receiveShadow = true;
+    const sun = new three.DirectionalLight(0xffffff, 1);
+    sun.position.set(2, 8, 3);
+    sun.castShadow = true;
+    sun.shadow.bias = -0.005;
+    sun.shadow.mapSize.set(256, 256);
+    Object.assign(sun.shadow.camera, { left: -12, right: 12, top: 12, bottom: -12, far: 30 }).updateProjectionMatrix();
+    scene.add(floor, box, group, sun);
+    const step = (name: string, change: () => void) => {
+      change();
+      const image = bench.byTechnique('forward-single-pass', scene, camera);
+      const { drawn } = bench.farol.info.shadows;
+      return { name, drawn, psnr: compareImages(bench.stock(scene, camera), image).psnr };
+    };
+    const results = [
+      step('first', () => {}),
+      step('at rest', () => {}),
+      step('data.needsUpdate', () => {
+        buffer.array.set(interleaved(2, -3).array);
+        buffer.needsUpdate = true;
+      }),
+      step('another buffer of as many vertices', () => take(interleaved(1, 4))),
+      step('other instances', () => (group.instanceMatrix = matrices(-2))),
+    ];
+    // its receiver's box is of the vertices as they are
+    for (let i = 0; i < 3; i++) {
+      results.push(
+        step(`moves on, ${i}`, () => {
+          take(interleaved(2, 4 - 3 * i));
+          group.rotation.y += 0.1;
+        }),
+      );
+    }
+    return results;
+  });
+  for (const { name, drawn, psnr } of steps) {
+    expect.soft(psnr, name).toBeGreaterThan(60);
+    expect.soft(drawn, name).toBe(name === 'at rest' ? 0 : 1);
   }
 });

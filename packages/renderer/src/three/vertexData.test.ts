@@ -7,7 +7,14 @@ import {
   InterleavedBufferAttribute,
 } from 'three';
 import { expect, test } from 'vitest';
-import { attributeId, attributeVersion, hasReadableVertices, isReadable, type VertexAttribute } from './vertexData';
+import {
+  attributeId,
+  attributeState,
+  attributeVersion,
+  hasReadableVertices,
+  isReadable,
+  type VertexAttribute,
+} from './vertexData';
 
 const buffer = () => new InterleavedBuffer(new Float32Array(12), 6);
 
@@ -46,6 +53,10 @@ test('the version is that of the data, of interleaved attributes of the buffer t
   for (const each of all) each.needsUpdate = true;
   shared.needsUpdate = true;
   expect(all.map(attributeVersion)).toEqual([2, 1, 1]);
+  const states = all.map(attributeState);
+  expect(new Set(states).size).toBe(3);
+  shared.needsUpdate = true;
+  expect(attributeState(all[0])).not.toBe(states[0]);
 });
 
 test('what the page has let go of, and what is on the GPU alone, is not readable', () => {

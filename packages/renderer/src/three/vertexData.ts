@@ -26,6 +26,11 @@ export function attributeId(attribute: VertexAttribute): number {
   return number * 256 - (offset ?? 0);
 }
 
+/** A number that stays as long as an attribute has the same data: `attributeId` and `attributeVersion` in one. */
+export function attributeState(attribute: VertexAttribute): number {
+  return attributeId(attribute) * 65_536 + attributeVersion(attribute);
+}
+
 /** True for data that the GPU may write without a word. */
 export function isOnGPU(attribute: VertexAttribute | undefined): boolean {
   return (attribute as AnyAttribute | undefined)?.isGLBufferAttribute === true;

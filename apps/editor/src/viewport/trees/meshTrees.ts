@@ -1,4 +1,5 @@
-import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { attributeState } from '@farol/renderer/authoring';
+import type { BufferGeometry } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 
 /** Meshes of more triangles than this have a tree. */
@@ -7,8 +8,6 @@ export const LARGE = 50_000;
 /** A tree, and what of its geometry it was grown over. */
 interface Grown {
   readonly state: string;
-  readonly position: object;
-  readonly index: object | null;
   tree: MeshBVH | null;
   readonly ready: Promise<void>;
 }
@@ -18,22 +17,14 @@ const trees = new WeakMap<BufferGeometry, Grown>();
 const trianglesOf = ({ index, attributes: { position } }: BufferGeometry): number =>
   ((index ?? position)?.count ?? 0) / 3;
 
-const versionOf = (attribute: BufferAttribute | InterleavedBufferAttribute | null): number =>
-  attribute === null ? 0 : 'data' in attribute ? attribute.data.version : attribute.version;
-
-function isCurrent(grown: Grown, geometry: BufferGeometry): boolean {
-  const { index, attributes } = geometry;
-  return grown.position === attributes.position && grown.index === index && grown.state === stateOf(geometry);
-}
+const isCurrent = (grown: Grown, geometry: BufferGeometry): boolean => grown.state === stateOf(geometry);
 
 const stateOf = ({ index, attributes: { position }, drawRange, groups }: BufferGeometry): string =>
-  `${versionOf(position as BufferAttribute)} ${versionOf(index)} ${drawRange.start} ${drawRange.count} ${groups.length}`;
+  `${attributeState(position)} ${index ? attributeState(index) : 0} ${drawRange.start} ${drawRange.count} ${groups.length}`;
 
 function begin(geometry: BufferGeometry): Grown {
   const grown: Grown = {
     state: stateOf(geometry),
-    position: geometry.attributes.position,
-    index: geometry.index,
     tree: null,
     ready: import('./loadTree')
       .then(({ loadTree }) => loadTree(geometry))

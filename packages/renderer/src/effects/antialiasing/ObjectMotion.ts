@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { surfacesOf } from '../../materials/surfacesOf';
 import { batchMatrices } from '../../three/batchTextures';
+import { attributeState } from '../../three/vertexData';
 
 /** Instance matrices in a row of a texture, each four texels. */
 const INSTANCES_PER_ROW = 512;
@@ -36,6 +37,8 @@ export class ObjectMotion {
   readonly surfaceTimes: number[] = [];
   private surfaces = 0;
   private instancesVersion = -1;
+  /** Number of the vertices, see `verticesOf`. */
+  private vertices = 0;
 
   /** Whether the object stands otherwise than at the last `remember`. */
   hasMoved(object: Object3D): boolean {
@@ -52,12 +55,16 @@ export class ObjectMotion {
       const before = this.bones.image.data as unknown as Float32Array;
       for (let i = 0; i < now.length; i++) if (now[i] !== before[i]) return true;
     }
-    if (displacementOf(object) !== this.surfaces) return true;
+    if (displacementOf(object) !== this.surfaces || verticesOf(object) !== this.vertices) return true;
     return instancesOf(object) !== null && versionOf(object) !== this.instancesVersion;
   }
 
-  /** Whether the matrices of its instances, if it has any, are known: they are copied from their first change on. */
+  /**
+   * Whether it is known how it stood. Vertices themselves are not, where the page has changed them; matrices of instances are
+   * copied from their first change on.
+   */
   isKnown(object: Object3D): boolean {
+    if (verticesOf(object) !== this.vertices) return false;
     const now = instancesOf(object);
     if (now === null || this.instances !== null) return true;
     if (versionOf(object) !== this.instancesVersion) return false;
@@ -89,6 +96,7 @@ export class ObjectMotion {
       this.bones.needsUpdate = true;
     }
     this.surfaces = displacementOf(object);
+    this.vertices = verticesOf(object);
     if (this.surfaces !== 0) copyTimes(object, this.surfaceTimes);
     this.rememberInstances(object);
   }
@@ -183,10 +191,19 @@ function instancesOf(object: Object3D): Float32Array | null {
   return null;
 }
 
+/** A number that stays as long as the page leaves an object's vertices, and the morphs of its instances, as they are. */
+function verticesOf(object: Object3D): number {
+  const { geometry, morphTexture } = object as InstancedMesh;
+  const { position } = geometry.attributes;
+  const vertices = position === undefined ? 0 : attributeState(position);
+  return morphTexture ? vertices + (morphTexture.id * 65_536 + morphTexture.version) * 7 : vertices;
+}
+
 function versionOf(object: Object3D): number {
-  return (object as InstancedMesh).isInstancedMesh === true
-    ? (object as InstancedMesh).instanceMatrix.version
-    : batchMatrices(object as BatchedMesh).version;
+  if ((object as InstancedMesh).isInstancedMesh === true)
+    return attributeState((object as InstancedMesh).instanceMatrix);
+  const { id, version } = batchMatrices(object as BatchedMesh);
+  return id * 65_536 + version;
 }
 
 function matrixTexture(data: Float32Array<ArrayBuffer>, width: number): DataTexture {

@@ -8,14 +8,14 @@ import {
   type Object3D,
 } from 'three';
 import { surfacesOf } from '../../../materials/surfacesOf';
-import { attributeId, attributeVersion, isReadable } from '../../../three/vertexData';
+import { attributeState, isReadable } from '../../../three/vertexData';
 import { isAnimatedCaster } from './casterSignature';
 import { moveBox } from './moveBox';
 
 type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
-/** Boxes of geometries in their own space (m), and number and version of the positions that each box is of. */
-const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; readonly id: number; readonly version: number }>();
+/** Boxes of geometries in their own space (m), and `attributeState` of the positions that each box is of. */
+const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; state: number }>();
 
 const own = new Float64Array(6);
 
@@ -23,13 +23,13 @@ const own = new Float64Array(6);
 function boxOf(geometry: BufferGeometry): Box3 | null {
   const { position } = geometry.attributes;
   if (position === undefined) return null;
-  const id = attributeId(position);
-  const version = attributeVersion(position);
+  const state = attributeState(position);
   let known = boxes.get(geometry);
-  if (known === undefined || known.id !== id || known.version !== version) {
+  if (known?.state !== state) {
     if (!isReadable(position)) return geometry.boundingBox;
-    const box = (known?.box ?? new Box3()).setFromBufferAttribute(position as BufferAttribute);
-    boxes.set(geometry, (known = { box, id, version }));
+    if (known === undefined) boxes.set(geometry, (known = { box: new Box3(), state }));
+    known.state = state;
+    known.box.setFromBufferAttribute(position as BufferAttribute);
   }
   return known.box;
 }

@@ -1,5 +1,5 @@
 import type { BufferAttribute, BufferGeometry } from 'three';
-import { attributeId, attributeVersion, hasReadableVertices } from '../../../../three/vertexData';
+import { attributeState, hasReadableVertices } from '../../../../three/vertexData';
 import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 
 /**
@@ -18,17 +18,15 @@ export class CasterGeometry {
   isSound = true;
   private readonly position: BufferAttribute;
   private readonly source: BufferAttribute | null;
-  private readonly positionId: number;
-  private readonly positionVersion: number;
-  private readonly indexVersion: number;
+  private readonly positionState: number;
+  private readonly indexState: number;
   private clusters: ClusterOrder | null = null;
 
   constructor(private readonly geometry: BufferGeometry) {
     this.position = geometry.attributes.position as BufferAttribute;
     this.source = geometry.index;
-    this.positionId = attributeId(this.position);
-    this.positionVersion = attributeVersion(this.position);
-    this.indexVersion = this.source?.version ?? 0;
+    this.positionState = attributeState(this.position);
+    this.indexState = this.source === null ? 0 : attributeState(this.source);
   }
 
   get triangles(): number {
@@ -42,10 +40,9 @@ export class CasterGeometry {
   /** False once the geometry's positions or index have changed. */
   get isCurrent(): boolean {
     const { attributes, index } = this.geometry;
-    const { position } = this;
-    if (attributes.position !== position || index !== this.source) return false;
-    if (attributeId(position) !== this.positionId || attributeVersion(position) !== this.positionVersion) return false;
-    return (index?.version ?? 0) === this.indexVersion;
+    if (attributes.position !== this.position || index !== this.source) return false;
+    if (attributeState(attributes.position) !== this.positionState) return false;
+    return index === null || attributeState(index) === this.indexState;
   }
 
   /** Whether what is left to be worked out can be: the page may let go of vertices once three has sent them. */
