@@ -166,3 +166,104 @@ test('shadows follow interleaved vertices that are moved or replaced, also insta
     expect.soft(drawn, name).toBe(name === 'at rest' ? 0 : 1);
   }
 });
+
+test('a ground that the page bends shows shadows wherever it is bent to, while things move and at rest', async ({
+  benchPage: page,
+}) => {
+  const frames = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(96, 64);
+    bench.webgl.shadowMap.enabled = true;
+    const camera = new three.PerspectiveCamera(60, 1.5, 0.1, 50);
+    camera.position.set(0, 6, 12);
+    camera.lookAt(0, 0, 0);
+    const tile = () => new three.PlaneGeometry(2, 2, 8, 8).rotateX(-Math.PI / 2);
+    const white = () => new three.MeshStandardMaterial();
+    const grounds: Record<string, () => import('three').Mesh> = {
+      'made larger in onBeforeCompile': () => {
+        const material = white();
+        material.onBeforeCompile = (shader) => {
+          const { vertexShader } = shader;
+          shader.vertexShader = vertexShader.replace(
+            '#include <begin_vertex>',
+            'vec3 transformed = vec3(12.0 * position.x, 0.3 * sin(9.0 * position.x), 6.0 * position.z);',
+          );
+        };
+        return new three.Mesh(tile(), material);
+      },
+      'tiles by instances': () => {
+        const geometry = new three.InstancedBufferGeometry();
+        const one = tile();
+        for (const [name, attribute] of Object.entries(one.attributes)) geometry.setAttribute(name, attribute);
+        geometry.setIndex(one.index);
+        const places = Array.from({ length: 72 }, (_, i) => [2 * (i % 12) - 11, 0, 2 * Math.floor(i / 12) - 5]);
+        geometry.setAttribute('place', new three.InstancedBufferAttribute(new Float32Array(places.flat()), 3));
+        geometry.instanceCount = places.length;
+        const material = white();
+        material.onBeforeCompile = (shader) => {
+          const { vertexShader } = shader;
+          shader.vertexShader = `attribute vec3 place;\n${vertexShader}`.replace(
+            '#include <begin_vertex>',
+            'vec3 transformed = position + place;',
+          );
+        };
+        return new three.Mesh(geometry, material);
+      },
+      'a ShaderMaterial with lights': () => {
+        const { uniforms, vertexShader, fragmentShader } = three.ShaderLib.lambert;
+        const material = new three.ShaderMaterial({
+          uniforms: three.UniformsUtils.clone(uniforms),
+          vertexShader: vertexShader.replace(
+            '#include <begin_vertex>',
+            'vec3 transformed = vec3(12.0 * position.x, 0.0, 6.0 * position.z);',
+          ),
+          fragmentShader,
+          lights: true,
+        });
+        material.uniforms.diffuse.value.set(0xffffff);
+        return new three.Mesh(tile(), material);
+      },
+    };
+    const results: { name: string; psnr: number; shadow: number }[] = [];
+    for (const [kind, make] of Object.entries(grounds)) {
+      for (const technique of ['forward-single-pass', 'forward', 'deferred', 'tiled-deferred'] as const) {
+        const scene = new three.Scene();
+        const ground = make();
+        const box = new three.Mesh(new three.BoxGeometry(1, 1, 1), white());
+        box.castShadow = ground.receiveShadow = true;
+        const sun = new three.DirectionalLight(0xffffff, 1);
+        sun.position.set(2, 8, 3);
+        Object.assign(sun.shadow.camera, {
+          left: -12,
+          right: 12,
+          top: 12,
+          bottom: -12,
+          far: 30,
+        }).updateProjectionMatrix();
+        const lamp = new three.PointLight(0xffffff, 60, 20);
+        lamp.position.set(-4, 5, 1);
+        for (const light of [sun, lamp]) {
+          light.castShadow = true;
+          light.shadow.bias = -0.005;
+          light.shadow.mapSize.set(256, 256);
+        }
+        scene.add(ground, box, sun, lamp);
+        for (let i = 0; i < 5; i++) {
+          if (i < 4) box.position.set(-6 + i, 1.5, -1);
+          const image = bench.byTechnique(technique, scene, camera);
+          const stock = bench.stock(scene, camera);
+          ground.receiveShadow = false;
+          const bare = i === 4 ? compareImages(stock, bench.stock(scene, camera)).psnr : 0;
+          ground.receiveShadow = true;
+          const name = `${kind}, ${technique}, ${i < 4 ? `moves ${i}` : 'at rest'}`;
+          results.push({ name, psnr: compareImages(stock, image).psnr, shadow: bare });
+        }
+      }
+    }
+    return results;
+  });
+  for (const { name, psnr, shadow } of frames) {
+    expect.soft(psnr, name).toBeGreaterThan(55);
+    expect.soft(shadow, `${name}: there is a shadow`).toBeLessThan(45);
+  }
+});

@@ -1,10 +1,12 @@
-import { type Camera, Matrix4, type Object3D } from 'three';
+import { type Camera, type Material, Matrix4, type Mesh, type Object3D } from 'three';
+import { hasOwnShader } from '../../../frame/RenderQueue';
 import { viewFrustumPlanes } from '../../../lights/viewFrustumPlanes';
 import { boxInsidePlanes, boxOutsidePlanes, casterBox } from '../casters/casterBox';
 import { CLUSTERS_PER_GROUP, type MergedCasters } from '../casters/merged';
 import type { Caster } from '../casters/Caster';
 import { findSphere, type ShadowCasters } from '../casters/ShadowCasters';
 import { isBeyond, makeReach, setReach } from '../slots/reach';
+import { hasNodes } from '../../../three/hasNodes';
 import type { ShadowFace } from '../slots/ShadowFace';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import { cubeFaceParts, openFaces } from './cubeFaceParts';
@@ -60,9 +62,17 @@ export class VisibleReceivers {
     viewFrustumPlanes(matrix.multiply(camera.matrixWorldInverse).elements, planes);
     for (let i = 0; i < count; i++) {
       const { object } = list[i];
-      if (object.receiveShadow && object.layers.test(camera.layers)) this.addCaster(list[i], merged);
+      if (!object.receiveShadow || !object.layers.test(camera.layers)) continue;
+      if (isBent(object)) this.addBent(list[i]);
+      else this.addCaster(list[i], merged);
     }
-    for (const object of receivers) if (object.layers.test(camera.layers)) this.addObject(object);
+    for (const object of receivers) {
+      if (!object.layers.test(camera.layers)) continue;
+      if (isBent(object)) {
+        findSphere(object, sphere);
+        this.addBent(sphere);
+      } else this.addObject(object);
+    }
   }
 
   /**
@@ -142,6 +152,15 @@ export class VisibleReceivers {
     if (this.groupsUsed > firstGroup) this.addToObjects(box, firstGroup);
   }
 
+  /** Adds what may be anywhere in the picture, unless three culls it. */
+  private addBent({ x, y, z, radius }: typeof sphere): void {
+    if (Number.isFinite(radius)) {
+      setCube(x, y, z, radius);
+      if (boxOutsidePlanes(planes, own)) return;
+    }
+    this.isUnbounded = true;
+  }
+
   private addObject(object: Object3D): void {
     if (casterBox(object, own)) {
       this.addBox(own);
@@ -156,10 +175,7 @@ export class VisibleReceivers {
       this.isUnbounded = true;
       return;
     }
-    own[0] = x;
-    own[1] = y;
-    own[2] = z;
-    own[3] = own[4] = own[5] = SPHERES * radius;
+    setCube(x, y, z, SPHERES * radius);
     this.addBox(own);
   }
 
@@ -197,6 +213,23 @@ export class VisibleReceivers {
 }
 
 const own = new Float64Array(6);
+
+function setCube(x: number, y: number, z: number, radius: number): void {
+  own[0] = x;
+  own[1] = y;
+  own[2] = z;
+  own[3] = own[4] = own[5] = radius;
+}
+
+/** Whether a vertex shader of the page's may have the vertices of an object elsewhere. */
+function isBent(object: Object3D): boolean {
+  const { material } = object as Mesh;
+  if (!Array.isArray(material)) return bends(material);
+  for (let i = 0; i < material.length; i++) if (bends(material[i])) return true;
+  return false;
+}
+
+const bends = (material: Material): boolean => hasOwnShader(material) || hasNodes(material);
 
 function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   const more = new Float64Array(numbers.length * 2);
