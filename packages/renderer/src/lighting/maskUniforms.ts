@@ -1,6 +1,6 @@
 import { type IUniform, Matrix3 } from 'three';
 
-/** Uniforms of lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl, and of tiles in lightLoopClustered.glsl. */
+/** Uniforms of lightImage.glsl, lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl, and of tiles in lightLoopClustered.glsl. */
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
   readonly farol_lightAtlas: IUniform;

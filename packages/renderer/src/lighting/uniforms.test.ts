@@ -33,7 +33,7 @@ describe('the uniforms of a microshader', () => {
     [
       'gridUniforms and maskUniforms',
       { ...gridUniforms(), ...maskUniforms() },
-      ['lightLoopClustered', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
+      ['lightLoopClustered', 'lightImage', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
     ],
     [
       'gbufferUniforms',

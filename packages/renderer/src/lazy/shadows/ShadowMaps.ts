@@ -87,6 +87,8 @@ export class ShadowMaps implements LightMasks {
   private type = -1;
   private isVariance = false;
   private frame = 0;
+  /** Size of the frame's picture (pixels). */
+  private picture: PictureSize = { width: 1, height: 1 };
   /** Maps that the last frame needed. */
   private mapCount = 0;
 
@@ -104,10 +106,11 @@ export class ShadowMaps implements LightMasks {
     this.hostMaps = new HostShadowMaps(webgl, drawer);
     this.bounds = new ShadowBounds(webgl, drawer);
     this.shaders = new MaskShaders(microshaders);
-    this.slots = new LightSlots({
-      map: (slot) => this.releaseMap(slot),
-      cookie: (cookie) => this.atlases.colours.release(cookie),
-    });
+    const release = {
+      map: (slot: ShadowSlot) => this.releaseMap(slot),
+      cookie: (cookie: CookieSlot) => this.atlases.colours.release(cookie),
+    };
+    this.slots = new LightSlots(release, webgl.capabilities.getMaxAnisotropy());
     this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
   }
 
@@ -150,7 +153,7 @@ export class ShadowMaps implements LightMasks {
   }
 
   write(table: DataTable, first: number, camera: Camera): void {
-    this.masks.write(table, first, camera, this.type, this.isDepthReversed());
+    this.masks.write(table, first, camera, this.type, this.isDepthReversed(), this.picture);
   }
 
   /**
@@ -191,6 +194,7 @@ export class ShadowMaps implements LightMasks {
     this.followLights(updates, camera);
 
     // assign
+    this.picture = picture;
     this.chooseSizes(camera, picture);
     this.place();
     for (const slot of this.slots.lit) this.assign(slot, updates);

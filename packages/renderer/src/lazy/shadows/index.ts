@@ -4,6 +4,7 @@ import type { Frame } from '../../frame/Frame';
 import cookieRegion from './draw/cookieRegion.glsl?raw';
 import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
 import lightMaskOn from './masks/lightMaskOn.glsl?raw';
+import lightImage from './masks/lightImage.glsl?raw';
 import lightShadow from './masks/lightShadow.glsl?raw';
 import maskFeatures from './masks/maskFeatures.glsl?raw';
 import { maskRecordChunk } from './masks/maskRecordChunk';
@@ -21,6 +22,7 @@ export const microShaders = {
   cookieRegion,
   lightMaskLayers,
   lightMaskOn,
+  lightImage,
   lightShadow,
   maskFeatures,
   maskRecord: maskRecordChunk,

@@ -2,6 +2,7 @@ import type { Texture, WebGLRenderTarget } from 'three';
 import type { AtlasMap } from './AtlasMap';
 import type { AtlasPlacement } from './AtlasPlacement';
 import type { MapDetail } from './MapDetail';
+import { mipmapBlockHeight, mipmapBlockWidth } from './mipmapBlock';
 import { RegionPacker } from './RegionPacker';
 
 /** What has a region in an atlas: a map, or the six faces of a cube, three by two, with borders. */
@@ -20,6 +21,8 @@ export interface AtlasTenant {
   readonly map: AtlasMap;
   /** How far the size asked for is reduced, because pictures show no more; not at all when absent. */
   readonly detail?: MapDetail;
+  /** Levels of mipmaps that lie beside an image, each with a border; no borders when absent. */
+  readonly levels?: number;
   /** Texels round each face of a cube of this size, from what lies beside the face, so that filters cross its edges. */
   borderOf(faceWidth: number): number;
   /** Called when the map has got another region. */
@@ -239,10 +242,11 @@ function drop({ placement, map }: AtlasTenant): void {
   map.release();
 }
 
-/** True when a tenant has a region for faces of this size, with the border that they need now. */
+/** True when a tenant has a region for faces of this size, with the borders and levels that they need now. */
 function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
   const { region, faceWidth, faceHeight } = tenant.placement;
-  return region !== null && faceWidth === width && faceHeight === height && region.width === blockWidth(tenant, width);
+  if (region === null || faceWidth !== width || faceHeight !== height) return false;
+  return region.width === blockWidth(tenant, width) && region.height === blockHeight(tenant, height);
 }
 
 function mapWidth(tenant: AtlasTenant, limit: number): number {
@@ -264,10 +268,12 @@ function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
 }
 
 function blockWidth(tenant: AtlasTenant, face: number): number {
+  if (tenant.levels !== undefined) return mipmapBlockWidth(face, tenant.levels);
   return tenant.isCube ? 3 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 
 function blockHeight(tenant: AtlasTenant, face: number): number {
+  if (tenant.levels !== undefined) return mipmapBlockHeight(face, tenant.levels);
   return tenant.isCube ? 2 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 

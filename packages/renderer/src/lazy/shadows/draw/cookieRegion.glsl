@@ -1,4 +1,5 @@
-// Copies an image that a light throws into its region of the atlas; of a cube (FAROL_CUBE) six faces with borders; of a
+// Copies a level of an image that a light throws into its region of the atlas, and round it a border by the image's own
+// wrapping; of a cube (FAROL_CUBE) six faces with borders; of a
 // photometric profile (FAROL_PROFILE) from 0 to 180° and from 0 to 360°, both ends in the middle of texels.
 // Farol; the faces lie as farol_cubeFace in lightShadow.glsl has them
 #ifdef FAROL_CUBE
@@ -6,8 +7,10 @@ uniform highp samplerCube farol_cookieImage;
 #else
 uniform highp sampler2D farol_cookieImage;
 #endif
-uniform highp vec4 farol_cookieRegion; // corner, size (texels); of a cube: corner, side of a face, from face to face
+// corner without border, size (texels); of a cube: corner, side of a face, from face to face
+uniform highp vec4 farol_cookieRegion;
 uniform highp float farol_cookieFlip; // of x
+uniform highp float farol_cookieLevel; // of the image's mipmaps
 layout(location = 0) out highp vec4 farol_cookie;
 //# main
 vec2 at = gl_FragCoord.xy - farol_cookieRegion.xy;
@@ -26,5 +29,5 @@ vec2 share = (at - 0.5) / max(farol_cookieRegion.zw - 1.0, 1.0);
 farol_cookie = textureLod(farol_cookieImage,
   vec2((share.x * (size.x - 1.0) + 0.5) / size.x, fract(share.y) + 0.5 / size.y), 0.0);
 #else
-farol_cookie = texture(farol_cookieImage, at / farol_cookieRegion.zw);
+farol_cookie = textureLod(farol_cookieImage, at / farol_cookieRegion.zw, farol_cookieLevel);
 #endif

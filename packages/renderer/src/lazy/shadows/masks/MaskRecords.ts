@@ -9,6 +9,7 @@ import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { MaskShaders } from './MaskShaders';
 import { maskFeatures, maskFeaturesOf, maskLoopOf } from './maskFeatures';
 import { RECORDS_PER_MASK } from './maskLayout';
+import type { PictureSize } from '../../../lights/PictureSize';
 import { shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
 
 /** The masks of a frame's lights: which light has one, and their records in the light table. */
@@ -64,12 +65,12 @@ export class MaskRecords {
     return slot.record >= 0 && slot.hasLeftMap ? slot.record + ELSEWHERE : slot.record;
   }
 
-  /** @param type of maps, as `shadowMap.type` @param reversed the depth buffer is */
-  write(table: DataTable, first: number, camera: Camera, type: number, reversed: boolean): void {
+  /** @param type of maps, as `shadowMap.type` @param reversed the depth buffer is @param picture size (pixels) */
+  write(table: DataTable, first: number, camera: Camera, type: number, reversed: boolean, picture: PictureSize): void {
     for (const slot of this.slots.lit) {
       if (slot.record < 0) continue;
       const layers = this.layers.separates(slot.light) ? slot.light.layers.mask : 0;
-      writeMask(table, first + slot.record, slot, shadowLookupOf(slot, type), camera, reversed, layers);
+      writeMask(table, first + slot.record, slot, shadowLookupOf(slot, type), camera, reversed, layers, picture);
     }
     for (const [light, record] of this.layered) writeLayerMask(table, first + record, light.layers.mask);
   }

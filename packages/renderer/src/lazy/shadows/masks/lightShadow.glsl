@@ -5,10 +5,9 @@
 #include "lightTable"
 #include "maskFeatures"
 #include "maskRecord"
+#include "lightImage"
 uniform highp mat3 farol_worldAxes; // view space to the world's axes
 uniform highp sampler2DShadow farol_shadowAtlas;
-uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths
-uniform highp vec2 farol_atlasTexel; // side of a texel of either atlas, as part of the atlas's side
 
 // the five samples of three's disk before it is turned
 const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36998127), vec2(0.06181932, -0.70439930),
@@ -340,17 +339,15 @@ float farol_lightLit(const in int record, const in vec3 positionVS, const in vec
   return farol_filteredAt(record, mask, false, coord, shadowNormalVS);
 }
 
-// colour of a light's image in a direction; coord as farol_maskCoord gives it
-vec3 farol_cookieAt(const in int record, const in vec4 coord, const in int shape) {
-  vec4 region = farol_maskCookie(record);
-  vec2 texel;
-  if (shape == FAROL_COOKIE_MAP) {
-    vec3 across = coord.xyz / coord.w;
-    if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
-    texel = clamp(region.xy + across.xy * region.zw, region.xy + 0.5, region.xy + region.zw - 0.5);
-  } else texel = farol_cubeTexel(region.xyz, 1.0, farol_cubeFace(coord.xyz), false);
+#ifdef FAROL_LIGHT_COOKIES
+// colour of a light's image at a surface; coord as farol_maskCoord gives it
+vec3 farol_cookieAt(const in int record, const in vec4 coord, const in int shape, const in vec3 positionVS,
+  const in vec3 normalVS) {
+  if (shape == FAROL_COOKIE_MAP) return farol_imageOn(record, coord, positionVS, normalVS);
+  vec2 texel = farol_cubeTexel(farol_maskCookie(record).xyz, 1.0, farol_cubeFace(coord.xyz), false);
   return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rgb;
 }
+#endif
 
 #ifdef FAROL_LIGHT_PROFILES
 // factor of a light's intensity in the direction of a surface, by its photometric profile
@@ -383,7 +380,7 @@ vec3 farol_lightMask(const in int record, const in bool isPoint, const in vec3 t
   vec4 coord = farol_maskCoord(record, mask, isPoint, toLight, positionVS, shadowNormalVS);
   vec3 passed = vec3(1.0);
 #ifdef FAROL_LIGHT_COOKIES
-  if (mask.cookie != FAROL_COOKIE_NONE) passed = farol_cookieAt(record, coord, mask.cookie);
+  if (mask.cookie != FAROL_COOKIE_NONE) passed = farol_cookieAt(record, coord, mask.cookie, positionVS, shadowNormalVS);
 #endif
 #ifdef FAROL_LIGHT_PROFILES
   if (mask.hasProfile) passed *= farol_profileAt(record, toLight);

@@ -46,20 +46,24 @@ export const maskRecord = {
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
-  /** Of a map. */
+  /** Of a map, but for `cookieFilter`. */
   extent: {
     /** Texels up the map, and number of its cascades. */
     heightAndCascades: 'xy',
     /** `ShadowBounds` knows the depths. */
     hasBounds: ['bool', 't.z != 0.0'],
+    /** Sampling of the cookie, see `imageFilter`. */
+    cookieFilter: ['int', 'int(t.w)'],
   },
   /** Region of the photometric profile: corner, size (texels). */
   profile: {},
-  /** Region of the cookie: corner, size (texels); of a cube: corner, side of a face. With three cascades: fit of the third. */
+  /** Region of the cookie: corner, size of its first level without borders (texels); of a cube: corner, side of a face. With three cascades: fit of the third. */
   cookie: {},
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
     layers: 'xy',
+    /** From a pixel to the next, across and up: change of the view ray at distance 1, or, below 0, of an orthographic one (m). */
+    pixelSpan: 'zw',
   },
   /**
    * How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. Of a light with a

@@ -1,6 +1,7 @@
 import { BasicShadowMap, type Camera, Matrix4, type PointLight, type SpotLight, Vector3, VSMShadowMap } from 'three';
 import type { DataTable } from '../../../gpu/DataTable';
 import { FLOATS_PER_RECORD } from '../../../lights/lightRecord';
+import type { PictureSize } from '../../../lights/PictureSize';
 import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import { profileFrame } from './profileFrame';
@@ -16,6 +17,7 @@ const down = new Vector3();
  * @param lookup one of `shadowLookups`
  * @param reversed the depth buffer is
  * @param layers that the light reaches, as bits; 0 for all
+ * @param picture size (pixels)
  */
 export function writeMask(
   table: DataTable,
@@ -25,6 +27,7 @@ export function writeMask(
   camera: Camera,
   reversed: boolean,
   layers: number,
+  picture: PictureSize,
 ): void {
   const { cookie, isCube, near, far } = slot;
   const { region, faceWidth, faceHeight, border } = slot.placement;
@@ -62,9 +65,11 @@ export function writeMask(
     height,
     slot.cascades,
     slot.hasShadow && slot.map.hasBounds && softSize === 0 ? 1 : 0,
-    0,
+    cookie?.filter ?? 0,
   );
-  writeLayers(table, at, layers);
+  const p = camera.projectionMatrix.elements;
+  const span = 2 / Math.abs(p[0] * picture.width);
+  writeLayers(table, at, layers, p[11] === 0 ? -span : span, 2 / Math.abs(p[5] * picture.height));
   const { cascades, fits } = slot;
   for (let i = 0; i < cascades; i++) {
     table.set4(at + FITS[i], fits[i * 4], fits[i * 4 + 1], fits[i * 4 + 2], fits[i * 4 + 3]);
@@ -116,6 +121,6 @@ export function packPlace(width: number, lookup: number, shape: number, isExtend
   return width + (lookup << lookupBit) + (shape << cookie) + (isExtended ? 1 << extended : 0) + (power << borderBit);
 }
 
-function writeLayers(table: DataTable, at: number, layers: number): void {
-  table.set4(at + MASK.layers, layers & 0xffff, layers >>> 16, 0, 0);
+function writeLayers(table: DataTable, at: number, layers: number, spanX = 0, spanY = 0): void {
+  table.set4(at + MASK.layers, layers & 0xffff, layers >>> 16, spanX, spanY);
 }

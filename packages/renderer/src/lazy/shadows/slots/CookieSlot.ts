@@ -2,6 +2,7 @@ import type { CubeTexture, Texture } from 'three';
 import { AtlasMap } from '../atlas/AtlasMap';
 import { AtlasPlacement } from '../atlas/AtlasPlacement';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
+import { imageFilter, imageLevels } from './imageFilter';
 
 /** Texels a side of an image in the atlas at most. */
 const LARGEST = 1024;
@@ -21,6 +22,12 @@ export class CookieSlot implements AtlasTenant {
   readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
+  /** Of an image that is no cube: levels of its mipmaps in the atlas. */
+  levels: number | undefined = undefined;
+  /** How the image is sampled, see `imageFilter`; 0 for a cube or a profile. */
+  filter = 0;
+  /** Texels across the texture. */
+  textureWidth = 1;
   /** Last frame in which a light threw the image. */
   lastLit = 0;
   /** Version of the texture at the last `follow`. */
@@ -34,8 +41,8 @@ export class CookieSlot implements AtlasTenant {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
-  /** Follows the texture: the copy is stale when the image has changed. */
-  follow(): void {
+  /** Follows the texture: the copy is stale when the image has changed. @param mostAnisotropy of the device */
+  follow(mostAnisotropy: number): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as
       | (Sized & { image?: Sized })
@@ -47,9 +54,17 @@ export class CookieSlot implements AtlasTenant {
     // after the last row of a profile the first comes again, at 360°
     const rows = this.isProfile && height > 1 ? height + 1 : height;
     this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, rows));
+    if (!this.isCube && !this.isProfile) this.followFilter(Math.max(1, width), Math.max(1, height), mostAnisotropy);
     const isLive = (texture as Texture & { isVideoTexture?: boolean }).isVideoTexture || texture.isRenderTargetTexture;
     if (isLive || this.version !== texture.version) this.map.change();
     this.version = texture.version;
+  }
+
+  private followFilter(width: number, height: number, mostAnisotropy: number): void {
+    const { texture } = this;
+    this.textureWidth = width;
+    this.levels = imageLevels(texture, width, height, this.wantedWidth);
+    this.filter = imageFilter(texture, this.levels, mostAnisotropy);
   }
 
   borderOf(): number {

@@ -37,7 +37,11 @@ export class LightSlots {
   readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
-  constructor(private readonly release: SlotRelease) {}
+  /** @param mostAnisotropy of the device. Default 1 */
+  constructor(
+    private readonly release: SlotRelease,
+    private readonly mostAnisotropy = 1,
+  ) {}
 
   get isEmpty(): boolean {
     return this.slots.size === 0;
@@ -168,7 +172,7 @@ export class LightSlots {
   private copyOf(image: Texture, copies: Map<Texture, CookieSlot>): CookieSlot {
     let cookie = copies.get(image);
     if (cookie === undefined) copies.set(image, (cookie = new CookieSlot(image, copies === this.profiles)));
-    if (cookie.lastLit !== this.frame) cookie.follow();
+    if (cookie.lastLit !== this.frame) cookie.follow(this.mostAnisotropy);
     cookie.lastLit = this.frame;
     return cookie;
   }

@@ -1,0 +1,101 @@
+// Samples the images that spot lights throw, in their regions of the atlas of colours, as GPUs sample textures.
+// OpenGL ES 3.0, 3.8.9 and 3.8.10 (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
+#include "maskFeatures"
+#include "maskRecord"
+uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths
+uniform highp vec2 farol_atlasTexel; // side of a texel of either atlas, as part of the atlas's side
+
+#ifdef FAROL_LIGHT_COOKIES
+// colour of a level of an image; region as farol_maskCookie gives it; levels lie as atlas/mipmapBlock.ts has them
+vec3 farol_imageLevel(const in vec4 region, const in vec2 uv, const in int level, const in bool nearest) {
+  ivec2 base = ivec2(region.zw);
+  ivec2 size = max(base >> level, 1);
+  ivec2 corner = ivec2(region.xy);
+  if (level > 0) corner.x += base.x + 2;
+  for (int i = 1; i < level; i++) corner.y += max(base.y >> i, 1) + 2;
+  vec2 texel = uv * vec2(size);
+  if (nearest) texel = clamp(floor(texel), vec2(0.0), vec2(size - 1)) + 0.5;
+  return textureLod(farol_lightAtlas, (vec2(corner) + texel) * farol_atlasTexel.y, 0.0).rgb;
+}
+
+// level: of mipmaps, as a texture's derivatives give it; filtering: see slots/imageFilter.ts
+vec3 farol_imageAt(const in vec4 region, const in vec2 uv, const in float level, const in int filtering) {
+  bool minifiesNearest = (filtering & 2) != 0;
+  float magnified = (filtering & 15) == 6 || (filtering & 15) == 10 ? 0.5 : 0.0;
+  if (level <= magnified) return farol_imageLevel(region, uv, 0, (filtering & 1) != 0);
+  int last = filtering >> 4 & 15;
+  if ((filtering & 8) == 0) {
+    int nearestLevel = (filtering & 4) == 0 ? 0 : min(int(ceil(level + 0.5)) - 1, last);
+    return farol_imageLevel(region, uv, nearestLevel, minifiesNearest);
+  }
+  float between = min(level, float(last));
+  int lower = int(between);
+  vec3 color = farol_imageLevel(region, uv, lower, minifiesNearest);
+  if (lower == last) return color;
+  return mix(color, farol_imageLevel(region, uv, lower + 1, minifiesNearest), between - float(lower));
+}
+
+// Places in a light's map (0..1) of three pixels of a quad, of which GPUs take one level for all four: the first, that
+// beside it, that above it. Of the plane of a surface, since derivatives mean nothing in a loop over lights.
+struct FarolQuad {
+  vec2 first;
+  vec2 beside;
+  vec2 above;
+};
+
+// place in a map of a pixel so many pixels right and up of a surface's; coord: of the surface
+vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 pixels, const in vec2 pixelSpan,
+  const in vec3 positionVS, const in vec3 normalVS) {
+  vec3 shift = vec3(pixels * abs(pixelSpan), 0.0);
+  bool isPerspective = pixelSpan.x > 0.0;
+  vec3 from = isPerspective ? vec3(0.0) : positionVS + shift;
+  vec3 viewRay = isPerspective ? positionVS / -positionVS.z + shift : vec3(0.0, 0.0, -1.0);
+  float facing = dot(normalVS, viewRay);
+  facing = facing > 0.0 ? max(facing, 0.01) : min(facing, -0.01);
+  vec3 there = from + viewRay * (dot(normalVS, positionVS - from) / facing);
+  vec4 moved = coord + matrix * vec4(there - positionVS, 0.0);
+  return moved.xy / moved.w;
+}
+
+FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
+  vec2 span = farol_maskPixelSpan(record);
+  mat4 matrix = farol_maskMatrix(record);
+#ifdef FAROL_PER_VERTEX
+  vec2 first = vec2(0.0);
+#else
+  vec2 first = -vec2(ivec2(gl_FragCoord.xy) & 1);
+#endif
+  return FarolQuad(farol_placeBeside(matrix, coord, first, span, positionVS, normalVS),
+    farol_placeBeside(matrix, coord, first + vec2(1.0, 0.0), span, positionVS, normalVS),
+    farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, normalVS));
+}
+
+// colour of a light's image at a surface; coord: place in the map (homogeneous, 0..1); white beside the image
+vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
+  vec4 region = farol_maskCookie(record);
+  vec3 across = coord.xyz / coord.w;
+  if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
+  int filtering = farol_maskCookieFilter(record);
+  region.xy += 1.0;
+  // one filter for all sizes
+  if ((filtering & 255) == 0 || (filtering & 255) == 3)
+    return farol_imageLevel(region, across.xy, 0, (filtering & 1) != 0);
+  FarolQuad quad = farol_quadOf(record, coord, positionVS, normalVS);
+  vec2 right = quad.beside - quad.first;
+  vec2 up = quad.above - quad.first;
+  vec2 texels = vec2(length(right * region.zw), length(up * region.zw));
+  float longer = max(texels.x, texels.y);
+  int most = filtering >> 8;
+  if (most < 2) return farol_imageAt(region, across.xy, log2(longer), filtering);
+  vec2 along = texels.x > texels.y ? right : up;
+  float area = abs(right.x * up.y - right.y * up.x) * region.z * region.w;
+  float ratio = clamp(longer * longer / max(area, 1e-9), 1.0, float(most));
+  int samples = int(ratio + 0.5);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < samples; i++) {
+    vec2 uv = across.xy + along * ((float(i) + 0.5) / float(samples) - 0.5);
+    sum += farol_imageAt(region, clamp(uv, 0.0, 1.0), log2(longer / ratio), filtering);
+  }
+  return sum / float(samples);
+}
+#endif

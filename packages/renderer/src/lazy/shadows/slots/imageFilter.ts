@@ -1,0 +1,33 @@
+import { LinearFilter, LinearMipmapLinearFilter, NearestFilter, NearestMipmapLinearFilter, type Texture } from 'three';
+import { LinearMipmapNearestFilter, NearestMipmapNearestFilter } from 'three';
+
+/** Sampling of an image that a light throws, as bits of a whole number; lightImage.glsl has their places too. */
+export const FILTER_BITS = { levels: 4, anisotropy: 8 } as const;
+
+/** Levels of a texture's mipmaps that three has on the GPU, for a copy of the size given; 1 where it samples none. */
+export function imageLevels(texture: Texture, width: number, height: number, copied: number): number {
+  const { minFilter, generateMipmaps } = texture;
+  if (minFilter === NearestFilter || minFilter === LinearFilter) return 1;
+  const all = 1 + Math.floor(Math.log2(Math.max(width, height)));
+  const there = generateMipmaps ? all : Math.max(1, texture.mipmaps?.length ?? 1);
+  // a smaller copy begins with a later level
+  return Math.max(1, there - Math.round(Math.log2(width / copied)));
+}
+
+/** The filters, levels and anisotropy of a texture. @param most anisotropy of the device */
+export function imageFilter(texture: Texture, levels: number, most: number): number {
+  const { minFilter, magFilter, anisotropy } = texture;
+  const betweenLevels = minFilter === NearestMipmapLinearFilter || minFilter === LinearMipmapLinearFilter;
+  const ofOneLevel = minFilter === NearestMipmapNearestFilter || minFilter === LinearMipmapNearestFilter;
+  const isNearest =
+    minFilter === NearestFilter || minFilter === NearestMipmapNearestFilter || minFilter === NearestMipmapLinearFilter;
+  // three leaves the anisotropy of other filters at 1
+  const taps = magFilter !== NearestFilter && betweenLevels ? Math.min(anisotropy, most) : 1;
+  return (
+    (magFilter === NearestFilter ? 1 : 0) +
+    (isNearest ? 2 : 0) +
+    (betweenLevels ? 8 : ofOneLevel ? 4 : 0) +
+    ((levels - 1) << FILTER_BITS.levels) +
+    (taps << FILTER_BITS.anisotropy)
+  );
+}
