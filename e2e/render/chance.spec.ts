@@ -12,12 +12,16 @@ const isExcused = (seed: number, technique: string) =>
 // eight scenes by nine techniques, and up to 120 more pictures of each that fails
 test.describe.configure({ timeout: 480_000 });
 
+/** First seed of the deck that the slice has, by one technique of each family: its programs are few. */
+const IN_SLICE = 24;
+
 for (const seeds of decksOf(first, count, DECK)) {
-  test(`scenes by chance ${seeds[0]} to ${seeds.at(-1)} as in stock three @verify`, async ({ benchPage: page }) => {
+  const tag = !asked && seeds[0] === IN_SLICE ? '' : ' @verify';
+  test(`scenes by chance ${seeds[0]} to ${seeds.at(-1)} as in stock three${tag}`, async ({ benchPage: page }) => {
     const result = await page.evaluate(
       async ([seeds, shrinks]) => {
-        const { runScenes } = await window.testPage.chance();
-        return runScenes(seeds, { shrinks });
+        const { compared, runScenes } = await window.testPage.chance();
+        return runScenes(seeds, { shrinks, techniques: window.testPage.techniquesInTurn(1, compared) });
       },
       [seeds, asked ? 1000 : 0] as const,
     );

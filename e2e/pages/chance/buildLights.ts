@@ -57,8 +57,12 @@ function lightOf(facts: LightFacts): THREE.Light {
     }
     case 'spot':
       return new THREE.SpotLight(color, intensity, distance, facts.angle ?? 0.8, facts.penumbra ?? 0.3, decay);
+    case 'field':
+      return facts.angle === undefined
+        ? new THREE.PointLight(color, intensity, distance || 5, decay)
+        : new THREE.SpotLight(color, intensity, distance || 5, facts.angle, facts.penumbra ?? 0.3, decay);
     default:
-      return new THREE.PointLight(color, intensity, distance || (kind === 'field' ? 5 : 0), decay);
+      return new THREE.PointLight(color, intensity, distance, decay);
   }
 }
 
@@ -82,6 +86,15 @@ function buildLight(facts: LightFacts, i: number, scene: THREE.Scene): THREE.Lig
   return light;
 }
 
+function addToField(field: LightField, i: number, light: THREE.PointLight | THREE.SpotLight): void {
+  const { position, color, intensity, distance, decay } = light;
+  const [r, g, b] = color.toArray().map((value) => value * intensity);
+  field.setPoint(i, position.x, position.y, position.z, distance, r, g, b, decay);
+  if (!(light instanceof THREE.SpotLight)) return;
+  const { x, y, z } = light.target.position.clone().sub(position);
+  field.setCone(i, x, y, z, light.angle, light.penumbra);
+}
+
 /** Lights of a scene, with what changes between stock three and Farol: single lights in place of fields. */
 export interface BuiltLights {
   /** Shows fields to Farol, and the single lights in place of them to stock three. */
@@ -98,12 +111,8 @@ export function buildLights(facts: readonly LightFacts[], scene: THREE.Scene): B
     const lights = Array.from({ length: one.count ?? 1 }, (_, i) => buildLight(one, i, scene));
     all.push(...lights);
     if (one.kind !== 'field') continue;
-    const field = new LightField(lights.length);
-    lights.forEach((light, i) => {
-      const { position, color, intensity, distance, decay } = light as THREE.PointLight;
-      const [r, g, b] = color.toArray().map((value) => value * intensity);
-      field.setPoint(i, position.x, position.y, position.z, distance, r, g, b, decay);
-    });
+    const field = new LightField(lights.length, { spots: one.angle !== undefined });
+    lights.forEach((light, i) => addToField(field, i, light as THREE.SpotLight));
     if (one.layer !== undefined) field.layers.set(one.layer);
     singles.push(...lights);
     fields.push(field);

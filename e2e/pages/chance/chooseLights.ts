@@ -69,11 +69,18 @@ export function placeLights(dice: Dice, plan: readonly LightPlan[]): LightFacts[
     const reach = dice.in(0.75) ? { distance: dice.between(2, 12) } : {};
     const decay = dice.in(0.2) ? { decay: dice.between(0.5, 2.5) } : {};
     const intensity = Number((dice.between(3, 18) * many).toPrecision(2));
-    if (kind === 'point' || kind === 'field') {
-      const distance = kind === 'field' ? { distance: dice.between(2, 6) } : reach;
-      return { ...light, position, ...distance, ...decay, intensity };
-    }
     const cone = { angle: dice.between(0.2, 1.3), penumbra: dice.between(0.1, 1) };
+    if (kind === 'field')
+      return {
+        ...light,
+        position,
+        target,
+        distance: dice.between(2, 6),
+        ...decay,
+        ...(dice.in(0.5) && cone),
+        intensity,
+      };
+    if (kind === 'point') return { ...light, position, ...reach, ...decay, intensity };
     return { ...light, position, target, ...reach, ...decay, ...cone, intensity: intensity * 2 };
   });
 }

@@ -56,7 +56,7 @@ export function placeThing(dice: Dice, template: ThingFacts): ThingFacts {
 
 /** A floor and a wall, for shadows and the edges of lights to fall on. */
 export function chooseRoom(dice: Dice, floor: ThingFacts): ThingFacts[] {
-  const wide = dice.of([12, 12, 12, 40, 2000]);
+  const wide = dice.of([12, 12, 12, 40, 100]);
   const room: ThingFacts[] = [
     { ...floor, shape: 'sheet', position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [wide, wide, 1] },
   ];

@@ -7,8 +7,8 @@ import { type BuiltScene, buildScene, Materials } from './buildScene';
 import { ownOf } from './leftOut';
 import type { SceneFacts, ViewFacts } from './SceneFacts';
 
-export const WIDTH = 128;
-export const HEIGHT = 96;
+export const WIDTH = 192;
+export const HEIGHT = 144;
 /** Signal to noise, at least (dB), share of pixels off by more than 2/255, at most, and difference of alpha, at most. */
 const PSNR = 50;
 const SHARE = 0.001;

@@ -114,4 +114,4 @@ export function runScenes(seeds: readonly number[], options: ChanceOptions = {})
 }
 
 export { pictureOf } from './compareScene';
-export { compareScene, chooseScene, DECK };
+export { compared, compareScene, chooseScene, DECK };
