@@ -1,19 +1,8 @@
-import type { TechniqueName } from '@farol/renderer';
-
 export interface ChanceException {
   readonly seeds: readonly number[];
-  readonly techniques: readonly TechniqueName[];
+  readonly techniques: readonly string[];
   readonly reason: string;
 }
 
 /** Scenes by chance that techniques draw otherwise than stock three, and why. It may only become shorter. */
-export const chanceExceptions: readonly ChanceException[] = [
-  {
-    seeds: [21],
-    techniques: [
-      ...(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward'] as const),
-      ...(['deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass'] as const),
-    ],
-    reason: "a spot light's map is thrown from a copy without mipmaps (limits.md)",
-  },
-];
+export const chanceExceptions: readonly ChanceException[] = [];

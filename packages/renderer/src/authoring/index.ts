@@ -10,7 +10,6 @@ export { PassTarget, type PassTargetOptions } from '../gpu/PassTarget';
 export { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 export { OutputMaterial, PassMaterial, type PassMaterialOptions } from '../gpu/PassMaterial';
 export { targetBytes } from '../gpu/targetBytes';
-export { attributeState, hasReadableVertices, type VertexAttribute } from '../three/vertexData';
 export { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
 
 // what the built-in techniques are made of

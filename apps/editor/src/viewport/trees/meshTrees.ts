@@ -1,4 +1,4 @@
-import { attributeState } from '@farol/renderer/authoring';
+import { attributeState } from '@farol/renderer/vertex-data';
 import type { BufferGeometry } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 
