@@ -142,3 +142,47 @@ test('until the code of node materials is there three draws the scene, then Faro
   expect(results.before.largest, 'by three').toBe(0);
   checkAgreement('clustered-forward', results.after, 'node materials, once their code is there');
 });
+
+test('a frame leaves node materials as the host drew them, and both draw on as before', async ({ benchPage: page }) => {
+  const results = await page.evaluate(async () => {
+    const { alphaBench, compareImages, effects, hostSnapshot, nodeScene, three } = window.testPage;
+    const { bench, toCanvas } = alphaBench(64, 48);
+    const { scene, camera } = (await nodeScene()).nodeScene(bench.webgl, 64, 48);
+    const { webgl, farol } = bench;
+    webgl.toneMapping = three.ACESFilmicToneMapping;
+    const byThree = () => toCanvas(() => webgl.render(scene, camera));
+    const byFarol = () => toCanvas(() => farol.render(scene, camera));
+    // attributes of its nodes are there from the second frame on
+    byThree();
+    await Promise.resolve();
+    const stock = byThree();
+    const results = [];
+    for (const technique of ['forward-plus', 'deferred'] as const) {
+      farol.technique = technique;
+      farol.effects = technique === 'deferred' ? [new effects.AmbientOcclusion()] : [];
+      byFarol();
+      await Promise.resolve();
+      byThree();
+      for (const pause of ['after three', 'after Farol']) {
+        const before = hostSnapshot(webgl, scene, camera);
+        const image = byFarol();
+        const after = hostSnapshot(webgl, scene, camera);
+        const names = Object.keys({ ...before, ...after }).filter((name) => before[name] !== after[name]);
+        const changed = names.map((name) => {
+          let at = 0;
+          while (before[name]?.[at] === after[name]?.[at]) at++;
+          const part = (text = '') => text.slice(Math.max(0, at - 60), at + 60);
+          return `${name}: ${part(before[name])} → ${part(after[name])}`;
+        });
+        results.push({ name: `${technique}, ${pause}`, changed, psnr: compareImages(stock, image).psnr });
+      }
+      const again = compareImages(stock, byThree()).largest;
+      results.push({ name: `three after ${technique}`, changed: [], psnr: again === 0 ? Infinity : 0 });
+    }
+    return results;
+  });
+  for (const { name, changed, psnr } of results) {
+    expect.soft(changed, name).toEqual([]);
+    expect.soft(psnr, name).toBeGreaterThan(50);
+  }
+});
