@@ -122,9 +122,10 @@ export class MultipassLightsPass implements Pass {
     for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);
   }
 
-  /** True for a material that three would tone map and fog as the output pass does all pixels. */
+  /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (this.fogged) return true;
+    if (material.dithering) return false;
     // the output pass fogs by depth, which is too coarse here
     if (frame.storesDistance && frame.scene.fog) return false;
     if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
