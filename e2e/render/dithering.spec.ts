@@ -40,11 +40,27 @@ test('a dithered material is dithered once, in the colours of the canvas, by eve
       const apart = found.filter((value, i) => value !== wanted[i]).length / found.length;
       return [name, apart, Math.max(...found.map((value, i) => Math.abs(value - wanted[i])))];
     });
-    return { off, dithered: wanted.filter((value) => value !== 128).length / wanted.length };
+    /** What it adds in a target of floats (linear). */
+    const adds = (draw: () => { data: Float32Array }) => {
+      const [plain, dithered] = [false, true].map((dithering) => {
+        material.dithering = dithering;
+        material.needsUpdate = true;
+        return draw().data;
+      });
+      return plain.map((value, i) => dithered[i] - value);
+    };
+    const added = adds(() => bench.stock(scene, camera));
+    const linear = names.map((name): [string, number] => {
+      const found = adds(() => bench.byTechnique(name as never, scene, camera));
+      return [name, Math.max(...found.map((value, i) => Math.abs(value - added[i])))];
+    });
+    return { off, linear, dithered: wanted.filter((value) => value !== 128).length / wanted.length };
   });
   expect(found.dithered, 'share of channels that stock three changes').toBeGreaterThan(0.1);
   for (const [name, share, most] of found.off) {
     expect.soft(share, `${name}: share of channels that it changes otherwise`).toBeLessThan(0.02);
     expect.soft(most, `${name}: most`).toBeLessThanOrEqual(1);
   }
+  // half floats round some of it
+  for (const [name, most] of found.linear) expect.soft(most * 255, `${name}, float target`).toBeLessThan(0.05);
 });
