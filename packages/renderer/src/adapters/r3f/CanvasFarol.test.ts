@@ -3,9 +3,8 @@ import { beforeEach, expect, it, test } from 'vitest';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { FarolRenderer } from '../../FarolRenderer';
 import { CanvasFarol, type FarolSettings } from './CanvasFarol';
-import { SmoothEdges } from './SmoothEdges';
 
-type Drawn = Pick<FarolRenderer, 'technique' | 'view' | 'timing' | 'lightLayers' | 'effects'>;
+type Drawn = Pick<FarolRenderer, 'technique' | 'view' | 'timing' | 'lightLayers' | 'antialias' | 'effects'>;
 
 const camera = new PerspectiveCamera();
 const [page, portal] = [litScene(), litScene()];
@@ -35,7 +34,14 @@ beforeEach(() => {
     },
   } as unknown as WebGLRenderer;
   farol = {
-    ...({ technique: 'auto', view: 'final', timing: false, lightLayers: false, effects: [] } satisfies Drawn),
+    ...({
+      technique: 'auto',
+      view: 'final',
+      timing: false,
+      lightLayers: false,
+      antialias: true,
+      effects: [],
+    } satisfies Drawn),
     isDisposed: false,
     ...{ addEventListener: () => {}, render: () => void draws.push(farol.technique) },
     dispose: () => void (farol.isDisposed = true),
@@ -45,7 +51,7 @@ beforeEach(() => {
 });
 
 function settings(changes: Partial<FarolSettings> = {}): FarolSettings {
-  return { scene: null, antialias: true, invalidate: () => {}, ...changes };
+  return { scene: null, invalidate: () => {}, ...changes };
 }
 
 const effect = (): FarolEffect & { freed: number } => {
@@ -58,13 +64,19 @@ const settled = (): Promise<void> => new Promise((resolve) => queueMicrotask(res
 it('has each setting of its component, and the default of each that it leaves out', () => {
   const owner = {};
   const effects = [effect()];
-  const all = { technique: 'deferred', view: 'albedo', timing: true, lightLayers: true, effects } as const;
+  const all = {
+    technique: 'deferred',
+    view: 'albedo',
+    timing: true,
+    lightLayers: true,
+    antialias: false,
+    effects,
+  } as const;
   canvas.mount(owner, settings(all));
   expect(farol).toMatchObject(all);
   canvas.mount(owner, settings());
-  expect(farol).toMatchObject({ technique: 'auto', view: 'final', timing: false, lightLayers: false });
-  expect(farol.effects).toEqual([expect.any(SmoothEdges)]);
-  canvas.mount(owner, settings({ antialias: false }));
+  const defaults = { technique: 'auto', view: 'final', timing: false, lightLayers: false, antialias: true };
+  expect(farol).toMatchObject(defaults);
   expect(farol.effects).toEqual([]);
 });
 
