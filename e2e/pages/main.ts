@@ -26,6 +26,7 @@ import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { LateCase } from './lateCases';
+import { CELL, lineSheet } from './lineSheet';
 import { materialScene } from './materialScene';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
@@ -58,6 +59,9 @@ export interface TestPage {
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
+  lineSheet: typeof lineSheet;
+  /** Pixels along a side of the squares of `lineSheet`. */
+  CELL: typeof CELL;
   supersampled: typeof supersampled;
   surfaceScene: typeof surfaceScene;
   SURFACE: typeof SURFACE;
@@ -122,6 +126,8 @@ window.testPage = {
   materialScene,
   chunkScene,
   edgeScene,
+  lineSheet,
+  CELL,
   supersampled,
   surfaceScene,
   SURFACE,

@@ -31,7 +31,7 @@ export const gbufferTwin: TwinKind = litTwin({
   role: 'gbuffer',
   loop: 'lightLoopNone',
   chunks: ['gbufferWrite'],
-  properties: { fog: false },
+  properties: { fog: false, dithering: false },
   variant: (source) => String(flagsOf(source, nearestModel(source))),
   rewrite: outputs,
   atEnd: 'FAROL_WRITE_GBUFFER',

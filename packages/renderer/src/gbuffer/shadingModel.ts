@@ -58,12 +58,13 @@ export function shadingModelOf(material: Material): ShadingModel | null {
   return null;
 }
 
-/** The flags of a material, 0 to 15, as the G-buffer keeps them. */
+/** The flags of a material, 0 to 47, as the G-buffer keeps them. */
 export function flagsOf(material: Material, model: ShadingModel): number {
   return (
     shadingModels[model] +
     ((material as AnyMaterial).fog === false ? 0 : surfaceFlags.hasFog) +
-    (material.toneMapped ? surfaceFlags.isToneMapped : 0)
+    (material.toneMapped ? surfaceFlags.isToneMapped : 0) +
+    (material.dithering ? surfaceFlags.isDithered : 0)
   );
 }
 

@@ -14,3 +14,4 @@ int farol_unpackFlags(const in float stored) { return int(stored * 255.0 + 0.5);
 bool farol_hasFog(const in int flags) { return (flags & 4) != 0; }
 bool farol_isToneMapped(const in int flags) { return (flags & 8) != 0; }
 bool farol_receivesShadows(const in int flags) { return (flags & 16) != 0; }
+bool farol_isDithered(const in int flags) { return (flags & 32) != 0; }

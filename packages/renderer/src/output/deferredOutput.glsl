@@ -21,6 +21,7 @@ if (farol_view == 2) {
   int flags = farol_unpackFlags(farol_gAlbedoAt(pixel).a);
   vec3 radiance = farol_view == 1 ? lighting : lighting + farol_gAccumulationAt(pixel).rgb;
   vec3 positionVS = farol_surfacePosition(pixel, depth, farol_size);
-  gl_FragColor = farol_output(radiance, -positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags));
+  gl_FragColor = farol_output(radiance, -positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags),
+    farol_isDithered(flags));
 }
 gl_FragDepth = depth;

@@ -1,5 +1,5 @@
-// Writes linear radiance and depth to the host's target as three would: tone mapping, colour space, then fog.
-// three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment
+// Writes linear radiance and depth to the host's target as three would: tone mapped, encoded, fogged, then dithered.
+// three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment, dithering_fragment
 #include "viewport"
 uniform vec4 farol_background; // what the target would have been cleared to; a below 0: it has been, or is to be kept
 #ifdef USE_FOG
@@ -12,7 +12,8 @@ uniform float fogFar;
 #endif
 #endif
 
-vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged) {
+vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged,
+  const in bool dithered) {
   vec4 color = vec4(min(radiance, 1e9), 1.0); // infinity, beyond half floats, would become no number
 #ifdef TONE_MAPPING
   if (toneMapped) color.rgb = toneMapping(color.rgb);
@@ -28,5 +29,9 @@ vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool
     color.rgb = mix(color.rgb, fogColor, fogFactor);
   }
 #endif
+  if (dithered) {
+    float turn = mod(dot(gl_FragCoord.xy, vec2(12.9898, 78.233)), 3.141592653589793);
+    color.rgb += (0.5 - fract(sin(turn) * 43758.5453)) / 255.0 * vec3(1.0, -1.0, 1.0);
+  }
   return color;
 }

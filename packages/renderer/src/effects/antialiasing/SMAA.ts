@@ -15,8 +15,8 @@ const LINEAR = { minFilter: LinearFilter, magFilter: LinearFilter } as const;
  * Enhanced subpixel morphological anti-aliasing of one picture (SMAA 1x): finds edges of luma, follows each to its ends (32
  * pixels to either side at most), and mixes the pixels along it by the area that a smooth edge would cover. Needs one
  * picture only: nothing ghosts. What is thinner than a pixel keeps flickering; `TAA` mends that. Without the diagonal
- * patterns of the paper's section 4.2. The area of a pattern is computed, not looked up, so there is no texture to load.
- * Works with every technique.
+ * patterns of the paper's section 4.2. Corners, and the ends and crossings of thin lines, stay sharp. The area of a pattern is
+ * computed, not looked up, so there is no texture to load. Works with every technique.
  * @see Jimenez, Echevarria, Sousa and Gutierrez 2012, SMAA: Enhanced Subpixel Morphological Antialiasing,
  *   https://www.iryoku.com/smaa/
  */

@@ -47,8 +47,19 @@ vec2 farol_edgesAt(const in ivec2 pixel) {
     : texelFetch(farol_edgeMap, min(pixel, textureSize(farol_edgeMap, 0) - 1), 0).rg;
 }
 
-float farol_turn(const in bool own, const in bool other) {
-  return own ? (other ? 2.0 : 1.0) : other ? -1.0 : 0.0;
+bool farol_isEdge(const in ivec2 pixel, const in int along) {
+  return farol_edgesAt(pixel)[along] > 0.5;
+}
+
+// The way an edge turns at its end: 1 to the own side, -1 to the other, 2 both, 0 neither. A step of a slanted line
+// goes on outwards after one pixel; what does not is a corner, or the end of a thin line, and stays sharp: else lines
+// would thin out towards their ends and crossings.
+// own, other: whether an edge across leaves to either side; outside: the pixel beyond the end, on the own side
+float farol_turn(const in bool own, const in bool other, const in ivec2 outside, const in ivec2 over,
+  const in int along) {
+  bool ownStep = own && farol_isEdge(outside - over, along);
+  bool otherStep = other && farol_isEdge(outside + over, along);
+  return ownStep ? (otherStep ? 2.0 : 1.0) : otherStep ? -1.0 : 0.0;
 }
 
 // along: 0 the edge below the pixel, 1 the edge at its left
@@ -61,17 +72,17 @@ vec2 farol_edgeWeights(const in ivec2 pixel, const in int along) {
   float last = 0.0;
   for (; before <= FAROL_REACH; before++) {
     ivec2 at = pixel - before * step;
-    bool own = farol_edgesAt(at)[along] > 0.5;
-    bool other = farol_edgesAt(at + over)[along] > 0.5;
-    first = farol_turn(own, other);
-    if (first != 0.0 || farol_edgesAt(at - step)[1 - along] < 0.5) break;
+    bool own = farol_isEdge(at, along);
+    bool other = farol_isEdge(at + over, along);
+    if (own || other) first = farol_turn(own, other, at - step, over, 1 - along);
+    if (own || other || !farol_isEdge(at - step, 1 - along)) break;
   }
   for (; after <= FAROL_REACH; after++) {
     ivec2 at = pixel + (after + 1) * step;
-    bool own = farol_edgesAt(at)[along] > 0.5;
-    bool other = farol_edgesAt(at + over)[along] > 0.5;
-    last = farol_turn(own, other);
-    if (last != 0.0 || farol_edgesAt(at)[1 - along] < 0.5) break;
+    bool own = farol_isEdge(at, along);
+    bool other = farol_isEdge(at + over, along);
+    if (own || other) last = farol_turn(own, other, at, over, 1 - along);
+    if (own || other || !farol_isEdge(at, 1 - along)) break;
   }
   return farol_edgeArea(float(before), float(after), first, last);
 }

@@ -25,17 +25,20 @@ import { additiveTwin, baseTwin, fieldTwin, lightMark } from './multipassTwins';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { Pass } from '../../frame/Pass';
 import { isDrawnAsCanvas } from '../../three/drawnAsCanvas';
-import { setScissor, testScissor, unmaskStencil } from '../../three/state';
+import { isDepthReversed, setScissor, testScissor, unmaskDepth, unmaskStencil } from '../../three/state';
 
 const rectangle = new Float64Array(4);
 const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
 const { onBeforeRender } = Object3D.prototype;
+/** Share of the picture that a light with a range must lie over to be drawn with ambient light, over all objects. */
+const FIRST_SHARE = 0.25;
 
 /**
- * Multipass lighting: ambient, environment and emissive once, then each light added by a draw of its own over the objects
- * that its range reaches, inside the rectangle that its volume covers on screen.
+ * Multipass lighting: ambient, environment and emissive once, together with one light that lights much of the picture; then
+ * each other light added by a draw of its own over the objects that its range reaches, inside the rectangle that its volume
+ * covers on screen.
  * Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's target has one sample; else in half
  * floats.
  * @see thesis 2.2.1.3 and 3.2.3.1
@@ -88,6 +91,8 @@ export class MultipassLightsPass implements Pass {
     const { items } = this;
     const base = baseTwin(frame.view, this.fogged);
     const { opaque } = frame.queue;
+    const first = this.firstLight(frame);
+    frame.uniforms.farol_lightIndex.value = first;
     // by index: an iterator allocates until the loop is compiled
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
@@ -100,16 +105,34 @@ export class MultipassLightsPass implements Pass {
     this.compile(frame);
     this.findSpheres(frame);
     const { lights } = frame;
-    for (let i = 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
+    for (let i = first === 0 ? 1 : 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
     const { webgl } = frame;
     for (let k = 0; k < lights.bounded; k++) {
-      if (!this.cutTo(frame, lights.rank[k])) continue;
+      if (lights.firstBounded + k === first || !this.cutTo(frame, lights.rank[k])) continue;
       setScissor(webgl, scissor);
       testScissor(webgl, true);
       this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
     }
     testScissor(webgl, false);
     if (frame.fields !== null) this.drawFields(frame, frame.fields);
+  }
+
+  /**
+   * Record of the light that is drawn together with ambient light: one that reaches everything, else the one with the largest
+   * rectangle on screen, unless that is small; -1 for none.
+   */
+  private firstLight(frame: Frame): number {
+    const { lights, view } = frame;
+    if (view !== 'final' && view !== 'grid') return -1; // other views show the lights alone
+    if (lights.directional + lights.unbounded > 0) return 0;
+    let first = -1;
+    let largest = FIRST_SHARE * frame.width * frame.height;
+    for (let k = 0; k < lights.bounded; k++) {
+      if (!this.cutTo(frame, lights.rank[k]) || scissor.z * scissor.w < largest) continue;
+      first = lights.firstBounded + k;
+      largest = scissor.z * scissor.w;
+    }
+    return first;
   }
 
   /** Adds the lights of all fields at once, each pixel those of its tile: a draw a light would be a draw for thousands. */
@@ -122,9 +145,10 @@ export class MultipassLightsPass implements Pass {
     for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);
   }
 
-  /** True for a material that three would tone map and fog as the output pass does all pixels. */
+  /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */
   private sums(material: Material, frame: Frame): boolean {
     if (this.fogged) return true;
+    if (material.dithering) return false;
     // the output pass fogs by depth, which is too coarse here
     if (frame.storesDistance && frame.scene.fog) return false;
     if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
@@ -144,8 +168,12 @@ export class MultipassLightsPass implements Pass {
     });
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
     frame.bind(this.target);
-    frame.clear(1, true);
-    this.unmark(frame);
+    frame.clear(1, false);
+    // at once: by itself either costs a pass over the other
+    lightMark.value = 1;
+    unmaskDepth(frame.webgl);
+    unmaskStencil(frame.webgl);
+    gl.clearBufferfi(gl.DEPTH_STENCIL, 0, isDepthReversed(frame.webgl) ? 0 : 1, 0);
   }
 
   /** Forgets which light was added to which pixel. */

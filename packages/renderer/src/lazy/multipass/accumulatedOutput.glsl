@@ -25,7 +25,7 @@ if (farol_view == 2) {
   float fogDepth = 0.0;
 #endif
   // alpha below 1: only some samples of the pixel were drawn to
-  gl_FragColor = farol_output(sum.rgb / sum.a, fogDepth, true, true) * sum.a;
+  gl_FragColor = farol_output(sum.rgb / sum.a, fogDepth, true, true, false) * sum.a;
   if (farol_background.a >= 0.0) gl_FragColor += farol_background * (1.0 - min(sum.a, 1.0));
 }
 gl_FragDepth = depth;

@@ -1,8 +1,8 @@
-// Light loop of one light, farol_lightIndex: a pass of multipass lighting.
+// Light loop of one light, farol_lightIndex: a pass of multipass lighting; below 0 there is none.
 // Thesis 2.2.1.3, multipass lighting
 #include "incidentLight"
 uniform highp int farol_lightIndex;
-#define FAROL_FOR_EACH_LIGHT(positionVS) { \
+#define FAROL_FOR_EACH_LIGHT(positionVS) if (farol_lightIndex >= 0) { \
   FarolLight farol_light = farol_lightAt(farol_lightIndex, positionVS); \
   FAROL_SHADE(farol_light) \
 }

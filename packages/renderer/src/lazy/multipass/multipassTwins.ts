@@ -17,9 +17,9 @@ import type { TwinKind } from '../../materials/TwinKind';
 
 const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
 
-/** Ambient, environment, emissive and what three itself lights: the first pass of multipass lighting. */
-const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopNone' });
-const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopNone', properties: { fog: false } });
+/** Ambient, environment, emissive, what three itself lights, and one light: the first pass of multipass lighting. */
+const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne' });
+const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne', properties: { fog: false } });
 const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
 
 /** @param fogged false leaves fog to the output */

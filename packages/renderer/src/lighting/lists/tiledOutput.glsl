@@ -31,5 +31,6 @@ if (farol_view == 2) {
   vec3 radiance = farol_endShading(shading, pixel);
   if (farol_view == 0) radiance += farol_gAccumulationAt(pixel).rgb;
   int flags = shading.flags;
-  gl_FragColor = farol_output(radiance, -shading.positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags));
+  gl_FragColor = farol_output(radiance, -shading.positionVS.z, farol_isToneMapped(flags), farol_hasFog(flags),
+    farol_isDithered(flags));
 }

@@ -1,0 +1,66 @@
+import { expect, test } from '../support/benchTest';
+
+test('a dithered material is dithered once, in the colours of the canvas, by every technique', async ({
+  benchPage: page,
+}) => {
+  const found = await page.evaluate(() => {
+    const { Bench, farol: library, three } = window.testPage;
+    const [width, height] = [96, 64];
+    const scene = new three.Scene();
+    const material = new three.MeshLambertMaterial();
+    material.color.setScalar((120 / 255) ** 2); // whose square root a G-buffer keeps unrounded
+    const floor = new three.Mesh(new three.PlaneGeometry(8, 8), material);
+    const light = new three.PointLight(0xffffff, 0.6, 12);
+    light.position.set(-2, 0.5, 1.5);
+    scene.add(floor, light, new three.AmbientLight(0xffffff, 0.01));
+    const camera = new three.PerspectiveCamera(50, width / height, 0.1, 20);
+    camera.position.z = 4;
+    const bench = new Bench(width, height);
+    const gl = bench.webgl.getContext();
+    const read = (draw: () => void) => {
+      draw();
+      const bytes = new Uint8Array(width * height * 4);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      return bytes;
+    };
+    /** What dithering changes of each channel (steps of 1/255). */
+    const changes = (draw: () => void) => {
+      const [plain, dithered] = [false, true].map((dithering) => {
+        material.dithering = dithering;
+        material.needsUpdate = true;
+        return read(draw);
+      });
+      return plain.map((value, i) => 128 + dithered[i] - value);
+    };
+    const wanted = changes(() => bench.webgl.render(scene, camera));
+    const names = Object.keys(library.techniques).filter((name) => name !== 'auto');
+    const off = names.map((name): [string, number, number] => {
+      bench.farol.technique = name as never;
+      const found = changes(() => bench.farol.render(scene, camera));
+      const apart = found.filter((value, i) => value !== wanted[i]).length / found.length;
+      return [name, apart, Math.max(...found.map((value, i) => Math.abs(value - wanted[i])))];
+    });
+    /** What it adds in a target of floats (linear). */
+    const adds = (draw: () => { data: Float32Array }) => {
+      const [plain, dithered] = [false, true].map((dithering) => {
+        material.dithering = dithering;
+        material.needsUpdate = true;
+        return draw().data;
+      });
+      return plain.map((value, i) => dithered[i] - value);
+    };
+    const added = adds(() => bench.stock(scene, camera));
+    const linear = names.map((name): [string, number] => {
+      const found = adds(() => bench.byTechnique(name as never, scene, camera));
+      return [name, Math.max(...found.map((value, i) => Math.abs(value - added[i])))];
+    });
+    return { off, linear, dithered: wanted.filter((value) => value !== 128).length / wanted.length };
+  });
+  expect(found.dithered, 'share of channels that stock three changes').toBeGreaterThan(0.1);
+  for (const [name, share, most] of found.off) {
+    expect.soft(share, `${name}: share of channels that it changes otherwise`).toBeLessThan(0.02);
+    expect.soft(most, `${name}: most`).toBeLessThanOrEqual(1);
+  }
+  // half floats round some of it
+  for (const [name, most] of found.linear) expect.soft(most * 255, `${name}, float target`).toBeLessThan(0.05);
+});
