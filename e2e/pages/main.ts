@@ -4,6 +4,7 @@ import * as ambientOcclusion from '@farol/renderer/ambient-occlusion';
 import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
 import { CSM } from 'three/addons/csm/CSM.js';
+import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
 import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
 import * as lightFields from '@farol/renderer/light-field';
 import * as decals from '@farol/renderer/decals';
@@ -49,7 +50,11 @@ export interface TestPage {
   lightProfiles: typeof lightProfiles;
   lightFields: typeof lightFields;
   /** three's own. */
-  addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
+  addons: {
+    CSM: typeof CSM;
+    RectAreaLightUniformsLib: typeof RectAreaLightUniformsLib;
+    ShadowMapViewer: typeof ShadowMapViewer;
+  };
   /** A technique and an effect as somebody outside writes them. */
   outside: { readonly nearFirst: typeof nearFirst; readonly DistanceFade: typeof DistanceFade };
   alphaScene: typeof alphaScene;
@@ -117,7 +122,7 @@ window.testPage = {
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles },
   lightProfiles,
   lightFields,
-  addons: { CSM, ShadowMapViewer },
+  addons: { CSM, RectAreaLightUniformsLib, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
   alphaScene,
   alphaBench,

@@ -1,5 +1,6 @@
 import type { Frame } from '../frame/Frame';
 import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
+import { isPolished } from './isPolished';
 import { gbufferTwin } from './gbufferTwins';
 import type { Pass } from '../frame/Pass';
 
@@ -19,8 +20,9 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
+    const mirrorsAreas = frame.uniforms.farol_ltc.value !== null;
     for (const item of frame.queue.opaque) {
-      if (!fitsGBuffer(item)) continue;
+      if (!fitsGBuffer(item) || (mirrorsAreas && isPolished(item.material))) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }

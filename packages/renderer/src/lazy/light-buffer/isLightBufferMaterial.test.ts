@@ -39,4 +39,10 @@ describe('isLightBufferMaterial', () => {
   it.each(Object.keys(notLit))('leaves %s to the forward draws', (name) =>
     expect(isLightBufferMaterial(notLit[name])).toBe(false),
   );
+
+  it('leaves what mirrors area lights sharply to the forward draws, where there are any', () => {
+    const polished = new MeshStandardMaterial({ roughness: 0.1 });
+    expect([false, true].map((hasAreas) => isLightBufferMaterial(polished, hasAreas))).toEqual([true, false]);
+    expect(isLightBufferMaterial(new MeshStandardMaterial({ roughness: 0.5 }), true)).toBe(true);
+  });
 });

@@ -1,4 +1,5 @@
 import type { Material, MeshPhysicalMaterial } from 'three';
+import { isPolished } from '../../gbuffer/isPolished';
 
 type AnyMaterial = Material &
   Partial<Pick<MeshPhysicalMaterial, 'specularIntensity' | 'specularIntensityMap'>> & {
@@ -13,13 +14,14 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
  * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; under area lights, so does a
- * specular intensity below 1, since the sum that holds their diffuse light is in use then.
+ * specular intensity below 1, since the sum that holds their diffuse light is in use then, and what mirrors them sharply.
  * @param hasAreas there are area lights. Default false
  */
 export function isLightBufferMaterial(material: Material, hasAreas = false): boolean {
   const m = material as AnyMaterial;
   if (m.isMeshLambertMaterial || m.isMeshPhongMaterial) return true;
   if (!m.isMeshStandardMaterial) return false;
+  if (hasAreas && isPolished(m)) return false;
   if (!m.isMeshPhysicalMaterial) return true;
   if (hasAreas && (m.specularIntensity !== 1 || m.specularIntensityMap)) return false;
   const { clearcoat, sheen, anisotropy, transmission, retroreflectivity, diffuseRoughness } = m as Lobes;
