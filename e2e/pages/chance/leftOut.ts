@@ -56,8 +56,8 @@ export const leftOut: readonly LeftOut[] = [
 export const leaveOut = (facts: SceneFacts): SceneFacts => leftOut.reduce((left, { from }) => from(left), facts);
 
 const ownLights: readonly (keyof LightFacts)[] = ['profile', 'cookie', 'shape', 'castShadow'];
-/** Techniques that AmbientOcclusion can work with. */
-const withDepth = ['forward-plus', 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass', 'inferred'];
+/** Techniques that have normals for AmbientOcclusion: `forward-plus` takes them from depth. */
+const withNormals = ['clustered-deferred', 'deferred', 'tiled-deferred', 'light-prepass', 'inferred'];
 
 /** With what a scene's pictures are compared, null for stock three, and which techniques can draw it. */
 export function ownOf({ world = {}, lights = [] }: SceneFacts): {
@@ -65,8 +65,9 @@ export function ownOf({ world = {}, lights = [] }: SceneFacts): {
   readonly able: (technique: TechniqueName) => boolean;
 } {
   const { effects = [], shadowCascades, lightLayers } = world;
+  if (effects.includes('AmbientOcclusion'))
+    return { reference: 'clustered-deferred', able: (name) => withNormals.includes(name) };
   const isOwn = lights.some((light) => ownLights.some((name) => light[name] !== undefined));
-  if (!isOwn && effects.length === 0 && !shadowCascades && !lightLayers) return { reference: null, able: () => true };
-  const able = (name: TechniqueName) => !effects.includes('AmbientOcclusion') || withDepth.includes(name);
-  return { reference: 'forward-plus', able };
+  const isStock = !isOwn && effects.length === 0 && !shadowCascades && !lightLayers;
+  return { reference: isStock ? null : 'forward-plus', able: () => true };
 }
