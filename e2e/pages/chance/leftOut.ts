@@ -12,6 +12,7 @@ interface LeftOut {
 const withoutNormals = ({ as, traits = [] }: ThingFacts) =>
   as === 'sprite' || as === 'segments' || traits.includes('without normals');
 
+const isThin = /points|line|loop|segments/;
 const isAround = (background: unknown) => background === 'cube' || background === 'equirect';
 
 /** What is not compared, since stock three's own picture of it is not defined: a line for each. */
@@ -33,11 +34,11 @@ export const leftOut: readonly LeftOut[] = [
         : { ...facts, world: { ...world, background } },
   },
   {
-    what: 'shadows of points',
-    why: 'the shader of shadow maps writes no gl_PointSize: their size there is what the device had last',
+    what: 'shadows of points and lines',
+    why: 'shadow maps write no gl_PointSize; which texels a line covers depends on the direction that a face is drawn in',
     from: ({ things = [], ...facts }) => ({
       ...facts,
-      things: things.map((thing) => (thing.as === 'points' ? { ...thing, castShadow: false } : thing)),
+      things: things.map((thing) => (isThin.test(thing.as ?? '') ? { ...thing, castShadow: false } : thing)),
     }),
   },
   {
@@ -69,5 +70,5 @@ export function ownOf({ world = {}, lights = [] }: SceneFacts): {
     return { reference: 'clustered-deferred', able: (name) => withNormals.includes(name) };
   const isOwn = lights.some((light) => ownLights.some((name) => light[name] !== undefined));
   const isStock = !isOwn && effects.length === 0 && !shadowCascades && !lightLayers;
-  return { reference: isStock ? null : 'forward-plus', able: () => true };
+  return { reference: isStock ? null : 'forward-single-pass', able: () => true };
 }

@@ -113,4 +113,4 @@ export function runScenes(seeds: readonly number[], options: ChanceOptions = {})
   return result;
 }
 
-export { compared, compareScene, chooseScene, DECK };
+export { chooseScene, compared, compareScene, DECK, forgetScenes };
