@@ -1,6 +1,7 @@
 import { askedScenes, decksOf, recordScenes } from '../support/chance';
 import { expect, test } from '../support/benchTest';
 import { chanceExceptions } from './chanceExceptions';
+import { chanceFound } from './chanceFound';
 
 /** Scenes in a row that share their programs: `DECK` of e2e/pages/chance/chooseScene.ts. */
 const DECK = 8;
@@ -35,3 +36,18 @@ for (const seeds of decksOf(first, count, DECK)) {
     if (!process.env.FAROL_GPU) expect(healed, 'scenes that need no exception any more').toEqual([]);
   });
 }
+
+if (!asked)
+  test('scenes by chance that were off once are as in stock three', async ({ benchPage: page }) => {
+    const faults = await page.evaluate(async (scenes) => {
+      const { compareScene, forgetScenes } = await window.testPage.chance();
+      const faults = Object.entries(scenes).flatMap(([name, facts]) => {
+        const results = compareScene(facts);
+        if ('unseen' in results) return [`${name}: ${results.unseen}`];
+        return results.flatMap(({ technique, fault }) => (fault ? [`${name}, ${technique}: ${fault}`] : []));
+      });
+      forgetScenes();
+      return faults;
+    }, chanceFound);
+    expect(faults).toEqual([]);
+  });

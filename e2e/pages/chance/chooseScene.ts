@@ -55,7 +55,7 @@ function chooseOutput(dice: Dice): ViewFacts {
 function dealDeck(number: number): Deck {
   const dice = new Dice(number * 7919 + 13);
   // what stock three has not is compared with another technique
-  const own = dice.in(0.15);
+  const own = dice.in(0.15) || number % 5 === 4;
   const templates = Array.from({ length: 6 }, () => chooseTemplate(dice));
   const color = 0x808080 | dice.color();
   const plain = {

@@ -149,8 +149,7 @@ export interface Unseen {
 }
 
 /**
- * Draws a scene by stock three and by techniques. What stock three has not is compared with `forward-plus`, which knows all
- * effects.
+ * Draws a scene by stock three and by techniques. What stock three has not is compared with one of them: see `ownOf`.
  */
 export function compareScene(facts: SceneFacts, techniques = compared): SceneResult[] | Unseen {
   const { view = {} } = facts;
@@ -176,15 +175,4 @@ export function compareScene(facts: SceneFacts, techniques = compared): SceneRes
     output.dispose();
     scene.dispose();
   }
-}
-
-/** For debugging. */
-export function pictureOf(facts: SceneFacts, technique: TechniqueName | null): PageImage {
-  const bench = benchOf(facts.view ?? {});
-  const scene = buildScene(facts, bench, materials);
-  const output = new Output(bench, facts.view ?? {});
-  const image = output.draw(scene, technique);
-  output.dispose();
-  scene.dispose();
-  return image;
 }

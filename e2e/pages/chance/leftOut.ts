@@ -12,6 +12,7 @@ interface LeftOut {
 const withoutNormals = ({ as, traits = [] }: ThingFacts) =>
   as === 'sprite' || as === 'segments' || traits.includes('without normals');
 
+const isThin = /points|line|loop|segments/;
 const isAround = (background: unknown) => background === 'cube' || background === 'equirect';
 
 /** What is not compared, since stock three's own picture of it is not defined: a line for each. */
@@ -33,11 +34,11 @@ export const leftOut: readonly LeftOut[] = [
         : { ...facts, world: { ...world, background } },
   },
   {
-    what: 'shadows of points',
-    why: 'the shader of shadow maps writes no gl_PointSize: their size there is what the device had last',
+    what: 'shadows of points and lines',
+    why: 'shadow maps write no gl_PointSize; which texels a line covers depends on the direction that a face is drawn in',
     from: ({ things = [], ...facts }) => ({
       ...facts,
-      things: things.map((thing) => (thing.as === 'points' ? { ...thing, castShadow: false } : thing)),
+      things: things.map((thing) => (isThin.test(thing.as ?? '') ? { ...thing, castShadow: false } : thing)),
     }),
   },
   {
@@ -56,8 +57,8 @@ export const leftOut: readonly LeftOut[] = [
 export const leaveOut = (facts: SceneFacts): SceneFacts => leftOut.reduce((left, { from }) => from(left), facts);
 
 const ownLights: readonly (keyof LightFacts)[] = ['profile', 'cookie', 'shape', 'castShadow'];
-/** Techniques that AmbientOcclusion can work with. */
-const withDepth = ['forward-plus', 'deferred', 'tiled-deferred', 'clustered-deferred', 'light-prepass', 'inferred'];
+/** Techniques that have normals for AmbientOcclusion: `forward-plus` takes them from depth. */
+const withNormals = ['clustered-deferred', 'deferred', 'tiled-deferred', 'light-prepass', 'inferred'];
 
 /** With what a scene's pictures are compared, null for stock three, and which techniques can draw it. */
 export function ownOf({ world = {}, lights = [] }: SceneFacts): {
@@ -65,8 +66,9 @@ export function ownOf({ world = {}, lights = [] }: SceneFacts): {
   readonly able: (technique: TechniqueName) => boolean;
 } {
   const { effects = [], shadowCascades, lightLayers } = world;
+  if (effects.includes('AmbientOcclusion'))
+    return { reference: 'clustered-deferred', able: (name) => withNormals.includes(name) };
   const isOwn = lights.some((light) => ownLights.some((name) => light[name] !== undefined));
-  if (!isOwn && effects.length === 0 && !shadowCascades && !lightLayers) return { reference: null, able: () => true };
-  const able = (name: TechniqueName) => !effects.includes('AmbientOcclusion') || withDepth.includes(name);
-  return { reference: 'forward-plus', able };
+  const isStock = !isOwn && effects.length === 0 && !shadowCascades && !lightLayers;
+  return { reference: isStock ? null : 'forward-single-pass', able: () => true };
 }

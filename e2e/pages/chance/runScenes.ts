@@ -113,5 +113,4 @@ export function runScenes(seeds: readonly number[], options: ChanceOptions = {})
   return result;
 }
 
-export { pictureOf } from './compareScene';
-export { compared, compareScene, chooseScene, DECK };
+export { chooseScene, compared, compareScene, DECK, forgetScenes };

@@ -142,7 +142,11 @@ export class MultipassLightsPass implements Pass {
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
     const kind = fieldTwin(frame.view, this.fogged);
+    // tiles begin at the corner of this pass's target, not of the host's viewport
+    const offset = frame.uniforms.farol_offset.value;
+    offset.set(0, 0);
     for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);
+    offset.set(frame.viewport.x, frame.viewport.y);
   }
 
   /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */

@@ -1,0 +1,10 @@
+import type { SceneFacts } from '../pages/chance/SceneFacts';
+
+/** Scenes by chance that were off, cut down: each by the fault that it showed. A new one is an entry. */
+export const chanceFound: Readonly<Record<string, SceneFacts>> = {
+  'a light field by two cameras, each in its part of the target': {
+    view: { camera: 'two' },
+    lights: [{ kind: 'field', position: [0, 0, 3] }],
+    things: [{}],
+  },
+};
