@@ -5,6 +5,7 @@ import * as antialiasing from '@farol/renderer/antialiasing';
 import * as three from 'three';
 import { CSM } from 'three/addons/csm/CSM.js';
 import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
+import { setLightOptions } from '@farol/renderer/light-options';
 import * as lightFields from '@farol/renderer/light-field';
 import * as decals from '@farol/renderer/decals';
 import * as particles from '@farol/renderer/particles';
@@ -47,6 +48,7 @@ export interface TestPage {
   effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals & typeof particles;
   lightProfiles: typeof lightProfiles;
   lightFields: typeof lightFields;
+  setLightOptions: typeof setLightOptions;
   /** three's own. */
   addons: { CSM: typeof CSM; ShadowMapViewer: typeof ShadowMapViewer };
   /** A technique and an effect as somebody outside writes them. */
@@ -113,6 +115,7 @@ window.testPage = {
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles },
   lightProfiles,
   lightFields,
+  setLightOptions,
   addons: { CSM, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
   alphaScene,
