@@ -25,7 +25,7 @@ const groups = [
     'AccumulativeShadows',
     'Farol in a View',
     'Farol in a RenderTexture',
-    'FarolPass in an EffectComposer',
+    'FarolInComposer in an EffectComposer',
   ],
 ];
 

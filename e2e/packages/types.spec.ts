@@ -1,10 +1,12 @@
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { entriesOf, type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
 import { expect, test } from '@playwright/test';
 import { installed, readTarballs } from './installed';
+import { link, linkPeers } from './linkPeers';
 import { reachedFrom } from './reachedFrom';
+import { readSamples } from './samples';
 
 const { host, peers, repositoryModules } = installed();
 const modes = [
@@ -36,40 +38,11 @@ export type AnyOfThem = None<Names<typeof entry>>;
 export const some: boolean = Object.keys(entry).length > 0;
 `;
 
-/** Blocks of code of the READMEs, as modules. @param language `ts` or `tsx` */
-function examples(language: string): string[] {
-  const blocks = new RegExp('```' + language + '\\n(.*?)```', 'gs');
-  return readTarballs().flatMap(({ files }) =>
-    [...files.get('README.md')!.matchAll(blocks)].map(([, code]) => `${code}\nexport {};\n`),
-  );
-}
-
-/** What the blocks of the docs, which are parts of a page, take for given, by name. */
-const given: Record<string, string> = {
-  scene: "import('three').Scene",
-  camera: "import('three').Camera",
-  webgl: "import('three').WebGLRenderer",
-  farol: "import('@farol/renderer').FarolRenderer",
-  mesh: "import('three').Mesh<import('three').BufferGeometry, import('three').MeshStandardMaterial>",
-  seconds: 'number',
-  positionsAndRanges: 'Float32Array',
-};
-
-/** Blocks of code of the packages' docs, as modules; those of authoring.md have a test of their own. @param language `ts` or `tsx` */
-function docsExamples(language: string): string[] {
-  const folders = publishedPackages().map(({ path }) => join(path, 'docs'));
-  const pages = folders
-    .filter((folder) => existsSync(folder))
-    .flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
-    .filter((path) => path.endsWith('.md') && !path.endsWith('authoring.md'));
-  const blocks = new RegExp('```' + language + '\\n(.*?)```', 'gs');
-  return pages.flatMap((path) =>
-    [...readFileSync(path, 'utf8').matchAll(blocks)].map(([, code]) => {
-      const missing = Object.keys(given).filter((name) => !new RegExp(`\\b(const|let) ${name}\\b`).test(code));
-      return `${missing.map((name) => `declare const ${name}: ${given[name]};`).join('\n')}\n${code}\nexport {};\n`;
-    }),
-  );
-}
+/** Samples of READMEs and docs, as modules. @param language `ts` or `tsx` */
+const samples = (language: string): string[] =>
+  readSamples()
+    .filter((sample) => sample.language === language)
+    .map(({ code }) => `${code}\nexport {};\n`);
 
 /** What `tsc` says of sources in a folder, with every declaration file checked, or those of sources alone. */
 function compile(
@@ -91,59 +64,46 @@ function compile(
   return status === 0 ? '' : stdout + stderr;
 }
 
-/** Links packages of the repository's node_modules and what they depend on into a folder, with those of the host first. */
-function link(names: readonly string[], to: string): void {
-  const all = new Set(names);
-  for (const name of all) {
-    const ofHost = join(host, 'node_modules', name);
-    const from = existsSync(ofHost) ? ofHost : join(repositoryModules, name);
-    const at = join(to, 'node_modules', name);
-    mkdirSync(dirname(at), { recursive: true });
-    try {
-      symlinkSync(from, at, 'junction');
-    } catch (error) {
-      // linked before, or by a test beside this one
-      if (!existsSync(at)) throw error;
-    }
-    const { dependencies } = JSON.parse(readFileSync(join(from, 'package.json'), 'utf8')) as Manifest;
-    for (const dependency of Object.keys(dependencies ?? {})) all.add(dependency);
-  }
-}
+/** Folders of the types of three that a host may have beside the newest: the oldest, and those that `npm run compat` gives. */
+const typesOfThree = process.env.FAROL_TYPES ?? join(repositoryModules, 'three-types-oldest');
 
-/** Links the packages and all their peers beside each other. */
-function linkPeers(): void {
-  const own = publishedPackages().map(({ manifest }) => manifest);
-  const libraries = own.flatMap(({ name, peerDependencies }) => [name, ...Object.keys(peerDependencies ?? {})]);
-  link([...libraries, '@types/react'], peers);
-}
+test('entries and samples compile with other types of three @verify', () => {
+  const { version, dependencies } = JSON.parse(readFileSync(join(typesOfThree, 'package.json'), 'utf8')) as Manifest;
+  const to = `${peers}-${version}`;
+  const own = publishedPackages().map(({ manifest }) => manifest.name);
+  const others = Object.keys(dependencies!).map((name) => [name, join(typesOfThree, '../..', name)] as const);
+  link([...own, 'three', '@types/three'], to, { '@types/three': typesOfThree, ...Object.fromEntries(others) });
+  const { alone } = specifiers();
+  const output = compile(to, [...alone.map(noneIsAny), ...samples('ts')], modes[1]);
+  // older ones bring types of WebGPU that TypeScript's own library has by now: those that they say twice are not ours
+  const ours = output.split('\n').filter((line) => /@farol[\\/]|types-bundler[\\/]\d+\.tsx/.test(line));
+  expect(ours, `@types/three ${version}`).toEqual([]);
+  if (!process.env.FAROL_TYPES)
+    for (const { manifest } of publishedPackages())
+      expect(manifest.peerDependencies!['@types/three']).toMatch(`>=${version.replace(/\d+$/, '0')} `);
+});
 
-test('docs for React compile beside its libraries', () => {
-  linkPeers();
-  const docs = docsExamples('tsx');
-  expect(docs.length).toBeGreaterThan(0);
+test('samples for React compile beside its libraries', () => {
+  const code = samples('tsx');
+  expect(code.length).toBeGreaterThan(0);
   // @react-three/postprocessing has declarations that do not compile by themselves
-  expect(compile(peers, docs, modes[1], true)).toBe('');
+  expect(compile(linkPeers(), code, modes[1], true)).toBe('');
 });
 
 // each by one way of resolution in the slice
 for (const [i, mode] of modes.entries()) {
   const tags = ['', ' @verify'];
-  test(`entries, READMEs and docs compile beside three alone, moduleResolution ${mode.resolution}${tags[i]}`, () => {
+  test(`entries and samples compile beside three alone, moduleResolution ${mode.resolution}${tags[i]}`, () => {
     const { alone } = specifiers();
     expect(alone).toContain('@farol/renderer');
-    const code = examples('ts');
+    const code = samples('ts');
     expect(code.length).toBeGreaterThanOrEqual(publishedPackages().length);
-    const docs = docsExamples('ts');
-    expect(docs.length).toBeGreaterThan(0);
-    expect(compile(host, [...alone.map(noneIsAny), ...code, ...docs], mode)).toBe('');
+    expect(compile(host, [...alone.map(noneIsAny), ...code], mode)).toBe('');
   });
 
   test(`entries for other libraries compile beside them, moduleResolution ${mode.resolution}${tags[1 - i]}`, () => {
     const { withPeers } = specifiers();
     expect(withPeers).toContain('@farol/renderer/r3f');
-    linkPeers();
-    const code = examples('tsx');
-    expect(code.length).toBeGreaterThan(0);
-    expect(compile(peers, [...withPeers.map(noneIsAny), ...code], mode)).toBe('');
+    expect(compile(linkPeers(), withPeers.map(noneIsAny), mode)).toBe('');
   });
 }

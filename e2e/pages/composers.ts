@@ -1,5 +1,5 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
-import { FarolPass as PmndrsFarolPass } from '@farol/renderer/postprocessing';
+import { FarolPostPass } from '@farol/renderer/postprocessing';
 import { FarolPass } from '@farol/renderer/three-pass';
 import * as pmndrs from 'postprocessing';
 import * as THREE from 'three';
@@ -132,7 +132,7 @@ function byPmndrs(byFarol: boolean, options: Case) {
   composer.autoRenderToScreen = false;
   const override = overrideOf(options) ?? undefined;
   const pass = byFarol
-    ? new PmndrsFarolPass(farol, scene, camera, override)
+    ? new FarolPostPass(farol, scene, camera, override)
     : new pmndrs.RenderPass(scene, camera, override);
   Object.assign(pass, options.pass);
   if (options.clearColor !== undefined) pass.clearPass.overrideClearColor = new THREE.Color(options.clearColor);

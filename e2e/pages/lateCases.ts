@@ -1,4 +1,5 @@
-import { type FarolRenderer, type LazyPart, setAreaLightShape, setShading } from '@farol/renderer';
+import { type FarolRenderer, type LazyPart, setShading } from '@farol/renderer';
+import { setLightOptions } from '@farol/renderer/light-options';
 import { LightField } from '@farol/renderer/light-field';
 import * as THREE from 'three';
 import { Bench } from './Bench';
@@ -53,7 +54,7 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
     const lamp = new THREE.RectAreaLight(0xffffff, 8, 2, 1);
     lamp.position.set(-2, 2.5, 2);
     lamp.lookAt(0, 0.5, 0);
-    setAreaLightShape(lamp, 'disc');
+    setLightOptions(lamp, { shape: 'disc' });
     scene.add(lamp);
     return { scene, camera };
   },

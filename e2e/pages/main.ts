@@ -6,6 +6,7 @@ import * as three from 'three';
 import { CSM } from 'three/addons/csm/CSM.js';
 import { RectAreaLightUniformsLib } from 'three/addons/lights/RectAreaLightUniformsLib.js';
 import { ShadowMapViewer } from 'three/addons/utils/ShadowMapViewer.js';
+import { setLightOptions } from '@farol/renderer/light-options';
 import * as lightFields from '@farol/renderer/light-field';
 import * as decals from '@farol/renderer/decals';
 import * as particles from '@farol/renderer/particles';
@@ -49,6 +50,7 @@ export interface TestPage {
   effects: typeof antialiasing & typeof ambientOcclusion & typeof transparency & typeof decals & typeof particles;
   lightProfiles: typeof lightProfiles;
   lightFields: typeof lightFields;
+  setLightOptions: typeof setLightOptions;
   /** three's own. */
   addons: {
     CSM: typeof CSM;
@@ -122,6 +124,7 @@ window.testPage = {
   effects: { ...antialiasing, ...ambientOcclusion, ...transparency, ...decals, ...particles },
   lightProfiles,
   lightFields,
+  setLightOptions,
   addons: { CSM, RectAreaLightUniformsLib, ShadowMapViewer },
   outside: { nearFirst, DistanceFade },
   alphaScene,

@@ -35,7 +35,7 @@ export interface AreaLightCost {
  */
 export async function areaLightCost(options: AreaLightCostOptions): Promise<AreaLightCost[]> {
   const { techniques, lights, width, height, rounds, frames, gpuTimes = false } = options;
-  const { farol: package_, three: THREE } = window.testPage;
+  const { farol: package_, setLightOptions, three: THREE } = window.testPage;
   const kinds = ['dark', 'points', 'rectangles', 'discs', 'tubes'] as const;
   const reach = 1.5;
   const webgl = new THREE.WebGLRenderer({ antialias: false });
@@ -57,8 +57,8 @@ export async function areaLightCost(options: AreaLightCostOptions): Promise<Area
   function made(kind: (typeof kinds)[number], i: number): Light {
     if (kind === 'points') return new THREE.PointLight(0xffffff, 0.3, reach);
     const light = new THREE.RectAreaLight(0xffffff, 1, 0.4, kind === 'tubes' ? 0.03 : 0.25);
-    if (kind === 'discs' || kind === 'tubes') package_.setAreaLightShape(light, kind === 'discs' ? 'disc' : 'tube');
-    light.userData.farol = { ...light.userData.farol, range: reach };
+    const shape = kind === 'discs' ? 'disc' : kind === 'tubes' ? 'tube' : 'rectangle';
+    setLightOptions(light, { shape, range: reach });
     light.rotation.set(-Math.PI / 2 + tilts[i][0], tilts[i][1], 0);
     return light;
   }

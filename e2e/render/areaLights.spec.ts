@@ -1,4 +1,4 @@
-import type { AreaLightShape } from '@farol/renderer';
+import type { AreaLightShape } from '@farol/renderer/light-options';
 import type { RectAreaLight, Scene } from 'three';
 import { expect, test } from '../support/benchTest';
 
@@ -19,7 +19,7 @@ test('discs and tubes are what many rectangles are, shadows are soft, more light
   benchPage: page,
 }) => {
   const result = await page.evaluate((): Result => {
-    const { three: THREE, Bench, compareImages, farol, techniquesInTurn } = window.testPage;
+    const { three: THREE, Bench, compareImages, setLightOptions, techniquesInTurn } = window.testPage;
     const bench = new Bench(96, 72);
     const camera = new THREE.PerspectiveCamera(50, 96 / 72, 0.1, 60);
     camera.position.set(0, 3, 5);
@@ -34,7 +34,7 @@ test('discs and tubes are what many rectangles are, shadows are soft, more light
     const draw = (scene: Scene) => bench.byTechnique('clustered-forward', scene, camera);
     const light = (width: number, height: number, shape: AreaLightShape = 'rectangle'): RectAreaLight => {
       const made = new THREE.RectAreaLight(0xffffff, 5, width, height);
-      farol.setAreaLightShape(made, shape);
+      setLightOptions(made, { shape });
       made.position.set(0, 1.5, 0);
       made.rotation.x = -Math.PI / 2;
       return made;

@@ -89,7 +89,7 @@ test('what will need code has it fetched before the first frame', async ({ page,
   for (const need of needs) {
     const fetched = page.waitForRequest('**/*');
     await page.evaluate(async (need) => {
-      const { Bench, farol, lightFields, three } = window.testPage;
+      const { Bench, farol, lightFields, setLightOptions, three } = window.testPage;
       // fetches light lists, since 'auto' is the default; awaited so that the other needs are told apart from it
       if (need === "'auto'") {
         new Bench(8, 8);
@@ -98,7 +98,7 @@ test('what will need code has it fetched before the first frame', async ({ page,
       if (need === 'a technique') new Bench(8, 8).farol.technique = 'forward';
       if (need === 'a view') new Bench(8, 8).farol.view = 'normal';
       if (need === 'a LightField') new lightFields.LightField(1);
-      if (need === 'an area light') farol.setAreaLightShape(new three.RectAreaLight(), 'disc');
+      if (need === 'an area light') setLightOptions(new three.RectAreaLight(), { shape: 'disc' });
     }, need);
     await fetched;
   }

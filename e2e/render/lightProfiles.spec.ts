@@ -12,9 +12,8 @@ test('lights with photometric profiles light a floor by every technique as the f
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, drawn, farol, lightProfiles, techniquesInTurn, three } = window.testPage;
+    const { Bench, drawn, lightProfiles, setLightOptions, techniquesInTurn, three } = window.testPage;
     const { IESLoader } = lightProfiles;
-    const { setLightProfile } = farol;
     const size = 32;
     const bench = new Bench(size, size);
     bench.webgl.shadowMap.enabled = true;
@@ -40,7 +39,7 @@ test('lights with photometric profiles light a floor by every technique as the f
       const lamp = new three.PointLight(colour, 3, range);
       lamp.position.set(0.4, -0.3, 1.1);
       lamp.rotation.set(1.2, 0.4, -0.7);
-      setLightProfile(lamp, profile.texture);
+      setLightOptions(lamp, { profile: profile.texture });
       factors.set(lamp, falloff(range));
       return lamp;
     };
@@ -49,7 +48,7 @@ test('lights with photometric profiles light a floor by every technique as the f
       lamp.position.set(-0.5, 0.2, 1.3);
       lamp.rotation.set(0.3, 0.2, 0.9);
       lamp.target.position.set(0.3, 0.1, 0);
-      setLightProfile(lamp, profile.texture);
+      setLightOptions(lamp, { profile: profile.texture });
       factors.set(lamp, falloff(range));
       return lamp;
     };
@@ -62,7 +61,7 @@ test('lights with photometric profiles light a floor by every technique as the f
     factors.set(thrown, (d) => (falloff(9)(d) * 128) / 255);
     const shadowed = spot(0x0000ff, 9);
     shadowed.castShadow = true;
-    setLightProfile(shadowed, other.texture);
+    setLightOptions(shadowed, { profile: other.texture });
     const cube = point(0x00ff00, 6);
     cube.castShadow = true;
     const scenes = [
@@ -82,7 +81,7 @@ test('lights with photometric profiles light a floor by every technique as the f
       }
       return scene;
     };
-    /** By the definition of the frame in `setLightProfile`. */
+    /** By the definition of the frame in `LightOptions.profile`. */
     const radiance = (lamp: Lamp, x: number, y: number) => {
       lamp.updateMatrixWorld();
       const away = new Vector3(x, y, 0).sub(lamp.position);
@@ -134,7 +133,7 @@ test('lights with photometric profiles light a floor by every technique as the f
     };
     const more = Array.from({ length: 40 }, (_, i) => {
       const lamp = i % 2 === 0 ? point(0x000001, 8) : spot(0x000001, 8);
-      setLightProfile(lamp, i % 3 === 0 ? profile.texture : other.texture);
+      setLightOptions(lamp, { profile: i % 3 === 0 ? profile.texture : other.texture });
       return lamp;
     });
     scene.add(...more);
@@ -148,9 +147,9 @@ test('lights with photometric profiles light a floor by every technique as the f
       data[i] = three.DataUtils.toHalfFloat(three.DataUtils.fromHalfFloat(kept[i]) / 2);
     profile.texture.needsUpdate = true;
     const halved = middle();
-    setLightProfile(lamps[0], null);
+    setLightOptions(lamps[0], { profile: null });
     const without = middle();
-    setLightProfile(lamps[0], profile.texture);
+    setLightOptions(lamps[0], { profile: profile.texture });
     data.set(kept);
     profile.texture.needsUpdate = true;
     return { results, programs: bench.programs - programs, before, halved, without, again: middle() };

@@ -6,7 +6,7 @@ test('lit particles: environment, probes, ambient, hemisphere and area lights as
   benchPage: page,
 }) => {
   const seen = await page.evaluate((isWhole) => {
-    const { Bench, effects, farol, three } = window.testPage;
+    const { Bench, effects, setLightOptions, three } = window.testPage;
     const [width, height] = [32, 32];
     const bench = new Bench(width, height);
     bench.farol.effects = [new effects.Particles()];
@@ -51,7 +51,7 @@ test('lit particles: environment, probes, ambient, hemisphere and area lights as
       const light = new three.RectAreaLight(0xffddbb, 6, 1.2, shape === 'tube' ? 0.1 : 1.2);
       light.position.copy(camera.position);
       light.lookAt(0, 0, 0);
-      farol.setAreaLightShape(light, shape);
+      setLightOptions(light, { shape });
       return light;
     };
     const colours = [0xff4422, 0x112244, 0x88aaff, 0x443322, 0x88ff66, 0x222222];

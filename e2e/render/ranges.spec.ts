@@ -1,4 +1,5 @@
-import type { FarolAttenuation, TechniqueName } from '@farol/renderer';
+import type { TechniqueName } from '@farol/renderer';
+import type { FarolAttenuation } from '@farol/renderer/light-options';
 import type { Difference } from '../support/images';
 import { checkAgreement } from '../support/agreement';
 import { expect, test } from '../support/benchTest';

@@ -224,7 +224,7 @@ test('area lights light what is flat as faces of their own, and what is Gouraud-
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, drawn, farol, techniquesInTurn, three } = window.testPage;
+    const { Bench, compareImages, drawn, farol, setLightOptions, techniquesInTurn, three } = window.testPage;
     const { setShading } = farol;
     const bench = new Bench(96, 48);
     const camera = new three.PerspectiveCamera(40, 2, 0.1, 20);
@@ -244,8 +244,7 @@ test('area lights light what is flat as faces of their own, and what is Gouraud-
     const shapes = ['rectangle', 'disc', 'tube'] as const;
     shapes.forEach((shape, i) => {
       const light = new three.RectAreaLight(0xffffff, 4, 1.2, 0.5);
-      farol.setAreaLightShape(light, shape);
-      light.userData.farol.range = 8;
+      setLightOptions(light, { shape, range: 8 });
       light.position.set(-2.5 + 2 * i, 1.2 - i, 2);
       light.lookAt(-1, 0, 0);
       scene.add(light);

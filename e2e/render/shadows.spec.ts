@@ -102,7 +102,7 @@ test('cookies: a spot light throws its map as in stock three, with and without s
 }) => {
   const { pairs, cube } = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, shadowScene, techniquesInTurn, three, farol } = window.testPage;
+      const { Bench, compareImages, setLightOptions, shadowScene, techniquesInTurn, three } = window.testPage;
       const bench = new Bench(width, height);
       bench.webgl.shadowMap.enabled = true;
       const image = (hue: number) => {
@@ -136,7 +136,7 @@ test('cookies: a spot light throws its map as in stock three, with and without s
       const black = [0, 1, 2, 3, 4, 5].map((i) => face(i === 3 ? 0 : 255)); // -y, the floor below the lights
       const cookie = new three.CubeTexture(black as unknown as HTMLImageElement[]);
       cookie.needsUpdate = true;
-      for (const light of room.lights) farol.setLightCookie(light as InstanceType<typeof three.PointLight>, cookie);
+      for (const light of room.lights) setLightOptions(light, { cookie });
       const dark = bench.byTechnique('deferred', room.scene, room.camera);
       const at = (data: Float32Array, x: number, y: number) =>
         data[4 * (Math.floor(y * height) * width + Math.floor(x * width))];

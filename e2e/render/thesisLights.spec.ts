@@ -12,7 +12,10 @@ test('attenuations, cutoff exponent and separate colours of the thesis, by every
     const bench = new Bench(33, 33);
     const camera = new three.OrthographicCamera(-2, 2, 2, -2, 0.1, 10);
     camera.position.z = 5;
-    const lights: Record<string, { spot?: boolean; data: import('@farol/renderer').FarolLightData; x?: number }> = {
+    const lights: Record<
+      string,
+      { spot?: boolean; data: import('@farol/renderer/light-options').FarolLightData; x?: number }
+    > = {
       'near-far, between': { data: { attenuation: { kind: 'near-far', near: 1, far: 5 } } },
       'near-far, before near': { data: { attenuation: { kind: 'near-far', near: 3, far: 5 } } },
       'near-far, beyond far': { data: { attenuation: { kind: 'near-far', near: 0.5, far: 1.9 } } },

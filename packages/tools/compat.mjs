@@ -8,7 +8,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { compatHelp, compatOptions, threeVersions } from './compatOptions.mjs';
+import { compatHelp, compatOptions, threeVersions, typesOfThree } from './compatOptions.mjs';
 import { compatRow, compatTable } from './compatTable.mjs';
 import { ensureBrowser } from './ensureBrowser.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
@@ -63,22 +63,38 @@ async function draw(version) {
       ...(values.gpu ? { FAROL_GPU: '1' } : {}),
     },
   );
-  return compatRow(version, readFileSync(file, 'utf8'), { tests: code === 0, units: units === 0 });
+  const types = runTool(
+    '@playwright/test',
+    'playwright',
+    ['test', '--config', 'e2e/packages/playwright.config.ts', 'types.spec.ts', '--grep', 'other types of three'],
+    {
+      FAROL_TESTS: 'verify',
+      FAROL_TYPES: join(folder, 'node_modules/@types/three'),
+      CHROMIUM_PATH: ensureBrowser(),
+    },
+  );
+  const passed = { tests: code === 0, units: units === 0, types: types === 0 };
+  return compatRow(version, readFileSync(file, 'utf8'), passed);
 }
 
 /** @param {string} version @param {string} folder */
 function install(version, folder) {
-  const manifest = join(folder, 'node_modules/three/package.json');
-  if (existsSync(manifest) && JSON.parse(readFileSync(manifest, 'utf8')).version === version) return;
+  const types = typesOfThree[/** @type {keyof typeof typesOfThree} */ (version)] ?? version;
+  const is = (/** @type {string} */ name, /** @type {string} */ asked) => {
+    const manifest = join(folder, 'node_modules', name, 'package.json');
+    return existsSync(manifest) && JSON.parse(readFileSync(manifest, 'utf8')).version === asked;
+  };
+  if (is('three', version) && is('@types/three', types)) return;
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, 'package.json'), '{ "private": true }\n');
   const npm = process.platform === 'win32' ? 'npm.cmd' : 'npm';
-  const done = spawnSync(npm, ['install', '--no-audit', '--no-fund', '--silent', `three@${version}`], {
+  const packages = [`three@${version}`, `@types/three@${types}`];
+  const done = spawnSync(npm, ['install', '--no-audit', '--no-fund', '--silent', ...packages], {
     cwd: folder,
     stdio: 'inherit',
   });
-  if (done.status !== 0) throw new Error(`npm install three@${version} failed: see its message above.`);
+  if (done.status !== 0) throw new Error(`npm install ${packages.join(' ')} failed: see its message above.`);
 }
 
 /** The viewer and the tests' pages, with the packages' own dist and the three of a folder. @param {string} folder */

@@ -1,10 +1,18 @@
-/** The last release of each minor of three that the packages' `peerDependencies` allow. */
-export const threeVersions = ['0.183.2', '0.184.0', '0.185.1', '0.186.1', '0.187.0'];
+/** The last release of each minor of three that the packages' `peerDependencies` allow, and the last of its types. */
+export const typesOfThree = {
+  '0.183.2': '0.183.1',
+  '0.184.0': '0.184.1',
+  '0.185.1': '0.185.4',
+  '0.186.1': '0.186.0',
+  '0.187.0': '0.187.0',
+};
+
+export const threeVersions = Object.keys(typesOfThree);
 
 export const compatHelp = `npm run compat -- [options] [versions of three, default ${threeVersions.join(' ')}]
 
-Draws the agreement matrix with each version of three against that three's own renderer, by one build of the packages, and
-prints a table. Each version is installed into .cache/compat.
+Draws the agreement matrix with each version of three against that three's own renderer, by one build of the packages,
+compiles the packages' declarations and samples with its types, and prints a table. Each version is installed into .cache/compat.
 
   --all             all browser tests of pictures, not the matrix and the agreement suites alone
   --only TEXT       the tests whose title matches this regular expression

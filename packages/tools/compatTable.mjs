@@ -9,16 +9,17 @@
  * @property {number} psnr least, dB
  * @property {boolean} units whether the renderer's unit tests pass
  * @property {boolean} tests whether the browser tests pass
+ * @property {boolean} types whether declarations and samples compile with its types
  */
 
 /**
  * @param {string} version of three
  * @param {string} comparisons a line of JSON each, as AgreementReporter.ts writes them
- * @param {{ tests: boolean, units: boolean }} passed
+ * @param {{ tests: boolean, units: boolean, types: boolean }} passed
  * @returns {CompatRow}
  * @throws {Error} when nothing was compared
  */
-export function compatRow(version, comparisons, { tests, units }) {
+export function compatRow(version, comparisons, { tests, units, types }) {
   const all = comparisons
     .split('\n')
     .filter((line) => line !== '')
@@ -32,11 +33,12 @@ export function compatRow(version, comparisons, { tests, units }) {
     count: all.length,
     good,
     exceptions,
-    failed: held.length - good + (tests ? 0 : 1) + (units ? 0 : 1),
+    failed: held.length - good + (tests ? 0 : 1) + (units ? 0 : 1) + (types ? 0 : 1),
     largest: Math.max(0, ...held.map(({ largest }) => Number(largest))),
     psnr: Math.min(Infinity, ...held.map(({ psnr }) => Number(psnr))),
     units,
     tests,
+    types,
   };
 }
 
@@ -44,11 +46,11 @@ export function compatRow(version, comparisons, { tests, units }) {
 export function compatTable(rows) {
   const said = (/** @type {boolean} */ passed) => (passed ? 'pass' : 'FAIL');
   return [
-    '| three | pictures | within limits | named exceptions | largest error | least PSNR (dB) | browser tests | unit tests |',
-    '| --- | --- | --- | --- | --- | --- | --- | --- |',
+    '| three | pictures | within limits | named exceptions | largest error | least PSNR (dB) | browser tests | unit tests | types |',
+    '| --- | --- | --- | --- | --- | --- | --- | --- | --- |',
     ...rows.map(
-      ({ version, count, good, exceptions, largest, psnr, tests, units }) =>
-        `| ${version} | ${count} | ${good} | ${exceptions} | ${largest.toExponential(1)} | ${psnr.toFixed(1)} | ${said(tests)} | ${said(units)} |`,
+      ({ version, count, good, exceptions, largest, psnr, tests, units, types }) =>
+        `| ${version} | ${count} | ${good} | ${exceptions} | ${largest.toExponential(1)} | ${psnr.toFixed(1)} | ${said(tests)} | ${said(units)} | ${said(types)} |`,
     ),
   ].join('\n');
 }

@@ -1,4 +1,5 @@
-import { type FarolRenderer, setAreaLightShape, setLightCookie, setLightProfile } from '@farol/renderer';
+import type { FarolRenderer } from '@farol/renderer';
+import { setLightOptions } from '@farol/renderer/light-options';
 import { LightField } from '@farol/renderer/light-field';
 import * as THREE from 'three';
 import { textureOf } from './buildMaterial';
@@ -51,7 +52,7 @@ function lightOf(facts: LightFacts): THREE.Light {
     }
     case 'area': {
       const light = new THREE.RectAreaLight(color, intensity, facts.width ?? 1, facts.height ?? 1);
-      if (facts.shape) setAreaLightShape(light, facts.shape);
+      if (facts.shape) setLightOptions(light, { shape: facts.shape });
       if (facts.castShadow) light.castShadow = true;
       return light;
     }
@@ -80,8 +81,9 @@ function buildLight(facts: LightFacts, i: number, scene: THREE.Scene): THREE.Lig
     light instanceof THREE.SpotLight || light instanceof THREE.DirectionalLight || light instanceof THREE.PointLight;
   if (canCast && facts.shadow) addShadow(light, facts.shadow);
   if (facts.map && light instanceof THREE.SpotLight) light.map = textureOf(facts.map);
-  if (facts.profile) setLightProfile(light as THREE.SpotLight, profile());
-  if (facts.cookie && light instanceof THREE.PointLight) setLightCookie(light, textureOf('cube') as THREE.CubeTexture);
+  if (facts.profile) setLightOptions(light, { profile: profile() });
+  if (facts.cookie && light instanceof THREE.PointLight)
+    setLightOptions(light, { cookie: textureOf('cube') as THREE.CubeTexture });
   scene.add(light);
   return light;
 }

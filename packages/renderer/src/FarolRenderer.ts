@@ -7,7 +7,7 @@ import { NO_EFFECTS } from './frame/ActiveEffects';
 import { EffectList } from './frame/EffectList';
 import type { FarolEffect } from './frame/FarolEffect';
 import type { FarolInfo } from './frame/FarolInfo';
-import type { FarolOptions } from './FarolOptions';
+import { type FarolOptions, setOptions } from './FarolOptions';
 import { Frame } from './frame/Frame';
 import { InfoRecorder } from './frame/InfoRecorder';
 import { LastFrame } from './frame/LastFrame';
@@ -58,38 +58,18 @@ const FEW = 16;
  * const farol = new FarolRenderer(webglRenderer, { technique: 'deferred' });
  * farol.render(scene, camera);
  */
-export class FarolRenderer extends EventDispatcher<FarolEvents> {
+export class FarolRenderer extends EventDispatcher<FarolEvents> implements Required<FarolOptions> {
   /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
   static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
   /** The shader pieces everything is drawn with; replace one and the picture follows. */
   readonly microshaders: MicroShaderRegistry;
-  /** Times each pass on the GPU (EXT_disjoint_timer_query_webgl2). */
-  timing: boolean;
-  /** Lights a pixel (or draws a pixel) that the count views show hottest. Default 32, above 0. */
-  heatMapMaximum = 32;
-  /**
-   * Shadow maps of each directional light, 1 to 4: the last is the light's own, those before it see what is near the camera,
-   * each a quarter as far as the next, in maps of the same size. Not for VSMShadowMap. Default 1, as in three.
-   */
-  shadowCascades = 1;
-  /**
-   * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
-   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
-   * most objects is then drawn forward, by every technique. Takes effect on the next frame. Default false, as in three: all
-   * lights reach all objects.
-   */
-  lightLayers: boolean;
-  /**
-   * Whether techniques that shade a G-buffer, and so one sample a pixel, smooth edges by SMAA where the canvas (`antialias` of
-   * the WebGLRenderer) or the render target (`samples`) asks for more, unless one of `effects` does it. The others are
-   * multisampled there as stock three is. Default true.
-   */
-  antialias: boolean;
-  /**
-   * Irradiance at which a RectAreaLight without `userData.farol.range` ends, in a surface that faces it: where it ends, lists
-   * leave it out. Up to half of that distance it gives what three has it give. Above 0; 0: no such light ends. Default 0.0002.
-   */
-  areaLightThreshold = 2e-4;
+  declare timing: boolean;
+  declare heatMapMaximum: number;
+  declare shadowAtlasSize: number | null;
+  declare shadowCascades: number;
+  declare lightLayers: boolean;
+  declare antialias: boolean;
+  declare areaLightThreshold: number;
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
   private readonly twins: TwinCache;
@@ -111,8 +91,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
 
   /**
    * @param webgl the host's renderer; it stays the host's, and other code may draw with it
-   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option has a value
-   *   that it cannot have; names of options are not looked at
+   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option does not
+   *   exist or has a value that it cannot have
    */
   constructor(
     readonly webgl: WebGLRenderer,
@@ -120,14 +100,13 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
   ) {
     super();
     checkDevice(webgl, false);
-    const { shadowAtlasSize } = options;
     this.effectList = new EffectList(webgl);
     this.microshaders = createRegistry(webgl);
     this.views = new LazyViews(this.microshaders);
     const uniforms = this.lights.uniforms.values;
     this.finder = new LightFinder(
       webgl,
-      (code) => code.makeShadowMaps(this.frame, this.draws, shadowAtlasSize),
+      (code) => code.makeShadowMaps(this.frame, this.draws),
       (code) => code.makeAreaLights(webgl, this.microshaders, uniforms.farol_ltc),
     );
     this.set = new TechniqueSet(this.microshaders);
@@ -147,16 +126,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     this.recorder = new InfoRecorder(webgl, this.last);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
-    this.timing = options.timing ?? false;
-    this.antialias = options.antialias ?? true;
-    this.lightLayers = options.lightLayers ?? false;
-    this.technique = options.technique ?? 'auto';
-    this.view = options.view ?? 'final';
-    this.effects = options.effects ?? [];
+    setOptions(this, options);
     webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
-  /** Key of the technique; takes effect on the next frame. @throws Error when unknown, or the device cannot run it */
+  /** @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
     return this.picker.technique;
   }
@@ -189,12 +163,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     if (this.technique === name) this.technique = 'auto';
   }
 
-  /**
-   * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
-   * from entries of the package of their own. Takes effect on the next frame; effects that are left out stay the host's to
-   * dispose, those in the list are disposed with this renderer. Default none.
-   * @throws Error when it is no list of effects, or two of them conflict, such as two that move the camera
-   */
+  /** @throws Error when it is no list of effects, or two of them conflict, such as two that move the camera */
   get effects(): readonly FarolEffect[] {
     return this.effectList.asked;
   }
@@ -203,7 +172,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     this.effectList.asked = effects;
   }
 
-  /** What is shown; takes effect on the next frame. @throws Error when unknown */
+  /** @throws Error when unknown */
   get view(): View {
     return this.viewName;
   }
@@ -215,11 +184,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     this.views.available(name); // has its code fetched
   }
 
-  /**
-   * Texels of the lighting buffers of the technique 'inferred' a pixel of the picture, along a side; takes effect on the next
-   * frame. Default 0.5.
-   * @throws RangeError unless above 0 and at most 1
-   */
+  /** @throws RangeError unless above 0 and at most 1 */
   get inferredScale(): number {
     return this.frame.inferredScale;
   }
@@ -337,9 +302,18 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> {
     if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false, seenBy);
   }
 
-  /** Sizes the WebGLRenderer's canvas buffer (CSS pixels); Farol's own targets follow what is drawn to. */
-  setSize(width: number, height: number): void {
-    this.webgl.setSize(width, height, false);
+  /**
+   * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow what is drawn to.
+   * @param width CSS pixels, as `height`
+   * @param updateStyle whether the canvas' style is set too. Default true, as in three
+   */
+  setSize(width: number, height: number, updateStyle?: boolean): void {
+    this.webgl.setSize(width, height, updateStyle);
+  }
+
+  /** Sets the WebGLRenderer's pixels a CSS pixel. */
+  setPixelRatio(ratio: number): void {
+    this.webgl.setPixelRatio(ratio);
   }
 
   /**

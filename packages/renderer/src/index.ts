@@ -5,8 +5,5 @@ export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';
 export type { FarolInfo, PassInfo } from './frame/FarolInfo';
 export type { LazyPart } from './frame/lazyCode';
-export type { AreaLightShape, FarolAttenuation, FarolLightData, LinearRGB } from './lights/FarolLightData';
-export { setAreaLightShape } from './lighting/setAreaLightShape';
-export { setLightCookie, setLightProfile } from './lighting/lightCookie';
 export { setShading } from './materials/setShading';
 export type { ShadingName } from './materials/shadingOf';

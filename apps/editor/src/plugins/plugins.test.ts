@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { builtinComponents, Component, ComponentRegistry, GameObject, Scene } from '@farol/engine';
 import { component, type FieldType, custom, number, string } from '@farol/engine/fields';
 import { deserialize, serialize, UnknownComponent } from '@farol/engine/files';
@@ -20,6 +21,7 @@ import { Signal } from '@farol/editing';
 import { panels } from '../panels';
 import { AddedEffects } from '../viewport/AddedEffects';
 import { Plugins } from './Plugins';
+import { spin } from './testing/spin';
 
 const help = 'For a test.';
 const share: FieldType = { name: 'share', allows: 'from 0 to 1', check: (value) => Number(value) >= 0 };
@@ -287,4 +289,17 @@ describe('a plugin', () => {
     editor.document.commands.undo();
     expect(serialize(editor.document.scene)).toEqual(saved);
   });
+});
+
+it("adds the plugin of the editor's README, which is shown word for word", () => {
+  const [readme, text] = ['../../README.md', 'testing/spin.ts'].map((path) =>
+    readFileSync(new URL(path, import.meta.url), 'utf8'),
+  );
+  expect(readme).toContain(`\`\`\`ts\n${text}\`\`\`\n`);
+  const editor = makeEditor();
+  editor.plugins.add(spin);
+  const turned = new GameObject();
+  editor.document.scene.add(turned);
+  turned.addComponent(editor.components.types.get('Spin')!, { rate: 2 }).update(0.5, 0.5);
+  expect(turned.object3D.rotation.y).toBeCloseTo(1);
 });

@@ -1,4 +1,4 @@
-import { setLightProfile } from '@farol/renderer';
+import { setLightOptions } from '@farol/renderer/light-options';
 import { PointLight, RectAreaLight, SpotLight, type Texture } from 'three';
 import type { SingleLightKind } from '../plan/lightKinds';
 import type { MovingLight } from './StageScene';
@@ -42,7 +42,7 @@ export function lightMaker(kind: SingleLightKind, profiles: readonly Texture[]):
   if (kind === 'rectangles') return rectangle;
   if (kind === 'points') return (point) => point;
   return (point, index) => {
-    setLightProfile(point, profiles[index % profiles.length]);
+    setLightOptions(point, { profile: profiles[index % profiles.length] });
     return point;
   };
 }

@@ -15,7 +15,7 @@ import {
   View,
 } from '@react-three/drei';
 import { Farol, type FarolProps } from '@farol/renderer/r3f';
-import { FarolPass } from '@farol/renderer/r3f-postprocessing';
+import { FarolInComposer } from '@farol/renderer/r3f-postprocessing';
 import { Bloom, EffectComposer, Vignette } from '@react-three/postprocessing';
 import { type ComponentType, memo, type ReactNode, useLayoutEffect, useState } from 'react';
 
@@ -102,7 +102,7 @@ function Glow({ farol }: { farol?: FarolProps }) {
     <Square>
       <Knot />
       <EffectComposer multisampling={0}>
-        <>{farol && <FarolPass {...farol} />}</>
+        <>{farol && <FarolInComposer {...farol} />}</>
         <Bloom luminanceThreshold={0.4} intensity={0.8} mipmapBlur />
         <Vignette />
       </EffectComposer>
@@ -241,5 +241,5 @@ export const parts: Record<string, ComponentType> = {
 export const partsWithFarol: Record<string, ComponentType<{ farol: FarolProps }>> = {
   'Farol in a View': Views,
   'Farol in a RenderTexture': Screen,
-  'FarolPass in an EffectComposer': Glow,
+  'FarolInComposer in an EffectComposer': Glow,
 };

@@ -1,6 +1,6 @@
 /** pmndrs' postprocessing, drawn by Farol. */
 import { FarolRenderer } from '@farol/renderer';
-import { FarolPass } from '@farol/renderer/postprocessing';
+import { FarolPostPass } from '@farol/renderer/postprocessing';
 import {
   BloomEffect,
   DepthOfFieldEffect,
@@ -19,7 +19,7 @@ document.body.append(webgl.domElement);
 const { scene, camera, update } = lanterns();
 
 const farol = new FarolRenderer(webgl);
-const farolPass = new FarolPass(farol, scene, camera); // in place of: new RenderPass(scene, camera)
+const farolPass = new FarolPostPass(farol, scene, camera); // in place of: new RenderPass(scene, camera)
 const stockPass = new RenderPass(scene, camera); // only here to compare with
 
 const composer = new EffectComposer(webgl, { frameBufferType: HalfFloatType });

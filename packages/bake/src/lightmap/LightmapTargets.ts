@@ -1,4 +1,11 @@
-import { FloatType, HalfFloatType, type Texture, type WebGLArrayRenderTarget, type WebGLRenderer } from 'three';
+import {
+  FloatType,
+  HalfFloatType,
+  type Texture,
+  type WebGLArrayRenderTarget,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import { type Grid, gridTargets } from './grid';
 import { layersTarget, maskTarget, pictureTarget, texelTarget } from './targets';
 
@@ -20,16 +27,16 @@ export interface LightmapTargetsOptions {
  */
 export class LightmapTargets {
   /** What materials may show while light is traced, one a lightmap. */
-  readonly pictures;
-  readonly totals;
+  readonly pictures: WebGLRenderTarget[];
+  readonly totals: WebGLRenderTarget[];
   /** Light of the coarser grid so far, with its variance; none where all is gathered at the fine one. */
-  readonly indirect;
-  readonly moves;
-  readonly agreements;
+  readonly indirect: WebGLRenderTarget[];
+  readonly moves: WebGLRenderTarget[];
+  readonly agreements: WebGLRenderTarget;
   readonly fine: Grid;
   /** The fine one itself, where all is gathered there. */
   readonly coarse: Grid;
-  readonly albedo;
+  readonly albedo: WebGLRenderTarget;
   readonly emission;
   /** What gathers see, and what the next one will. */
   radiance;

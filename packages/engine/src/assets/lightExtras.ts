@@ -1,4 +1,4 @@
-import type { FarolAttenuation, FarolLightData, LinearRGB } from '@farol/renderer';
+import type { FarolAttenuation, FarolLightData, LinearRGB } from '@farol/renderer/light-options';
 import type { Light, Object3D, PointLight, SpotLight } from 'three';
 
 /** What of a light KHR_lights_punctual has no room for: the `extras.farolLight` of the node that the light is on. */

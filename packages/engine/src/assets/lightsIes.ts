@@ -1,5 +1,5 @@
 import { shortText } from '@farol/editing';
-import { setLightProfile } from '@farol/renderer';
+import { storeLightOptions } from '@farol/renderer/light-options';
 import { parseIES, PhotometricProfile } from '@farol/renderer/light-profiles';
 import { Group, PointLight } from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
@@ -16,7 +16,7 @@ function textOfData(uri: string): string | null {
 
 /**
  * Lights of a glTF that have a photometric profile: each becomes a PointLight below its node, turned so that it hangs as
- * `setLightProfile` has it, with the profile's candelas.
+ * `setLightOptions` has it, with the profile's candelas.
  * @see EXT_lights_ies
  */
 export class LightsIes implements GLTFLoaderPlugin {
@@ -81,7 +81,7 @@ export class LightsIes implements GLTFLoaderPlugin {
     light.name = profile.name;
     // glTF aims luminaires along -z, three's point lights hang down their -y
     light.rotation.x = Math.PI / 2;
-    setLightProfile(light, profile.texture);
+    storeLightOptions(light, { profile: profile.texture });
     const { farolLight } = lists.record(node.extras);
     if (farolLight !== undefined) light.userData.farolLight = farolLight;
     return new Group().add(light);

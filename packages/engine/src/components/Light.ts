@@ -8,7 +8,7 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
-import { setLightProfile } from '@farol/renderer';
+import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { Scene } from '../core/SceneGraph';
 import { component } from '../fields/component';
@@ -124,7 +124,7 @@ export class Light extends component(lightFields) {
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
     if (!(three instanceof PointLight || three instanceof SpotLight)) return;
     const profile = this.takeProfile();
-    setLightProfile(three, profile?.texture ?? null);
+    storeLightOptions(three, { profile: profile?.texture });
     if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
   }
 

@@ -1,14 +1,6 @@
 import { asset, boolean, number, string } from '@farol/editing/fields';
-import { setLightProfile } from '@farol/renderer';
-import {
-  type Bone,
-  type Light as ThreeLight,
-  type Material,
-  type Mesh,
-  Object3D,
-  type PointLight,
-  type SkinnedMesh,
-} from 'three';
+import { storeLightOptions } from '@farol/renderer/light-options';
+import { type Bone, type Light as ThreeLight, type Material, type Mesh, Object3D, type SkinnedMesh } from 'three';
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
 import { type ModelSubtree, subtreeOf } from '../assets/modelNodes';
@@ -65,7 +57,7 @@ function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Objec
   const target = from.target && copies.get(from.target);
   if (target) to.target = target;
   const profile = model.profileOf(from);
-  if (profile) setLightProfile(to as PointLight, profile.texture);
+  if (profile) storeLightOptions(to, { profile: profile.texture });
 }
 
 /**

@@ -8,7 +8,7 @@ import {
   SpotLight,
   type OrthographicCamera,
 } from 'three';
-import type { FarolLightData } from '@farol/renderer';
+import type { FarolLightData } from '@farol/renderer/light-options';
 import type { lightFields } from './lightFields';
 
 type LightValues = Readonly<ValuesOf<typeof lightFields>>;

@@ -15,7 +15,7 @@ import {
   type Texture,
   Vector3,
 } from 'three';
-import type { FarolLightData } from '@farol/renderer';
+import type { FarolLightData } from '@farol/renderer/light-options';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { materialValuesOf } from '../assets/materialValuesOf';
 import type { Model } from '../assets/Model';

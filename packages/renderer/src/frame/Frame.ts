@@ -108,7 +108,7 @@ export class Frame {
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
   /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
-  inferredScale = 0.5;
+  inferredScale = 1;
   /** Depth is too coarse to rebuild positions from. */
   private isDepthCoarse = false;
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */

@@ -45,16 +45,16 @@ export class GBuffer {
   }
 
   /** The first attachment. */
-  get emissive() {
+  get emissive(): Texture {
     return this.target.textures[attachmentIndex.accumulation];
   }
-  get normal() {
+  get normal(): Texture {
     return this.target.textures[attachmentIndex.normal];
   }
-  get albedo() {
+  get albedo(): Texture {
     return this.target.textures[attachmentIndex.albedo];
   }
-  get material() {
+  get material(): Texture {
     return this.target.textures[attachmentIndex.material];
   }
   get depth(): DepthTexture {

@@ -14,13 +14,13 @@ import { interpolate } from './interpolate';
 const RADIANS = Math.PI / 180;
 
 /**
- * The light of a luminaire by direction, in the frame of `setLightProfile`: vertical angle 0 is down, horizontal angle 0 is
+ * The light of a luminaire by direction, in the frame of `setLightOptions`: vertical angle 0 is down, horizontal angle 0 is
  * across. Of a file of type B, vertical angles turn from down to across, and horizontal angles are clockwise, as the standard
  * has them; one of type A, whose luminaires aim level, is turned so that it aims down.
  *
  * @example
  * const profile = await new IESLoader().loadAsync('downlight.ies');
- * setLightProfile(light, profile.texture);
+ * setLightOptions(light, { profile: profile.texture });
  * light.intensity = profile.maximumIntensity; // as bright as the file says; or any other, to shape the light alone
  */
 export class PhotometricProfile {
@@ -73,7 +73,7 @@ export class PhotometricProfile {
   }
 
   /**
-   * Intensities as parts of `maximumIntensity`, for `setLightProfile` (and three's IESSpotLight): half floats, one row where
+   * Intensities as parts of `maximumIntensity`, for `LightOptions` (and three's IESSpotLight): half floats, one row where
    * the light is the same all round. Made when first asked for; dispose of it with the profile.
    */
   get texture(): DataTexture {

@@ -15,6 +15,7 @@ export interface LightSettings {
   readonly webgl: WebGLRenderer;
   readonly lightLayers: boolean;
   readonly shadowCascades: number;
+  readonly shadowAtlasSize: number | null;
   readonly areaLightThreshold: number;
   readonly heatMapMaximum: number;
 }
@@ -61,6 +62,7 @@ export class FrameLights {
     if (shadows !== null) {
       shadows.areas = finder.areas;
       shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
+      shadows.atlasSize = settings.shadowAtlasSize;
       shadows.layersSeen = frame.seenBy.layers.mask;
       shadows.update(scene, frame.camera, table.masked, frame);
     }

@@ -14,12 +14,16 @@ export type FarolAttenuation =
       readonly range: number;
     };
 
-/** What a RectAreaLight is; see `setAreaLightShape`. */
+/**
+ * What a RectAreaLight is. 'rectangle', as in three; 'disc': the ellipse in it; both shine along the light's -z. 'tube':
+ * `width` long along the light's x, `height` thick, shines all round but not at its ends; right where it is thin against its
+ * distance. Stock three draws all as rectangles.
+ */
 export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
 
 /**
- * What a light of the thesis (3.2.5.3) or an area light has and a three.js light has not. Plain JSON at `light.userData.farol`,
- * read anew each frame.
+ * What a light of the thesis (3.2.5.3) or an area light has and a three.js light has not: options of `setLightOptions`, which
+ * keeps them as plain JSON at `light.userData.farol`, read anew each frame.
  */
 export interface FarolLightData {
   /**
@@ -44,4 +48,8 @@ export interface FarolLightData {
   shadowMapSize?: number;
   /** Of such a light: how far off a surface, along its normal, the map is looked up (m). At least 0. Default 0.03. */
   shadowNormalBias?: number;
+  /** Of a point or spot light that @farol/bake bakes: radius of the ball that shines (m), for soft shadows. Default 0. */
+  radius?: number;
+  /** Of a directional light that @farol/bake bakes: angle that the sun covers (rad), for soft shadows. Default 0. */
+  angle?: number;
 }

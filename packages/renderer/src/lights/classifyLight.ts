@@ -58,13 +58,13 @@ export function isAreaLight(light: Light): light is RectAreaLight {
   return (light as AnyLight).isRectAreaLight === true;
 }
 
-/** True for a light with an image to throw: a spot light's `map`, a point light's as `setLightCookie` gave it. */
+/** True for a light with an image to throw: a spot light's `map`, a point light's as `setLightOptions` gave it. */
 export function hasCookie(light: Light): boolean {
   const spot = light as SpotLight;
   return spot.isSpotLight === true ? spot.map !== null : (light.userData.farolMap ?? null) !== null;
 }
 
-/** True for a light with a photometric profile, as `setLightProfile` gave it. */
+/** True for a light with a photometric profile, as `setLightOptions` gave it. */
 export function hasProfile(light: Light): boolean {
   return (light.userData.farolProfile ?? null) !== null;
 }

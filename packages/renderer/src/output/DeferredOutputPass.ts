@@ -1,16 +1,19 @@
-import type { Texture } from 'three';
+import type { IUniform, Texture } from 'three';
 import type { Frame } from '../frame/Frame';
-import { gbufferUniforms, setGBufferUniforms } from '../gbuffer/gbufferUniforms';
+import { type GBufferUniforms, gbufferUniforms, setGBufferUniforms } from '../gbuffer/gbufferUniforms';
 import { OutputPass } from './OutputPass';
 
-const deferredUniforms = () => ({ ...gbufferUniforms(), farol_lightingMap: { value: null as Texture | null } });
+interface DeferredUniforms extends GBufferUniforms {
+  farol_lightingMap: IUniform<Texture | null>;
+}
 
 /** Joins the G-buffer's accumulation and the sum of the lights. */
-export class DeferredOutputPass extends OutputPass<ReturnType<typeof deferredUniforms>> {
+export class DeferredOutputPass extends OutputPass<DeferredUniforms> {
   readonly reads = ['gbuffer', 'lighting', 'overdraw'] as const;
 
   constructor() {
-    super({ program: 'deferred output', fragment: 'deferredOutput', uniforms: deferredUniforms(), fog: true });
+    const uniforms = { ...gbufferUniforms(), farol_lightingMap: { value: null } };
+    super({ program: 'deferred output', fragment: 'deferredOutput', uniforms, fog: true });
   }
 
   protected read(frame: Frame): void {

@@ -1,1 +1,1 @@
-export { FarolPass } from './FarolPass';
+export { FarolPostPass } from './FarolPostPass';

@@ -1,2 +1,2 @@
-export { FarolPass } from './FarolPass';
+export { FarolInComposer } from './FarolInComposer';
 export type { FarolProps } from '../r3f/useFarolSettings';

@@ -1,10 +1,11 @@
 import { Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import { beforeEach, expect, it, test } from 'vitest';
 import type { FarolEffect } from '../../frame/FarolEffect';
+import { defaultOptions, type FarolOptions } from '../../FarolOptions';
 import type { FarolRenderer } from '../../FarolRenderer';
 import { CanvasFarol, type FarolSettings } from './CanvasFarol';
 
-type Drawn = Pick<FarolRenderer, 'technique' | 'view' | 'timing' | 'lightLayers' | 'antialias' | 'effects'>;
+type Drawn = Required<FarolOptions>;
 
 const camera = new PerspectiveCamera();
 const [page, portal] = [litScene(), litScene()];
@@ -34,14 +35,7 @@ beforeEach(() => {
     },
   } as unknown as WebGLRenderer;
   farol = {
-    ...({
-      technique: 'auto',
-      view: 'final',
-      timing: false,
-      lightLayers: false,
-      antialias: true,
-      effects: [],
-    } satisfies Drawn),
+    ...defaultOptions,
     isDisposed: false,
     ...{ addEventListener: () => {}, render: () => void draws.push(farol.technique) },
     dispose: () => void (farol.isDisposed = true),
@@ -50,8 +44,8 @@ beforeEach(() => {
   canvas.farol = farol as unknown as FarolRenderer;
 });
 
-function settings(changes: Partial<FarolSettings> = {}): FarolSettings {
-  return { scene: null, invalidate: () => {}, ...changes };
+function settings({ scene = null, ...options }: FarolOptions & { scene?: Scene | null } = {}): FarolSettings {
+  return { options, scene, invalidate: () => {} };
 }
 
 const effect = (): FarolEffect & { freed: number } => {
@@ -64,20 +58,17 @@ const settled = (): Promise<void> => new Promise((resolve) => queueMicrotask(res
 it('has each setting of its component, and the default of each that it leaves out', () => {
   const owner = {};
   const effects = [effect()];
-  const all = {
-    technique: 'deferred',
-    view: 'albedo',
-    timing: true,
-    lightLayers: true,
-    antialias: false,
-    effects,
-  } as const;
+  const all: Drawn = {
+    ...{ technique: 'deferred', view: 'albedo', timing: true, lightLayers: true, antialias: false, effects },
+    ...{ shadowAtlasSize: 1024, shadowCascades: 3, areaLightThreshold: 0, inferredScale: 1, heatMapMaximum: 8 },
+  };
   canvas.mount(owner, settings(all));
   expect(farol).toMatchObject(all);
   canvas.mount(owner, settings());
-  const defaults = { technique: 'auto', view: 'final', timing: false, lightLayers: false, antialias: true };
-  expect(farol).toMatchObject(defaults);
-  expect(farol.effects).toEqual([]);
+  expect(farol).toMatchObject(defaultOptions);
+  expect(() => canvas.mount({}, settings({ techniques: 'deferred' } as FarolOptions))).toThrow(
+    /unknown option "techniques".* Is "technique" meant\?$/,
+  );
 });
 
 it.each([false, true])('a scene that has settings of its own is drawn by those, mounted last: %s', (isLast) => {

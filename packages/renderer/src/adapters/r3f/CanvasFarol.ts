@@ -1,20 +1,19 @@
 import type { Camera, Material, Mesh, Object3D, WebGLRenderer } from 'three';
 import { drawOnePixel } from '../../lazy/warm-up/compileByDrawing';
-import type { FarolEffect } from '../../frame/FarolEffect';
-import type { FarolOptions } from '../../FarolOptions';
+import { type FarolOptions, setOptions } from '../../FarolOptions';
 import { FarolRenderer } from '../../FarolRenderer';
 import { type Interception, interceptRender } from '../intercept';
 import { isWorthFarol } from './isWorthFarol';
 
 /** How one component wants to be drawn. */
-export interface FarolSettings extends FarolOptions {
+export interface FarolSettings {
+  readonly options: FarolOptions;
   /** What it is for: a scene, or null for all that the canvas draws. */
   readonly scene: Object3D | null;
   /** Asks for a frame. */
   readonly invalidate: () => void;
 }
 
-const NO_EFFECTS: readonly FarolEffect[] = [];
 const canvases = new WeakMap<WebGLRenderer, CanvasFarol>();
 
 /**
@@ -55,8 +54,7 @@ export class CanvasFarol {
     if (this.mounted.get(owner) === settings && this.farol !== null) return;
     this.mounted.set(owner, settings);
     try {
-      const [{ shadowAtlasSize }] = this.mounted.values();
-      if (this.farol === null || this.atlas !== shadowAtlasSize) this.make(shadowAtlasSize);
+      if (this.farol === null) this.make();
       this.apply(settings);
     } catch (error) {
       this.unmount(owner);
@@ -78,15 +76,9 @@ export class CanvasFarol {
     settings.invalidate();
   }
 
-  private atlas: number | undefined;
-
-  private make(shadowAtlasSize: number | undefined): void {
-    const before = this.farol;
-    this.farol = this.applied = null;
-    before?.dispose();
-    this.farol = new FarolRenderer(this.webgl, { shadowAtlasSize });
+  private make(): void {
+    this.farol = new FarolRenderer(this.webgl);
     this.farol.addEventListener('redraw', () => this.applied?.invalidate());
-    this.atlas = shadowAtlasSize;
     this.tell();
   }
 
@@ -94,8 +86,9 @@ export class CanvasFarol {
   private settle(): void {
     const { farol, released, mounted } = this;
     this.released = [];
-    const kept = new Set([...mounted.values()].flatMap(({ effects }) => effects ?? []));
-    for (const { effects } of released) for (const effect of effects ?? []) if (!kept.has(effect)) effect.dispose();
+    const kept = new Set([...mounted.values()].flatMap(({ options }) => options.effects ?? []));
+    for (const { options } of released)
+      for (const effect of options.effects ?? []) if (!kept.has(effect)) effect.dispose();
     if (mounted.size > 0 || farol === null) return;
     this.farol = null;
     farol.dispose();
@@ -108,14 +101,10 @@ export class CanvasFarol {
 
   private apply(settings: FarolSettings): void {
     if (this.applied === settings) return;
-    const farol = this.farol!;
-    const { technique = 'auto', view = 'final', timing = false, lightLayers = false, antialias = true } = settings;
-    farol.technique = technique;
-    farol.view = view;
-    farol.timing = timing;
-    farol.lightLayers = lightLayers;
-    farol.antialias = antialias;
-    farol.effects = settings.effects ?? NO_EFFECTS;
+    const { options } = settings;
+    // one atlas serves all scenes of the canvas
+    const [{ options: first }] = this.mounted.values();
+    setOptions(this.farol!, { ...options, shadowAtlasSize: first.shadowAtlasSize });
     this.applied = settings;
   }
 
@@ -130,7 +119,7 @@ export class CanvasFarol {
       }
       if (settings.scene === null) found ??= settings;
     }
-    return found !== null && isWorthFarol(scene, camera, (found.effects?.length ?? 0) > 0) ? found : null;
+    return found !== null && isWorthFarol(scene, camera, (found.options.effects?.length ?? 0) > 0) ? found : null;
   }
 
   private hook(): void {

@@ -1,15 +1,12 @@
 import { useThree } from '@react-three/fiber';
-import { type Ref, useEffect, useImperativeHandle, useLayoutEffect, useMemo, useRef, useState } from 'react';
+import { type Ref, useEffect, useImperativeHandle, useLayoutEffect, useRef, useState } from 'react';
 import type { Object3D } from 'three';
-import type { FarolOptions } from '../../FarolOptions';
+import { defaultOptions, type FarolOptions } from '../../FarolOptions';
 import type { FarolRenderer } from '../../FarolRenderer';
-import { CanvasFarol } from './CanvasFarol';
+import { CanvasFarol, type FarolSettings } from './CanvasFarol';
 import { useFarol } from './useFarol';
 
-/**
- * `technique`, `view`, `timing`, `effects`, `lightLayers` and `antialias` may change at any time; a change of
- * `shadowAtlasSize` makes a new FarolRenderer.
- */
+/** Options of the FarolRenderer, and of how a component asks for it; all may change at any time. */
 export interface FarolProps extends FarolOptions {
   /** Stays the same list from render to render (`useMemo`); its effects are freed with the component. Default none. */
   effects?: FarolOptions['effects'];
@@ -19,17 +16,24 @@ export interface FarolProps extends FarolOptions {
   ref?: Ref<FarolRenderer | null>;
 }
 
+const optionNames = Object.keys(defaultOptions) as (keyof FarolOptions)[];
+
+const isSame = (a: FarolSettings, b: FarolSettings): boolean =>
+  optionNames.every((name) => a.options[name] === b.options[name]) &&
+  a.scene === b.scene &&
+  a.invalidate === b.invalidate;
+
 /** Has a scene of the canvas drawn by Farol while the component is mounted. @param scene null for all that the canvas draws */
 export function useFarolSettings(props: FarolProps, scene: Object3D | null): void {
-  const { technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, enabled = true, ref } = props;
+  const { enabled = true, ref, ...options } = props;
   const webgl = useThree((state) => state.gl);
   const invalidate = useThree((state) => state.invalidate);
   const canvas = CanvasFarol.of(webgl);
   const [owner] = useState(() => ({}));
-  const settings = useMemo(
-    () => ({ technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, scene, invalidate }),
-    [technique, view, timing, effects, shadowAtlasSize, lightLayers, antialias, scene, invalidate],
-  );
+  const asked: FarolSettings = { options, scene, invalidate };
+  const [settings, setSettings] = useState(asked);
+  // React then renders once more, before effects run
+  if (!isSame(asked, settings)) setSettings(asked);
   const follow = useRef(() => {});
 
   // Before the next frame. Not taken out with a layout effect: React ends those while a sibling suspends.

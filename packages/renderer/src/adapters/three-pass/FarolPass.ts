@@ -6,7 +6,7 @@ import type { FarolRenderer } from '../../FarolRenderer';
  * Draws a scene by Farol in three's EffectComposer, or in `WebGLRenderer.setEffects`: put it where `RenderPass` stood. The
  * picture goes to the composer's read buffer, or to the canvas if no pass follows; depth is left in the buffer and in its
  * depth texture, and the buffers are not swapped. `clear`, `clearDepth`, `clearColor`, `clearAlpha` and
- * `overrideMaterial` mean what they mean in `RenderPass`.
+ * `overrideMaterial` mean what they mean in `RenderPass`. (For pmndrs' postprocessing: `FarolPostPass`.)
  *
  * @example
  * const composer = new EffectComposer(webgl);

@@ -1,4 +1,4 @@
-import { HalfFloatType, type Matrix4, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
+import { HalfFloatType, type Matrix4, RGFormat, type Texture, Vector4, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import { PassTarget } from '../../gpu/PassTarget';
@@ -24,12 +24,12 @@ export class SurfaceCopies {
   }
 
   /** Normals of the surfaces below all decals, and distances where they are stored. */
-  get normal() {
+  get normal(): Texture {
     return this.normals.texture;
   }
 
   /** Albedo of what is below the next decal. */
-  get albedo() {
+  get albedo(): Texture {
     return this.albedos.texture;
   }
 

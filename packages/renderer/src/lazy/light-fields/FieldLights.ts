@@ -32,7 +32,7 @@ export interface FieldSources {
 
 /** The lights of a frame's fields in view space, a texel a light, each field from a row of its own on. */
 export class FieldLights {
-  readonly target = new WebGLRenderTarget(128, 1, {
+  readonly target: WebGLRenderTarget = new WebGLRenderTarget(128, 1, {
     count: 4,
     type: FloatType,
     minFilter: NearestFilter,

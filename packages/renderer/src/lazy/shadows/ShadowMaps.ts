@@ -42,6 +42,8 @@ import { isDepthReversed } from '../../three/state';
 
 /** Frames between two rebalancings of a full atlas. */
 const REBALANCE = 60;
+/** Texels a side of the smallest atlas of depths that a host may ask for. */
+const SMALLEST_ATLAS = 512;
 
 /** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
 const drawnShadows = new WeakSet<LightShadow>();
@@ -54,6 +56,9 @@ export class ShadowMaps implements LightMasks {
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
+  /** Texels a side of the atlas of depths, at most; null: by the pictures that are drawn, see `atlasLimit`. */
+  atlasSize: number | null = null;
+  private knownAtlasSize: number | null = null;
   /** Tells how far area lights reach; null while no scene has had one. */
   areas: AreaLights | null = null;
   /** Layers of casters, as bits, where a shadow's camera names none: those that the frame's lights are seen by. */
@@ -92,11 +97,9 @@ export class ShadowMaps implements LightMasks {
   /** Maps that the last frame needed. */
   private mapCount = 0;
 
-  /** @param limit of the atlas of depths, texels a side; null: by the pictures that are drawn, see `atlasLimit` */
   constructor(
     private readonly webgl: WebGLRenderer,
     microshaders: MicroShaderRegistry,
-    private readonly limit: number | null,
   ) {
     this.atlases = new ShadowAtlases(webgl);
     this.draws = new ShadowMapDraws(webgl, microshaders);
@@ -336,8 +339,14 @@ export class ShadowMaps implements LightMasks {
     const { shadowMap, capabilities } = this.webgl;
     const { lit } = this.slots;
     const { depths } = this.atlases;
+    const asked = this.atlasSize === null ? atlasLimit(picture, lit) : Math.max(SMALLEST_ATLAS, this.atlasSize);
+    if (this.atlasSize !== this.knownAtlasSize) {
+      this.knownAtlasSize = this.atlasSize;
+      if (!this.isVariance) for (const slot of this.slots.all()) this.releaseMap(slot);
+      depths.clear();
+    }
     // the limit only grows: cameras may take turns, and the largest picture counts
-    depths.raiseLimit(Math.min(this.limit ?? atlasLimit(picture, lit), capabilities.maxTextureSize));
+    depths.raiseLimit(Math.min(asked, capabilities.maxTextureSize));
     chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
   }
 

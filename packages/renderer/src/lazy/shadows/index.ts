@@ -42,17 +42,11 @@ interface PassRunner {
   run(name: string, work: () => void): void;
 }
 
-/** Texels a side of the smallest atlas of depths. */
-const SMALLEST_ATLAS = 512;
-
-/**
- * Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders.
- * @param limit of the atlas of depths, texels a side; default: by the pictures that are drawn
- */
-export function makeShadowMaps(frame: Frame, draws: PassRunner, limit?: number): ShadowMaps {
+/** Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders. */
+export function makeShadowMaps(frame: Frame, draws: PassRunner): ShadowMaps {
   const { webgl, microshaders, queue } = frame;
   addMicroShaders(microshaders, 'shadows', microShaders);
-  const shadows = new ShadowMaps(webgl, microshaders, limit === undefined ? null : Math.max(SMALLEST_ATLAS, limit));
+  const shadows = new ShadowMaps(webgl, microshaders);
   const render = (): void => shadows.render();
   shadows.calls = new ShadowMapCalls(webgl, () => shadows.hasWork && draws.run('shadow maps', render));
   frame.findTileShadows = (gbuffer) => shadows.tiles.render(frame, gbuffer, shadows.bounds.target);

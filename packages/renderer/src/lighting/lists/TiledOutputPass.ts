@@ -1,18 +1,21 @@
-import type { Texture } from 'three';
+import type { IUniform, Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
-import { gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
+import { type GBufferUniforms, gbufferUniforms, setGBufferUniforms } from '../../gbuffer/gbufferUniforms';
 import type { LightLists } from './LightLists';
 import { OutputPass } from '../../output/OutputPass';
 
-const tiledUniforms = () => ({ ...gbufferUniforms(), dfgLUT: { value: null as Texture | null } });
+interface TiledUniforms extends GBufferUniforms {
+  dfgLUT: IUniform<Texture | null>;
+}
 
 /** Lights the G-buffer by the light lists, every pixel once. */
-export class TiledOutputPass extends OutputPass<ReturnType<typeof tiledUniforms>> {
+export class TiledOutputPass extends OutputPass<TiledUniforms> {
   readonly reads = ['gbuffer', 'light-lists', 'overdraw'] as const;
   private lists: LightLists | null = null;
 
   constructor() {
-    super({ program: 'tiled output', fragment: 'tiledOutput', uniforms: tiledUniforms(), fog: true });
+    const uniforms = { ...gbufferUniforms(), dfgLUT: { value: null } };
+    super({ program: 'tiled output', fragment: 'tiledOutput', uniforms, fog: true });
   }
 
   protected read(frame: Frame): void {

@@ -53,7 +53,7 @@ async function litScene(): Promise<Scene> {
   return scene;
 }
 
-/** Directions of down and across of a light's profile in the world, as `setLightProfile` says. */
+/** Directions of down and across of a light's profile in the world, as `LightOptions.profile` says. */
 function frameOf(light: PointLight): Vector3[] {
   light.updateWorldMatrix(true, false);
   const [across, up, back] = [new Vector3(), new Vector3(), new Vector3()];

@@ -114,6 +114,13 @@ export class TextureAtlas {
     this.limit = Math.max(this.limit, limit);
   }
 
+  /** Begins anew, without a target and a limit; all regions were given back. */
+  clear(): void {
+    this.dispose();
+    this.limit = 0;
+    this.reduced = false;
+  }
+
   /** Gives a tenant's region back. */
   release(tenant: AtlasTenant): void {
     const { region } = tenant.placement;

@@ -3,7 +3,7 @@ import { type PointLight, type SpotLight, Vector3 } from 'three';
 const position = new Vector3();
 
 /**
- * Finds the frame in which the angles of a light's photometric profile are measured, in world space, as `setLightProfile` says.
+ * Finds the frame in which the angles of a light's photometric profile are measured, in world space, as `LightOptions.profile` says.
  * @param across becomes the unit vector of horizontal angle 0
  * @param down becomes the unit vector of vertical angle 0
  */

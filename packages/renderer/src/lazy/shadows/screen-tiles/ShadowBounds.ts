@@ -1,4 +1,12 @@
-import { type IUniform, NoBlending, RGIntegerFormat, type Texture, UnsignedShortType, type WebGLRenderer } from 'three';
+import {
+  type IUniform,
+  NoBlending,
+  RGIntegerFormat,
+  type Texture,
+  UnsignedShortType,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import { FullscreenPass } from '../../../gpu/FullscreenPass';
 import { wordTarget } from '../../../gpu/wordTarget';
 import { comparesDepths } from '../atlas/comparesDepths';
@@ -18,7 +26,7 @@ const BUDGET = 12_000_000;
  * also counts texels beside the map: bounds may be wider than need be, never narrower.
  */
 export class ShadowBounds {
-  readonly target = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
+  readonly target: WebGLRenderTarget = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
   private readonly depths: IUniform<Texture | null> = { value: null };
   private readonly pass = new FullscreenPass({
     program: 'shadow bounds',

@@ -9,15 +9,16 @@ import { type FarolProps, useFarolSettings } from '../r3f/useFarolSettings';
  *
  * @example
  * <EffectComposer>
- *   <FarolPass technique="clustered-deferred" />
+ *   <FarolInComposer technique="clustered-deferred" />
  *   <Bloom />
  * </EffectComposer>
  *
  * @throws Error outside of an EffectComposer, and as FarolRenderer does
  */
-export function FarolPass(props: FarolProps): null {
+export function FarolInComposer(props: FarolProps): null {
   const composer = use(EffectComposerContext);
-  if (!composer) throw new Error('<FarolPass> is outside of an <EffectComposer>: put it into one, or use <Farol>.');
+  if (!composer)
+    throw new Error('<FarolInComposer> is outside of an <EffectComposer>: put it into one, or use <Farol>.');
   useFarolSettings(props, composer.scene);
   return null;
 }

@@ -9,12 +9,12 @@ import type { FarolRenderer } from '../../FarolRenderer';
  *
  * @example
  * const composer = new EffectComposer(webgl, { frameBufferType: HalfFloatType });
- * composer.addPass(new FarolPass(farol, scene, camera));
+ * composer.addPass(new FarolPostPass(farol, scene, camera));
  * composer.addPass(new EffectPass(camera, new BloomEffect()));
  *
  * @see https://pmndrs.github.io/postprocessing/public/docs/class/src/passes/RenderPass.js~RenderPass.html
  */
-export class FarolPass extends RenderPass {
+export class FarolPostPass extends RenderPass {
   /** The WebGLRenderer in all but `render`, for RenderPass to draw with. */
   private readonly standIn: WebGLRenderer;
 
@@ -29,7 +29,7 @@ export class FarolPass extends RenderPass {
     overrideMaterial?: Material,
   ) {
     super(scene, camera, overrideMaterial);
-    this.name = 'FarolPass';
+    this.name = 'FarolPostPass';
     const render: WebGLRenderer['render'] = (scene, camera) => farol.render(scene, camera);
     this.standIn = Object.create(farol.webgl, { render: { value: render } }) as WebGLRenderer;
   }
@@ -44,7 +44,7 @@ export class FarolPass extends RenderPass {
   ): void {
     if (webgl !== this.farol.webgl) {
       throw new Error(
-        'FarolPass: its FarolRenderer was made for another WebGLRenderer than the composer; give both the same.',
+        'FarolPostPass: its FarolRenderer was made for another WebGLRenderer than the composer; give both the same.',
       );
     }
     super.render(this.standIn, inputBuffer, outputBuffer, deltaTime, stencilTest);

@@ -1,0 +1,117 @@
+import { CommandStack, type FieldTarget } from '@farol/editing';
+import { GameObject } from '@farol/engine';
+import { FarolRenderer } from '@farol/renderer';
+import type { LightField } from '@farol/renderer/light-field';
+import {
+  type Camera,
+  type Material,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  PlaneGeometry,
+  PointLight,
+  Scene,
+  WebGLRenderer,
+} from 'three';
+import { litScene } from './host/litScene';
+
+/** Resolves when a FarolRenderer of the page has drawn a frame. */
+const firstFrame = new Promise<void>((resolve) => {
+  const { render } = FarolRenderer.prototype;
+  FarolRenderer.prototype.render = function (this: FarolRenderer, scene, camera) {
+    render.call(this, scene, camera);
+    if (this.info.drawCalls > 0 || scene.children.length === 0) resolve();
+  };
+});
+
+/** @throws Error with the message unless it is true */
+function check(isTrue: boolean, message: string): void {
+  if (!isTrue) throw new Error(message);
+}
+
+function host() {
+  const webgl = new WebGLRenderer();
+  webgl.setSize(160, 120);
+  const camera = new PerspectiveCamera(50, 4 / 3, 0.1, 200);
+  camera.position.set(0, 4, 7);
+  camera.lookAt(0, 0, 0);
+  return { webgl, camera, scene: litScene(), farol: new FarolRenderer(webgl) };
+}
+
+/** Calls what a sample exports as its user would, by its name. */
+const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | void>> = {
+  async addLights(addLights: (scene: Scene, positionsAndRanges: Float32Array) => LightField) {
+    const { farol, scene, camera } = host();
+    const lights = addLights(scene, new Float32Array(4 * 10_000).fill(1)).count;
+    await farol.compileAsync(scene, camera);
+    farol.render(scene, camera);
+    check(farol.info.lights.total > lights, `${farol.info.lights.total} lights are drawn`);
+  },
+
+  async bake(bake: (renderer: WebGLRenderer, scene: Scene, signal: AbortSignal) => Promise<void>) {
+    const scene = new Scene();
+    const floor = new Mesh(new PlaneGeometry(0.1, 0.1), new MeshLambertMaterial());
+    const lamp = new PointLight(0xffffff, 3);
+    lamp.position.z = 1;
+    scene.add(floor, lamp);
+    // its sizes are for a GPU: it is stopped by what it says of its progress
+    const stop = new AbortController();
+    console.log = () => stop.abort();
+    const end = await bake(host().webgl, scene, stop.signal).then(
+      () => 'all is baked',
+      (error: Error) => error.name,
+    );
+    check(end === 'AbortError', end);
+  },
+
+  burn(burn: (farol: FarolRenderer, scene: Scene, camera: Camera) => void) {
+    const { farol, scene, camera } = host();
+    burn(farol, scene, camera);
+    return firstFrame;
+  },
+
+  async makeWaves(makeWaves: (material: Material) => void) {
+    const { farol, scene, camera } = host();
+    makeWaves(scene.getObjectsByProperty('isMesh', true).map((mesh) => (mesh as Mesh).material as Material)[0]);
+    await farol.compileAsync(scene, camera);
+    farol.render(scene, camera);
+  },
+
+  moveWaves: (moveWaves: (seconds: number) => void) => moveWaves(1),
+
+  Spin(Spin: Parameters<GameObject['addComponent']>[0]) {
+    const turned = new GameObject();
+    turned.addComponent(Spin).update(0.5, 2);
+    check(turned.object3D.rotation.y === 2, `it is turned by ${turned.object3D.rotation.y}`);
+  },
+
+  turn(turn: (commands: CommandStack, owners: FieldTarget[]) => void) {
+    const commands = new CommandStack();
+    let angle = 0;
+    const owner: FieldTarget = {
+      ownerName: 'Lamp',
+      fields: { angle: {} },
+      getAuthored: () => angle,
+      set: (_name, value) => void (angle = Number(value)),
+    };
+    turn(commands, [owner]);
+    check(angle === 0 && commands.redoLabel !== null, `the angle is ${angle}`);
+  },
+};
+
+async function call(load: () => Promise<object>, draws: boolean): Promise<void> {
+  for (const [name, exported] of Object.entries(await load())) {
+    check(Object.hasOwn(calls, name), `nothing calls "${name}": add a call to e2e/packages/samplePage.ts`);
+    await calls[name](exported as never);
+  }
+  if (draws) await firstFrame;
+}
+
+/**
+ * Runs a sample as a page would, and all that it exports; `window.problem` is then the error, or empty.
+ * @param draws whether it draws frames by itself
+ */
+export async function run(load: () => Promise<object>, draws: boolean): Promise<void> {
+  const problem = await call(load, draws).then(() => '', String);
+  Object.assign(window, { problem });
+}

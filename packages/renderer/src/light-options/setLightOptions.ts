@@ -1,0 +1,57 @@
+import type { Light, Texture } from 'three';
+import { unknownName } from '../errors';
+import { areaCode, shadowCode } from '../frame/lazyCode';
+import type { FarolLightData } from '../lights/FarolLightData';
+import type { LightOptions } from './LightOptions';
+import { type LightOptionName, lightRules } from './lightRules';
+
+/**
+ * Gives a light of three's what three has no property for; options that are left out stay as they are, those that are
+ * undefined become their default. All but textures is kept as JSON at `light.userData.farol`, which is read anew in each frame:
+ * scenes that were loaded have it back. Has the code fetched that draws such lights.
+ *
+ * @example
+ * setLightOptions(lamp, { shape: 'tube', range: 6 });
+ *
+ * @throws Error for an option that does not exist, that a light of this kind has not, or of a value that it cannot have;
+ *   nothing has changed then
+ */
+export function setLightOptions(light: Light, options: LightOptions): void {
+  for (const [name, value] of Object.entries(options)) check(light, name as LightOptionName, value);
+  storeLightOptions(light, options);
+}
+
+/** As `setLightOptions`, without its checks and their code: for values that were checked before, such as an engine's fields. */
+export function storeLightOptions(light: Light, options: LightOptions): void {
+  const { cookie, profile, ...values } = options;
+  if ('cookie' in options) storeTexture(light, 'farolMap', cookie);
+  if ('profile' in options) storeTexture(light, 'farolProfile', profile);
+  if (Object.keys(values).length > 0) {
+    const all = Object.entries({ ...(light.userData.farol as FarolLightData | undefined), ...values });
+    light.userData.farol = Object.fromEntries(all.filter(([, value]) => value !== undefined));
+  }
+  if ('isRectAreaLight' in light) areaCode.ask();
+  if (cookie || profile) shadowCode.ask();
+}
+
+/** Not enumerable, since JSON and `clone` cannot have textures. */
+function storeTexture(light: Light, place: string, value: Texture | null = null): void {
+  Object.defineProperty(light.userData, place, { value, writable: true, configurable: true });
+}
+
+function check(light: Light, name: LightOptionName, value: unknown): void {
+  if (!Object.hasOwn(lightRules, name)) throw unknownName('light option', name, Object.keys(lightRules));
+  const { kinds, allows, isAllowed } = lightRules[name];
+  if (!kinds.some((kind) => `is${kind}` in light))
+    throw new Error(`Farol: a ${light.type} has no ${name}; ${kinds.map((kind) => `a ${kind}`).join(' and ')} has.`);
+  if (value !== undefined && !isAllowed(value))
+    throw new RangeError(`Farol: ${name} is ${said(value)}; give ${allows}.`);
+}
+
+/** A value for a message, short. */
+const said = (value: unknown): string =>
+  typeof value === 'object' && value !== null && !Array.isArray(value)
+    ? 'an object'
+    : typeof value === 'number'
+      ? String(value)
+      : String(JSON.stringify(value)).slice(0, 40);
