@@ -49,7 +49,7 @@ test.describe('on a tablet', () => {
 });
 
 shared(
-  'nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen',
+  'nothing is out of reach, and axe finds nothing serious, from twice enlarged to a large screen @verify',
   async ({ page }) => {
     await page.evaluate(() => window.editor.document.selection.set([window.editor.document.scene.find('Sun')!.id]));
     const small = [[640, 360]];

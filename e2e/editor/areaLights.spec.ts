@@ -52,7 +52,7 @@ async function drag(
 const sizeOf = (page: Page, object: string): Promise<unknown[]> =>
   Promise.all(['width', 'height'].map((field) => fieldOf(page, object, 'Light', field)));
 
-test('lights with a shape are sized by their edges, one step a drag, with the value beside the pointer', async ({
+test('lights with a shape are sized by their edges, one step a drag, with the value beside the pointer @verify', async ({
   page,
 }) => {
   await addLight(page, 'Rectangle light', 4);

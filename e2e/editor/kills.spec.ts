@@ -6,7 +6,7 @@ import { expect, test } from '../support/test';
 test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
 
 // one kind of edit in the slice; many more by hand: npm run soak -- --minutes 0 --kills 50
-test('a tab that is killed while edits go on loses the last second at most, and the rest is offered', async ({
+test('a tab that is killed while edits go on loses the last second at most, and the rest is offered @verify', async ({
   context,
 }) => {
   // how long edits go on: as short as may be in the slice

@@ -81,7 +81,7 @@ test('a material is made of an object, edited, dropped on another, named, put in
   expect(await serialized(page)).toBe(full);
 });
 
-test('a model is unpacked into objects that look the same, in one step; an FBX comes in with its clip', async ({
+test('a model is unpacked into objects that look the same, in one step; an FBX comes in with its clip @verify', async ({
   page,
 }) => {
   await dropFiles(page, picture, [redBox()]);

@@ -3,7 +3,7 @@ import { openEditor } from './editor';
 
 test.use({ viewport: { width: 900, height: 560 }, reducedMotion: 'reduce' });
 
-test('what is told of the picture goes when the picture is back: a lost device, a frame that failed', async ({
+test('what is told of the picture goes when the picture is back: a lost device, a frame that failed @verify', async ({
   page,
   watch,
 }) => {

@@ -92,7 +92,7 @@ async function playFromDisk(context: BrowserContext, html: string): Promise<read
   return places;
 }
 
-test('the sample of physics with a fire, as a web page from a disk, plays as in the editor', async ({
+test('the sample of physics with a fire, as a web page from a disk, plays as in the editor @verify', async ({
   page,
   context,
 }, info) => {

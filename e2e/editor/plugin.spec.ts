@@ -112,7 +112,7 @@ own(
   },
 );
 
-own('two editors on one page each have plugins of their own, on renderers of their own', async ({ page }) => {
+own('two editors on one page each have plugins of their own, on renderers of their own @verify', async ({ page }) => {
   await openEditor(page, 'empty');
   const states = await page.evaluate(async () => {
     const first = window.editor;

@@ -107,7 +107,7 @@ test('a link opens the same scene, and so does the frame @verify', async ({ page
   await other.close();
 });
 
-test('a link that grows large when it is unpacked is asked about; what is too large for one says so', async ({
+test('a link that grows large when it is unpacked is asked about; what is too large for one says so @verify', async ({
   page,
   context,
 }) => {

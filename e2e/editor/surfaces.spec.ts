@@ -53,7 +53,7 @@ async function makeTint(page: Page): Promise<void> {
   await expect(inspectorOf(page).getByRole('textbox', { name: 'Green', exact: true })).toHaveValue('0');
 }
 
-test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended', async ({
+test('a surface from a built-in, on an object: its values are fields; its text is edited, broken and mended @verify', async ({
   page,
 }) => {
   await makeTint(page);

@@ -53,6 +53,14 @@ export async function loseContexts(
     return picture;
   };
   const first = frames();
+  const resize = (): void => {
+    bench.setSize(80, 60);
+    frames();
+    bench.setSize(96, 64);
+  };
+  // tables of data that change with the size of the picture take turns by textures that stay
+  resize();
+  frames();
   const before = count();
   const memory = () => ({ ...bench.webgl.info.memory, programs: bench.programs });
   const memoryBefore = memory();
@@ -61,9 +69,7 @@ export async function loseContexts(
     await bench.loseContext();
     const { data } = frames();
     if (data.some((value, i) => value !== first.data[i])) changed.push(loss);
-    bench.setSize(80, 60);
-    frames();
-    bench.setSize(96, 64);
+    resize();
   }
   frames();
   const after = count();

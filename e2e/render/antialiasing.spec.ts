@@ -339,7 +339,7 @@ test('with effects of three in its output buffer, what antialias adds leaves the
   expect(toneMapping).toBe(true);
 });
 
-test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is nearer than 4 samples, and nothing of the past stays @software', async ({
+test('SMAA and TAA bring deferred shading nearer to 16 samples; still, TAA is nearer than 4 samples, and nothing of the past stays @software @verify', async ({
   benchPage: page,
 }) => {
   const figures = await page.evaluate(

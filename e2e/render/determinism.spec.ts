@@ -2,7 +2,7 @@ import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
 import { openViewer, readImage, still } from '../support/viewer';
 
-test('the same time gives the same pixels in another load of the page, another time and another seed others', async ({
+test('the same time gives the same pixels in another load of the page, another time and another seed others @verify', async ({
   page,
 }) => {
   await openViewer(page, { ...still, scene: 'temple', time: 2.5 });

@@ -6,7 +6,7 @@ import { expect, test } from '../support/test';
 
 /**
  * Devices by subtraction: what a device lacks is hidden from the page, and what is drawn must be as by stock three there, or
- * be refused or left out by one sentence. `npm test` takes one device of each class by two techniques; `npm run devices` all,
+ * be refused or left out by one sentence. `npm test` takes three devices by a few techniques; `npm run devices` all,
  * with a larger scene and every effect.
  */
 
@@ -26,10 +26,10 @@ type Few = readonly [techniques: readonly TechniqueName[], effects: readonly Eff
 /** Devices by what they lack; null for those that `npm run devices` alone has. */
 const LACKS: Record<DeviceName, Few | null> = {
   nothing: null,
-  'colour buffers of whole floats': [['forward', 'clustered-deferred'], []],
+  'colour buffers of whole floats': null,
   'float colour buffers': [['auto', 'deferred', 'forward'], EFFECTS],
-  'blending of floats': [['forward', 'deferred'], []],
-  'linear filtering of floats': [['inferred', 'forward-plus'], ['smaa']],
+  'blending of floats': null,
+  'linear filtering of floats': null,
   timers: null,
   'a fifth draw buffer': null,
   'textures above 2048': null,

@@ -2,7 +2,7 @@ import { isWhole } from '@farol/tools/extent';
 import { expect, test } from '../support/benchTest';
 
 /** A lit particle and, in its place, a white rectangle that faces the camera as its middle does: linear colours. */
-test('lit particles: environment, probes, ambient, hemisphere and area lights as a surface of three has them', async ({
+test('lit particles: environment, probes, ambient, hemisphere and area lights as a surface of three has them @verify', async ({
   benchPage: page,
 }) => {
   const seen = await page.evaluate((isWhole) => {

@@ -27,13 +27,13 @@ const table: readonly [
   ['basic', 'logarithmic', 'directional', [54, 46]],
   ['basic', 'logarithmic', 'point', [52, 41.4]],
   ['basic', 'reversed', 'spot', [60, 46]],
-  ['basic', 'reversed', 'directional', [54, 46], true],
+  ['basic', 'reversed', 'directional', [54, 46]],
   ['basic', 'reversed', 'point', [52, 41.4]],
   ['pcf', 'normal', 'spot', [70, 64]],
   ['pcf', 'normal', 'directional', [64, 60]],
   ['pcf', 'normal', 'point', [58, 56]],
   ['pcf', 'logarithmic', 'spot', [90, 60]],
-  ['pcf', 'logarithmic', 'directional', [64, 60], true],
+  ['pcf', 'logarithmic', 'directional', [64, 60]],
   ['pcf', 'logarithmic', 'point', [58, 56]],
   ['pcf', 'reversed', 'spot', [70, 64]],
   ['pcf', 'reversed', 'directional', [64, 60]],
@@ -43,7 +43,7 @@ const table: readonly [
   ['vsm', 'logarithmic', 'spot', [90, 60]],
   ['vsm', 'logarithmic', 'directional', [90, 63]],
   ['vsm', 'reversed', 'spot', [69, 63], true],
-  ['vsm', 'reversed', 'directional', [90, 63], true],
+  ['vsm', 'reversed', 'directional', [90, 63]],
 ];
 
 for (const [kind, depth, caster, measured, inSlice] of table) {
