@@ -22,7 +22,9 @@ const lampOf = (page: Page): Promise<readonly [lit: boolean, heard: number]> =>
     return [lamp.getComponent('Light')!.enabled, Number(document.documentElement.dataset.heard ?? 0)] as const;
   });
 
-test('a lamp is switched by a click on it, with a sound, made by hand; stop puts all back @verify', async ({ page }) => {
+test('a lamp is switched by a click on it, with a sound, made by hand; stop puts all back @verify', async ({
+  page,
+}) => {
   await page.evaluate(() => {
     const { start, stop } = AudioBufferSourceNode.prototype;
     const add = (node: AudioBufferSourceNode, change: number): void => {
