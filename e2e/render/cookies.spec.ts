@@ -17,26 +17,43 @@ interface Sampling {
   readonly side?: number;
   /** Beside stock three, by forward techniques and by those with a G-buffer (dB). */
   readonly measured: readonly [number, number];
+  /** The same on a GPU, where it is less: GPUs choose levels and weigh texels by rules of their own (H100). */
+  readonly onGPU?: readonly [number, number];
 }
 
 const samplings: readonly Sampling[] = [
-  { name: 'mipmaps', min: 'LinearMipmapLinear', measured: [56, 44] },
-  { name: 'mipmaps of an image with odd sides', min: 'LinearMipmapLinear', side: 75, measured: [51, 43] },
-  { name: 'mipmaps, anisotropy', min: 'LinearMipmapLinear', anisotropy: 8, measured: [54, 44] },
-  { name: 'the nearest mipmap', min: 'LinearMipmapNearest', measured: [54, 44] },
+  { name: 'mipmaps', min: 'LinearMipmapLinear', measured: [56, 44], onGPU: [51, 44] },
+  {
+    name: 'mipmaps of an image with odd sides',
+    min: 'LinearMipmapLinear',
+    side: 75,
+    measured: [51, 43],
+    onGPU: [48, 43],
+  },
+  { name: 'mipmaps, anisotropy', min: 'LinearMipmapLinear', anisotropy: 8, measured: [54, 44], onGPU: [35, 35] },
+  { name: 'the nearest mipmap', min: 'LinearMipmapNearest', measured: [54, 44], onGPU: [41, 41] },
   {
     name: 'the nearest texel of the nearest mipmap, repeated',
     min: 'NearestMipmapNearest',
     mag: 'Nearest',
     wrap: 'Repeat',
     measured: [40, 22],
+    onGPU: [29, 22],
   },
   { name: 'the nearest texel', min: 'Nearest', mag: 'Nearest', measured: [42, 21] },
-  { name: 'linear, without mipmaps, repeated', min: 'Linear', wrap: 'Repeat', side: 8, measured: [90, 59] },
-  { name: 'mirrored', min: 'LinearMipmapLinear', wrap: 'MirroredRepeat', side: 8, measured: [66, 58] },
+  {
+    name: 'linear, without mipmaps, repeated',
+    min: 'Linear',
+    wrap: 'Repeat',
+    side: 8,
+    measured: [90, 59],
+    onGPU: [54, 54],
+  },
+  { name: 'mirrored', min: 'LinearMipmapLinear', wrap: 'MirroredRepeat', side: 8, measured: [66, 58], onGPU: [53, 53] },
 ];
 
-for (const [turn, { name, measured, ...sampling }] of samplings.entries()) {
+for (const [turn, { name, measured, onGPU = measured, ...sampling }] of samplings.entries()) {
+  const least = process.env.FAROL_GPU ? onGPU : measured;
   test(`a spot light's map is sampled as in stock three: ${name}${turn % 3 > 0 ? ' @verify' : ''}`, async ({
     benchPage: page,
   }) => {
@@ -91,7 +108,7 @@ for (const [turn, { name, measured, ...sampling }] of samplings.entries()) {
     expect(matters, 'the image is to be seen').toBeLessThan(32);
     for (const { technique, psnr } of pairs) {
       const isForward = technique.includes('forward');
-      expectAsMeasured(psnr, measured[isForward ? 0 : 1], `${name}, ${technique}`);
+      expectAsMeasured(psnr, least[isForward ? 0 : 1], `${name}, ${technique}`);
     }
   });
 }

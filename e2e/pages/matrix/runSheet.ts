@@ -1,6 +1,6 @@
 import type { TechniqueName } from '@farol/renderer';
 import { Group } from 'three';
-import { Bench } from '../Bench';
+import { atRelease, Bench } from '../Bench';
 import type { Difference } from '../../support/images';
 import type { Cases } from './Case';
 import { gltfCases } from './gltfCases';
@@ -34,7 +34,7 @@ export interface SheetResult {
   readonly unseen: string[];
 }
 
-/** Of all sheets of a page: what is compiled for one of them need not be for the next. */
+/** Of all sheets of a test: what is compiled for one of them need not be for the next. */
 let sharedBench: Bench | null = null;
 
 function makeBench(): Bench {
@@ -42,6 +42,7 @@ function makeBench(): Bench {
   made.webgl.localClippingEnabled = true;
   made.webgl.setClearColor(CLEAR.color, CLEAR.alpha);
   made.farol.inferredScale = 1;
+  atRelease(() => (sharedBench = null));
   return made;
 }
 
