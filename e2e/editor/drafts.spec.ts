@@ -45,49 +45,51 @@ for (const { lacks, text, hide, tag = '' } of [
   });
 }
 
-test('a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene', async ({
-  page,
-}) => {
-  await drafts(page);
-  const [worker] = page.workers();
-  // as Chromium does it: without a message
-  await worker.evaluate(() => {
-    const put = IDBObjectStore.prototype.put;
-    IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: [unknown, IDBValidKey?]) {
-      if (Reflect.get(self, 'isFull')) throw new DOMException('', 'QuotaExceededError');
-      return put.apply(this, args);
-    };
-  });
-  const fill = (isFull: boolean): Promise<void> =>
-    worker.evaluate((isFull) => void Object.assign(self, { isFull }), isFull);
-  const notices = page.locator('.notices');
-  const commits = (): Promise<number> => page.evaluate(() => window.editor.autosave!.statistics.commits);
-
-  for (const scene of byExtent({ slice: ['first'], verify: ['first', 'second'] })) {
-    await fill(true);
-    await addObject(page, 'Mesh', 'Torus');
-    await expect(notices, scene).toContainText(
-      /This browser keeps no drafts here since [\d:APM\s ]+: it has no room left for this page; free space on the disk\. Save/,
-    );
-    await expect(status(page)).toContainText(/no drafts since \d/);
-    const before = await commits();
-
-    // nobody does anything: it is tried again
-    await fill(false);
-    await expect(notices).toContainText('Drafts are kept again.');
-    await expect(notices).not.toContainText('no drafts');
-    await expect(status(page)).toHaveCount(0);
+own(
+  'a draft that the browser refuses for its quota is told of with the reason, and kept later, in each scene',
+  async ({ page }) => {
+    await openEditor(page, 'empty');
     await drafts(page);
-    expect(await commits()).toBeGreaterThan(before);
-    const opened = page.evaluate(async () => {
-      const text = window.editor.serialize();
-      await window.editor.openFileBytes(text, { name: null, handle: null });
+    const [worker] = page.workers();
+    // as Chromium does it: without a message
+    await worker.evaluate(() => {
+      const put = IDBObjectStore.prototype.put;
+      IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: [unknown, IDBValidKey?]) {
+        if (Reflect.get(self, 'isFull')) throw new DOMException('', 'QuotaExceededError');
+        return put.apply(this, args);
+      };
     });
-    await page.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
-    await opened;
-    await page.getByRole('button', { name: 'Close message' }).click();
-  }
-});
+    const fill = (isFull: boolean): Promise<void> =>
+      worker.evaluate((isFull) => void Object.assign(self, { isFull }), isFull);
+    const notices = page.locator('.notices');
+    const commits = (): Promise<number> => page.evaluate(() => window.editor.autosave!.statistics.commits);
+
+    for (const scene of byExtent({ slice: ['first'], verify: ['first', 'second'] })) {
+      await fill(true);
+      await addObject(page, 'Mesh', 'Torus');
+      await expect(notices, scene).toContainText(
+        /This browser keeps no drafts here since [\d:APM\s ]+: it has no room left for this page; free space on the disk\. Save/,
+      );
+      await expect(status(page)).toContainText(/no drafts since \d/);
+      const before = await commits();
+
+      // nobody does anything: it is tried again
+      await fill(false);
+      await expect(notices).toContainText('Drafts are kept again.');
+      await expect(notices).not.toContainText('no drafts');
+      await expect(status(page)).toHaveCount(0);
+      await drafts(page);
+      expect(await commits()).toBeGreaterThan(before);
+      const opened = page.evaluate(async () => {
+        const text = window.editor.serialize();
+        await window.editor.openFileBytes(text, { name: null, handle: null });
+      });
+      await page.getByRole('dialog').getByRole('button', { name: 'Don’t save' }).click();
+      await opened;
+      await page.getByRole('button', { name: 'Close message' }).click();
+    }
+  },
+);
 
 own(
   'two tabs of one minute are two different lines in the dialog, and each comes back @verify',
