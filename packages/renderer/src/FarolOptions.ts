@@ -7,13 +7,13 @@ import type { TechniqueName } from './techniques';
 export interface FarolOptions {
   /** Key of `techniques`. Default 'auto'. */
   technique?: TechniqueName;
-  /** What is shown. Default 'final'. */
+  /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
-   * What takes part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the like,
-   * from entries of the package of their own. Effects that are left out stay the host's to dispose, those in the list are
+   * Effects that take part in the frame beside the technique, in this order: anti-aliasing, ambient occlusion, decals and the
+   * like, from entries of the package of their own. Effects that are left out stay the host's to dispose, those in the list are
    * disposed with the FarolRenderer. Default none.
    */
   effects?: readonly FarolEffect[];

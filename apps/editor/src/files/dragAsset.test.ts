@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { draggedAsset, setDraggedAsset } from './dragAsset';
 
-/** What is dragged, as a browser keeps it. */
+/** The data of a drag, as a browser keeps it. */
 function transferOf(text?: string): DataTransfer {
   const data = new Map<string, string>(text === undefined ? [] : [['application/x-farol-asset', text]]);
   return {

@@ -36,7 +36,7 @@ export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.in
 
 const isText = (value: unknown): value is string => typeof value === 'string';
 
-/** What is dropped; null when it is no asset of the editor's: any page can have its own dragged under that type. */
+/** The asset that is dropped; null when it is none of the editor's: any page can have its own dragged under that type. */
 export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {
   try {
     const asset = JSON.parse(transfer.getData(TYPE)) as DraggedAsset;

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** What the file dialogs of open and save offer. */
+/** The kind of file that the dialogs of open and save offer. */
 export const fileType = {
   id: 'farol-scene',
   get description() {

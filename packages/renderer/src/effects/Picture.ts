@@ -143,7 +143,7 @@ export class Picture {
     if (samples) frame.drawSampleDepths();
   }
 
-  /** Has the program compiled that writes it to the host's target. */
+  /** Compiles the program that writes the picture to the host's target. */
   warmUp(frame: Frame): void {
     this.present.draw(frame);
   }

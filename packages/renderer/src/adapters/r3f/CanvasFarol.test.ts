@@ -17,7 +17,7 @@ function litScene(): Scene {
 let canvas: CanvasFarol;
 let webgl: WebGLRenderer;
 let isPresenting: boolean;
-/** What drew each scene: three, or a technique of Farol's. */
+/** The renderer of each scene, in order: three, or a technique of Farol's. */
 let draws: string[];
 let farol: Drawn & { isDisposed: boolean; render(): void; dispose(): void; addEventListener(): void };
 

@@ -41,7 +41,7 @@ export const maskRecord = {
     normalBias: 'w',
   },
   /**
-   * Of a map: bias, with the sign of the depth buffer; radius of the filter, as part of the width, of the height; of a variance
+   * For a map: bias, with the sign of the depth buffer; radius of the filter, as part of the width, of the height; of a variance
    * shadow map 1 where depth grows with distance, -1 where it is reversed. Of a cube: a and b of depth = a + b / distance along
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
