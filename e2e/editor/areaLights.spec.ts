@@ -31,7 +31,7 @@ async function addLight(page: Page, name: string, handles: number): Promise<void
   await expect.poll(count).toBe(handles);
 }
 
-/** Drags from one place beside an object to another. @param readout text beside the pointer at the end */
+/** Drags from one place beside an object to another. @param readout - text beside the pointer at the end */
 async function drag(
   page: Page,
   object: string,

@@ -7,7 +7,7 @@ const { host, peers, repositoryModules } = installed();
 
 /**
  * Links packages of the repository's node_modules and what they depend on into a folder, with those of the host first.
- * @param others folders of packages that are not there by their name
+ * @param others - folders of packages that are not there by their name
  */
 export function link(names: readonly string[], to: string, others: Readonly<Record<string, string>> = {}): void {
   const all = new Set(names);

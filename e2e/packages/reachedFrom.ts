@@ -4,8 +4,8 @@ import { parseSync } from 'vite';
 /**
  * Follows imports from files of a package.
  *
- * @param files text by path
- * @param atStart follows static imports alone, not `import()`
+ * @param files - text by path
+ * @param atStart - follows static imports alone, not `import()`
  * @returns paths of the package that are reached, the starts among them, and the packages that they import
  * @throws Error when a relative import leads to no file
  */
@@ -33,7 +33,7 @@ function fileOf(path: string, specifier: string): string {
   return path.endsWith('.d.ts') ? file.replace(/\.js$/, '.d.ts') : file;
 }
 
-/** Import specifiers of a file. @param atStart static imports alone, not `import()` */
+/** Import specifiers of a file. @param atStart - static imports alone, not `import()` */
 export function importsOf(path: string, source: string, atStart = false): string[] {
   const { module } = parseSync(path, source);
   return [

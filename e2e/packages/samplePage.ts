@@ -109,7 +109,7 @@ async function call(load: () => Promise<object>, draws: boolean): Promise<void> 
 
 /**
  * Runs a sample as a page would, and all that it exports; `window.problem` is then the error, or empty.
- * @param draws whether it draws frames by itself
+ * @param draws - whether it draws frames by itself
  */
 export async function run(load: () => Promise<object>, draws: boolean): Promise<void> {
   const problem = await call(load, draws).then(() => '', String);

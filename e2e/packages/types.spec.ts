@@ -38,7 +38,7 @@ export type AnyOfThem = None<Names<typeof entry>>;
 export const some: boolean = Object.keys(entry).length > 0;
 `;
 
-/** Samples of READMEs and docs, as modules. @param language `ts` or `tsx` */
+/** Samples of READMEs and docs, as modules. @param language - `ts` or `tsx` */
 const samples = (language: string): string[] =>
   readSamples()
     .filter((sample) => sample.language === language)

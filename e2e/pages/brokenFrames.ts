@@ -47,7 +47,7 @@ export function brokenScene(width: number, height: number) {
 
 /**
  * Faults by name, in `brokenScene`.
- * @param render what callbacks draw by, in the place of the renderer's own
+ * @param render - what callbacks draw by, in the place of the renderer's own
  */
 export function faultsOf(
   { scene, camera, ball, veil, glass, toon, ground, lamp }: ReturnType<typeof brokenScene>,

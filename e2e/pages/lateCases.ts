@@ -142,7 +142,7 @@ export class LateCase {
   /** Names of the scenes whose shadow maps are drawn once. */
   static readonly once: readonly string[] = Object.keys(once);
 
-  /** @param name of a part, or of `once` */
+  /** @param name - of a part, or of `once` */
   static async of(name: string): Promise<LateCase> {
     const late = new LateCase(name);
     late.made = await scenes[name](late.bench);

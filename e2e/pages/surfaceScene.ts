@@ -64,7 +64,7 @@ export interface SurfaceScene {
 
 /**
  * A plain mesh, an instanced one, a skinned one and an unlit one over a floor, under lights with a shadow.
- * @param wear what they wear: SURFACE, an oracle of stock three's, or none
+ * @param wear - what they wear: SURFACE, an oracle of stock three's, or none
  */
 export function surfaceScene(width: number, height: number, wear: SurfaceWear): SurfaceScene {
   const scene = new THREE.Scene();

@@ -15,8 +15,8 @@ const isSlice = new URLSearchParams(location.search).get('tests') === 'slice';
  * Picks the techniques that a test goes through: all of them, but in the slice one of each family. Tests differ in their
  * turn, so that each technique is drawn by several.
  *
- * @param turn a whole number from 0
- * @param known what is picked from, default all
+ * @param turn - a whole number from 0
+ * @param known - what is picked from, default all
  */
 export function techniquesInTurn(turn: number): TechniqueName[];
 export function techniquesInTurn<T extends TechniqueName>(turn: number, known: readonly T[]): T[];
@@ -32,7 +32,7 @@ export function techniquesInTurn(turn: number, known: readonly TechniqueName[] =
  * Picks the techniques that one case of a list is drawn by: all, but in the slice a single one of those that are known, case
  * by case another.
  *
- * @param turn number of the case
+ * @param turn - number of the case
  */
 export const techniqueInTurn = <T extends TechniqueName>(turn: number, known: readonly T[]): readonly T[] =>
   isSlice ? [known[turn % known.length]] : known;

@@ -26,7 +26,7 @@ interface Lab {
 /**
  * Measures what the fragment of a link says.
  *
- * @param names competitors in place of the link's: the link knows none of another build
+ * @param names - competitors in place of the link's: the link knows none of another build
  */
 async function measure(page: Page, fragment: string, names?: readonly string[]): Promise<Measured[]> {
   await page.goto(`${process.env.FAROL_LAB_URL}?headless`);

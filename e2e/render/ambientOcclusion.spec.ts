@@ -10,7 +10,7 @@ const RADIUS = 2;
  * Share of the sky, weighted by the cosine, over a point of a plane that another plane meets at a right angle, by rays:
  * what lies nearer than `radius / √2` closes it. Beyond that the effect lets horizons sink, to none at `radius`, which on
  * a plane adds nothing to the horizon found before.
- * @param away of the point from the other plane (m)
+ * @param away - of the point from the other plane (m)
  */
 function openSky(away: number, radius: number): number {
   const rays = 256;

@@ -15,7 +15,7 @@ test('lights of ranges, places and strengths at the ends of numbers look as in s
     bench.farol.inferredScale = 1;
     const names = techniquesInTurn(3);
     const found: (Difference & { name: string; technique: TechniqueName })[] = [];
-    /** @param at where all of it is (m) */
+    /** @param at - where all of it is (m) */
     const compare = (name: string, at: number, far: number, change: (...lights: (typeof point)[]) => void) => {
       const group = new three.Group();
       group.position.set(at, 0, at);

@@ -21,7 +21,7 @@ export function decksOf(first: number, count: number, size: number): number[][] 
   return [...decks.values()];
 }
 
-/** Leaves pictures and faults in the report of the running test. @param excused technique and seed of known faults */
+/** Leaves pictures and faults in the report of the running test. @param excused - technique and seed of known faults */
 export function recordScenes(result: ChanceResult, excused: (seed: number, technique: string) => boolean): void {
   for (const { seed, good, technique, ...difference } of result.pictures)
     recordComparison({

@@ -34,7 +34,7 @@ export function encodeSRGB(linear: number): number {
 /**
  * Compares red, green and blue of two images, and alpha by figures of its own.
  *
- * @param steps how many 1/255 a pixel may be off before it counts in `share`; default 2
+ * @param steps - how many 1/255 a pixel may be off before it counts in `share`; default 2
  * @throws RangeError when the sizes differ
  */
 export function compareImages(a: FloatImage, b: FloatImage, steps = 2): Difference {
@@ -74,7 +74,7 @@ function distance(a: number, b: number): number {
 /**
  * Whether an image shows nothing: all of its pixels are within `tolerance` of each other, or one is not finite.
  *
- * @param tolerance linear; default 1/512
+ * @param tolerance - linear; default 1/512
  */
 export function isFlat(image: FloatImage, tolerance = 1 / 512): boolean {
   const low = [Infinity, Infinity, Infinity];

@@ -5,8 +5,8 @@ import { isWhole } from '@farol/tools/extent';
  * Picks what of a list has its turn in the slice: item i at turns i, i + every, i + 2 every, …; all of them in more than the
  * slice.
  *
- * @param turn a whole number
- * @param every turns until each item had one
+ * @param turn - a whole number
+ * @param every - turns until each item had one
  */
 export const inTurn = <T>(items: readonly T[], turn: number, every: number): T[] =>
   items.filter((_item, index) => isWhole || index % every === turn % every);
@@ -15,7 +15,7 @@ export const inTurn = <T>(items: readonly T[], turn: number, every: number): T[]
  * Splits what one test would go through, so that many browsers can share it: in more than the slice into as many tests as the
  * machine has cores. Item i goes to part i modulo their number.
  *
- * @param usual parts in the slice
+ * @param usual - parts in the slice
  * @returns none of them empty
  */
 export function parts<T>(items: readonly T[], usual: number): T[][] {

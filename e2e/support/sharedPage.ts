@@ -7,9 +7,9 @@ export { expect } from '@playwright/test';
  * As `test` of ./test, with one page for all tests of a worker in place of one each. For tests that neither reload the page
  * nor change what it runs on: its storage, its network, what the browser can do.
  *
- * @param app the page's
- * @param open opens the page, before the first of its tests
- * @param reset puts the page back to how it opens, before each of the others
+ * @param app - the page's
+ * @param open - opens the page, before the first of its tests
+ * @param reset - puts the page back to how it opens, before each of the others
  */
 export const testWithSharedPage = (
   app: 'editor' | 'viewer',

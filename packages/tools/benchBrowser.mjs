@@ -20,7 +20,7 @@ const noCaches = {
  * Starts a browser to measure in, with a server process that can be killed.
  *
  * @param {{ executablePath: string, gpu: boolean }} options
- * @param {readonly string[]} [more] flags
+ * @param {readonly string[]} [more] - flags
  */
 export async function launchBench({ executablePath, gpu }, more = []) {
   const args = [...(gpu ? gpuFlags : softwareFlags), ...noCaches.flags, ...more];
@@ -49,7 +49,7 @@ export class BenchBrowser {
    * Measures one case. Whatever goes wrong in the page is a result.
    *
    * @param {string} url
-   * @param {MeasureOptions & { timeout: number }} options timeout in s
+   * @param {MeasureOptions & { timeout: number }} options - timeout in s
    * @returns {Promise<CaseResult>}
    */
   async measure(url, options) {
@@ -60,7 +60,7 @@ export class BenchBrowser {
    * What a viewer offers.
    *
    * @param {string} url
-   * @param {number} timeout s
+   * @param {number} timeout - s
    * @returns {Promise<Known>}
    * @throws {Error} when it does not start
    */
@@ -86,8 +86,8 @@ export class BenchBrowser {
   /**
    * @template T
    * @param {string} url
-   * @param {number} timeout s
-   * @param {(page: import('playwright-core').Page) => Promise<T>} work done when the first scene is drawn
+   * @param {number} timeout - s
+   * @param {(page: import('playwright-core').Page) => Promise<T>} work - done when the first scene is drawn
    * @returns {Promise<{ measurement: T, error: null } | { measurement: null, error: string }>}
    */
   async #inPage(url, timeout, work) {

@@ -68,7 +68,7 @@ export class LabBrowser {
   #handlers = null;
   #lastSign = 0;
 
-  /** @param {{ executablePath: string, gpu: boolean, url: string, timeout: number }} options timeout in s */
+  /** @param {{ executablePath: string, gpu: boolean, url: string, timeout: number }} options - timeout in s */
   constructor(options) {
     this.options = options;
   }

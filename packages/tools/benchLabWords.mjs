@@ -6,8 +6,8 @@ import { digits } from './benchTable.mjs';
  * A case that is over, on one line, the fastest first.
  *
  * @param {{ label: string, axis: string, values: number[], cases: object[] }} series
- * @param {number} index of the case
- * @param {readonly LabRow[]} rows of the case
+ * @param {number} index - of the case
+ * @param {readonly LabRow[]} rows - of the case
  */
 export function runLine({ label, axis, values, cases }, index, rows) {
   const there = rows.flatMap(({ competitor, frame }) => (frame ? [{ competitor, ms: frame.median }] : []));
@@ -21,7 +21,7 @@ export function runLine({ label, axis, values, cases }, index, rows) {
   return `${label}, ${name ?? `${values[index].toLocaleString('en')} ${unit}`}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
 }
 
-/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */
+/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms - */
 export function remainingMinutes(ms) {
   if (ms === null) return '';
   const seconds = Math.max(1, Math.round(ms / 1000));

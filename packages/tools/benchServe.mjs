@@ -27,11 +27,11 @@ const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-e
  *
  * @param {string} folder
  * @param {object} [options]
- * @param {boolean} [options.isolated] pages are cross-origin isolated, which gives their clock 5 µs in place of 100;
+ * @param {boolean} [options.isolated] - pages are cross-origin isolated, which gives their clock 5 µs in place of 100;
  *   default true
- * @param {number} [options.port] default 0, a free one
- * @param {Record<string, string>} [options.beside] folders served under names of their own, `/name/…`
- * @param {Readonly<Record<string, () => string>>} [options.texts] what answers in place of files, by name: 'apps.json'
+ * @param {number} [options.port] - default 0, a free one
+ * @param {Record<string, string>} [options.beside] - folders served under names of their own, `/name/…`
+ * @param {Readonly<Record<string, () => string>>} [options.texts] - what answers in place of files, by name: 'apps.json'
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
 export async function serveFolder(folder, { isolated = true, port = 0, beside = {}, texts = {} } = {}) {

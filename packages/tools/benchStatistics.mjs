@@ -27,8 +27,8 @@
 /**
  * Quantile with linear interpolation between order statistics.
  *
- * @param {readonly number[]} values at least one
- * @param {number} q 0 to 1
+ * @param {readonly number[]} values - at least one
+ * @param {number} q - 0 to 1
  * @throws {RangeError} without values
  */
 export function quantile(values, q) {
@@ -39,7 +39,7 @@ export function quantile(values, q) {
   return sorted[low] + (sorted[Math.ceil(at)] - sorted[low]) * (at - low);
 }
 
-/** @param {readonly number[]} values */
+/** @param {readonly number[]} values - */
 export const median = (values) => quantile(values, 0.5);
 
 /**
@@ -56,7 +56,7 @@ export function spread(rounds) {
 }
 
 /**
- * @param {readonly Measurement[]} rounds at least one
+ * @param {readonly Measurement[]} rounds - at least one
  * @returns {Summary}
  */
 export function summarise(rounds) {
@@ -82,7 +82,7 @@ export function summarise(rounds) {
   };
 }
 
-/** @param {readonly Measurement[]} rounds @param {'added' | 'removed'} which @returns {Change | null} */
+/** @param {readonly Measurement[]} rounds - @param {'added' | 'removed'} which @returns {Change | null} */
 function change(rounds, which) {
   const there = rounds.flatMap((round) => {
     const changed = round[which];

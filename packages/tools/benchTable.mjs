@@ -30,7 +30,7 @@ const columns = [
   ['first ms', ({ firstMs }) => firstMs, 'ms'],
 ];
 
-/** A number with about three digits; a dash for none. @param {number | null | undefined} value */
+/** A number with about three digits; a dash for none. @param {number | null | undefined} value - */
 export function digits(value) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   const size = Math.abs(value);
@@ -70,10 +70,10 @@ export function benchTable({ date, builds, renderer, browser, rounds }, rows) {
   return `${lines.join('\n')}\n`;
 }
 
-/** @param {string[]} texts */
+/** @param {string[]} texts - */
 const line = (texts) => `| ${texts.join(' | ')} |`;
 
-/** @param {Row} row */
+/** @param {Row} row - */
 function cells({ benchCase, outcomes }) {
   const { lights, technique } = benchCase;
   const summaries = outcomes.map((outcome) => outcome?.summary ?? null);
@@ -94,7 +94,7 @@ function cells({ benchCase, outcomes }) {
   return [start[0], start[1] + note, ...figures, changes(({ added }) => added), changes(({ removed }) => removed)];
 }
 
-/** @param {(number | null)[]} values one a build */
+/** @param {(number | null)[]} values - one a build */
 function compared(values) {
   if (values.length === 1 || values.every((value) => value === null)) return digits(values[0]);
   const [ours, theirs] = values;
@@ -102,14 +102,14 @@ function compared(values) {
   return `${values.map(digits).join(' / ')}${ratio}`;
 }
 
-/** @param {Change | null} change */
+/** @param {Change | null} change - */
 function changeText(change) {
   if (change === null) return '–';
   const times = change.ms === null ? '' : `${digits(change.ms)} ms, ×${digits(change.ratio)}, `;
   return `${times}${change.programs} pr.`;
 }
 
-/** @param {string} text an error's, kept to one cell */
+/** @param {string} text - an error's, kept to one cell */
 function cellText(text) {
   const oneLine = text.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|');
   return oneLine.length > 160 ? `${oneLine.slice(0, 159)}…` : oneLine;

@@ -19,8 +19,8 @@ export const labLimit = 150_000;
  * Bytes of an entry of a built package after gzip: the file and all that it imports of the package at start, each file by
  * itself as a server would send it. What only other entries import, or what is imported late, is not counted.
  *
- * @param {string} folder its dist
- * @param {string} entry file in it, with `/`
+ * @param {string} folder - its dist
+ * @param {string} entry - file in it, with `/`
  * @throws {Error} when a file is missing: a package that was not built is not small
  */
 export function bundleSize(folder, entry = 'index.js') {
@@ -41,8 +41,8 @@ export function bundleSize(folder, entry = 'index.js') {
 /**
  * Bytes of the script of a built page, as {@link bundleSize} counts them.
  *
- * @param {string} folder its dist
- * @param {string} page file in it
+ * @param {string} folder - its dist
+ * @param {string} page - file in it
  * @throws {Error} when the page is missing or names no script
  */
 export function scriptSize(folder, page = 'index.html') {
@@ -51,7 +51,7 @@ export function scriptSize(folder, page = 'index.html') {
   return bundleSize(folder, entry);
 }
 
-/** @param {string} file */
+/** @param {string} file - */
 function read(file) {
   try {
     return readFileSync(file, 'utf8');
@@ -60,7 +60,7 @@ function read(file) {
   }
 }
 
-/** @param {string} file @param {string} source @returns {string[]} */
+/** @param {string} file - @param {string} source @returns {string[]} */
 function importsOf(file, source) {
   const { module } = parseSync(file, source);
   return [

@@ -8,7 +8,7 @@ import { root } from './root.mjs';
  * Writes the declarations of a package into its dist: a file for each of its exports, and chunks for what they share.
  * Their relative imports have extensions, so that they resolve under `nodenext` too. What no export reaches is left out.
  *
- * @param {import('./publishedPackages.mjs').PublishedPackage} published `tsc -b packages` must have written its
+ * @param {import('./publishedPackages.mjs').PublishedPackage} published - `tsc -b packages` must have written its
  *   declarations, and its bundle must be in dist: a build of that empties dist
  */
 export async function bundleTypes({ path, manifest }) {

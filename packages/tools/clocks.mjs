@@ -21,7 +21,7 @@ const ANY = /performance|Date|set(Timeout|Interval)|waitForTimeout|hrtime|cpuUsa
  * in their titles may use time.
  *
  * @param {string} path
- * @param {string} source TypeScript
+ * @param {string} source - TypeScript
  * @returns {string[]} a line each: the path, the number of the line, and what is used there
  */
 export function clocksIn(path, source) {
@@ -35,7 +35,7 @@ export function clocksIn(path, source) {
   const waits = (/** @type {Node} */ node) =>
     new RegExp(`\\bawait\\b[^;]*\\b(${waiting.join('|')})\\b`).test(textOf(node));
 
-  /** @param {unknown} value a node, a list of them, or anything else @param {string} within text of the function around it */
+  /** @param {unknown} value - a node, a list of them, or anything else @param {string} within - text of the function around it */
   function visit(value, within) {
     if (typeof value !== 'object' || value === null) return;
     if (Array.isArray(value)) {
@@ -50,7 +50,7 @@ export function clocksIn(path, source) {
     for (const each of Object.values(node)) visit(each, inner);
   }
 
-  /** @param {Node} node @param {string} within @returns {string | null} */
+  /** @param {Node} node - @param {string} within @returns {string | null} */
   function timeOf(node, within) {
     if (node.type === 'CallExpression') {
       const callee = textOf(node.callee);
@@ -75,10 +75,10 @@ export function clocksIn(path, source) {
   return found.map(([at, name]) => `${path}:${source.slice(0, at).split('\n').length} ${name}`);
 }
 
-/** @param {Node} call @param {(node: Node) => string} textOf */
+/** @param {Node} call - @param {(node: Node) => string} textOf */
 const argumentsOf = (call, textOf) => call.arguments.map(textOf).join();
 
-/** Whether a node is a test, or a group of them, of verify alone. @param {Node} node @param {(node: Node) => string} textOf */
+/** Whether a node is a test, or a group of them, of verify alone. @param {Node} node - @param {(node: Node) => string} textOf */
 function isOfVerify(node, textOf) {
   if (node.type !== 'CallExpression' || !/^(test|it|describe)\b/.test(textOf(node.callee))) return false;
   const [title, details] = node.arguments;
@@ -96,7 +96,7 @@ export const clockLimits = [
 ];
 
 /**
- * @param {ReadonlyMap<string, readonly string[]>} uses of `clocksIn`, by path
+ * @param {ReadonlyMap<string, readonly string[]>} uses - of `clocksIn`, by path
  * @param {typeof clockLimits} limits
  * @returns {string[]} uses that no limit allows, and limits that nothing needs
  */

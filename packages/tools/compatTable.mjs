@@ -13,8 +13,8 @@
  */
 
 /**
- * @param {string} version of three
- * @param {string} comparisons a line of JSON each, as AgreementReporter.ts writes them
+ * @param {string} version - of three
+ * @param {string} comparisons - a line of JSON each, as AgreementReporter.ts writes them
  * @param {{ tests: boolean, units: boolean, types: boolean }} passed
  * @returns {CompatRow}
  * @throws {Error} when nothing was compared
@@ -42,7 +42,7 @@ export function compatRow(version, comparisons, { tests, units, types }) {
   };
 }
 
-/** @param {CompatRow[]} rows @returns {string} a table in Markdown */
+/** @param {CompatRow[]} rows - @returns {string} a table in Markdown */
 export function compatTable(rows) {
   const said = (/** @type {boolean} */ passed) => (passed ? 'pass' : 'FAIL');
   return [

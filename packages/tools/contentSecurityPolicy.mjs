@@ -3,8 +3,8 @@
  * its own text; pictures come as bytes. Libraries of controls write style elements.
  *
  * @param {object} [options]
- * @param {boolean} [options.isServed] the development server puts scripts into pages and pushes changes; default false
- * @param {boolean} [options.runsScripts] the page compiles scripts of scenes and runs them; default false
+ * @param {boolean} [options.isServed] - the development server puts scripts into pages and pushes changes; default false
+ * @param {boolean} [options.runsScripts] - the page compiles scripts of scenes and runs them; default false
  * @see Content Security Policy Level 3
  */
 export function contentSecurityPolicy({ isServed = false, runsScripts = false } = {}) {
@@ -24,7 +24,7 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
   ].join('; ');
 }
 
-/** A policy as an element for the head of a page. @param {string} policy */
+/** A policy as an element for the head of a page. @param {string} policy - */
 export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
 
 /**
@@ -41,7 +41,7 @@ export const frameHeaders = (path) =>
  * Vite plugin: puts the policy into each page, the strict one into what is built.
  *
  * @param {object} [options]
- * @param {boolean} [options.runsScripts] see `contentSecurityPolicy`
+ * @param {boolean} [options.runsScripts] - see `contentSecurityPolicy`
  * @returns {import('vite').Plugin}
  */
 export function securePages({ runsScripts = false } = {}) {

@@ -25,9 +25,9 @@ export function ensureInstalled() {
 /**
  * Why Farol cannot be installed, built or served, in one sentence with the mend; null when it can.
  *
- * @param {string} version of Node
- * @param {string} folder of the repository
- * @param {(path: string) => boolean} mayWrite whether a folder can be written to, or is not there yet
+ * @param {string} version - of Node
+ * @param {string} folder - of the repository
+ * @param {(path: string) => boolean} mayWrite - whether a folder can be written to, or is not there yet
  */
 export function placeProblem(version, folder, mayWrite) {
   const [major, minor] = version.split('.').map(Number);
@@ -43,7 +43,7 @@ export function placeProblem(version, folder, mayWrite) {
   return null;
 }
 
-/** @param {string} path */
+/** @param {string} path - */
 function isWritable(path) {
   try {
     accessSync(path, constants.W_OK);
@@ -54,14 +54,14 @@ function isWritable(path) {
 }
 
 /**
- * @param {number | null} installedAt ms; when node_modules was filled, null if never
- * @param {number | null} lockedAt ms; when the lock file was written
+ * @param {number | null} installedAt - ms; when node_modules was filled, null if never
+ * @param {number | null} lockedAt - ms; when the lock file was written
  */
 export function needsInstall(installedAt, lockedAt) {
   return installedAt === null || (lockedAt !== null && lockedAt > installedAt);
 }
 
-/** @param {string} path */
+/** @param {string} path - */
 function modified(path) {
   return statSync(join(root, path), { throwIfNoEntry: false })?.mtimeMs ?? null;
 }

@@ -10,7 +10,7 @@ export const extents = /** @type {const} */ (['slice', 'verify', 'long']);
 /** @typedef {(typeof extents)[number]} Extent */
 
 /**
- * @param {string | undefined} asked value of FAROL_TESTS; `slice` when absent or empty
+ * @param {string | undefined} asked - value of FAROL_TESTS; `slice` when absent or empty
  * @returns {Extent}
  * @throws {Error} for a name that is no extent
  */
@@ -30,7 +30,7 @@ export const isWhole = extent !== 'slice';
  * Picks the count of this run's extent.
  *
  * @template T
- * @param {{ slice: T, verify: T, long?: T }} counts `long` is as `verify` when absent
+ * @param {{ slice: T, verify: T, long?: T }} counts - `long` is as `verify` when absent
  * @returns {T}
  */
 export const byExtent = ({ slice, verify, long = verify }) => ({ slice, verify, long })[extent];

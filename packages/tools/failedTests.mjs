@@ -9,7 +9,7 @@ import { relative } from 'node:path';
 export function failedPlaywrightTests(report) {
   /** @type {{ title: string, place: string }[]} */
   const failed = [];
-  /** @param {any} suite @param {string[]} titles */
+  /** @param {any} suite - @param {string[]} titles */
   const visit = (suite, titles) => {
     for (const { ok, title, file, line } of suite.specs ?? []) {
       if (!ok) failed.push({ title: [...titles, title].join(' > '), place: `${file}:${line}` });
@@ -24,7 +24,7 @@ export function failedPlaywrightTests(report) {
  * Failed tests of a Vitest JSON report; of a file that could not be loaded, the file.
  *
  * @param {any} report
- * @param {string} root folder that the places are relative to
+ * @param {string} root - folder that the places are relative to
  * @returns {{ title: string, place: string }[]} `place` is the file
  */
 export function failedVitestTests(report, root) {

@@ -22,7 +22,7 @@ export const circleLimits = [
  * What each file imports of the others. `static`: by static imports, re-exports and types, `import type` and
  * `import('./X').T` too; `fetched`: by `import('./X')` at run time.
  *
- * @param {ReadonlyMap<string, string>} files source by path from the repository's root, with `/`
+ * @param {ReadonlyMap<string, string>} files - source by path from the repository's root, with `/`
  * @returns {ImportGraph}
  */
 export function importGraph(files) {
@@ -34,7 +34,7 @@ export function importGraph(files) {
  * set.
  *
  * @param {ImportGraph} imports
- * @param {'static' | 'fetched'} kind 'fetched' counts static imports too
+ * @param {'static' | 'fetched'} kind - 'fetched' counts static imports too
  * @returns {string[][]} paths in alphabetical order, the largest circle first; a file that imports itself is a circle of one
  */
 export function importCircles(imports, kind) {
@@ -50,8 +50,8 @@ export function importCircles(imports, kind) {
 /**
  * Circles that are larger than the limit of their folder, the first one of the table that holds a file of the circle.
  *
- * @param {string[][]} circles as {@link importCircles} gives them
- * @param {readonly { folder: string, files: number }[]} limits files: how many the largest circle may have
+ * @param {string[][]} circles - as {@link importCircles} gives them
+ * @param {readonly { folder: string, files: number }[]} limits - files: how many the largest circle may have
  * @returns {string[]} one line a circle; empty when all is well
  */
 export function circlesOverLimit(circles, limits) {
@@ -70,7 +70,7 @@ const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
 /**
  * Files of the set that a file imports.
  *
- * @param {string} path @param {string} source @param {ReadonlyMap<string, string>} files
+ * @param {string} path - @param {string} source @param {ReadonlyMap<string, string>} files
  * @returns {{ static: string[], fetched: string[] }}
  */
 function targetsOf(path, source, files) {
@@ -95,7 +95,7 @@ function targetsOf(path, source, files) {
   return { static: specifiers.flatMap(resolved), fetched: fetched.flatMap(resolved) };
 }
 
-/** Specifiers of `import('./X').T` used as a type. @param {unknown} node @returns {string[]} */
+/** Specifiers of `import('./X').T` used as a type. @param {unknown} node - @returns {string[]} */
 function importTypesOf(node) {
   if (Array.isArray(node)) return node.flatMap(importTypesOf);
   if (typeof node !== 'object' || node === null) return [];
@@ -107,7 +107,7 @@ function importTypesOf(node) {
 /**
  * Strongly connected components of a graph.
  *
- * @param {ReadonlyMap<string, readonly string[]>} graph targets by node
+ * @param {ReadonlyMap<string, readonly string[]>} graph - targets by node
  * @returns {string[][]}
  * @see Tarjan 1972, Depth-first search and linear graph algorithms
  */

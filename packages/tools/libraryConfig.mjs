@@ -11,8 +11,8 @@ const FAROL_ENTRY = /^@farol\/[^/]+\/.+/;
  * and all else in `chunks`; dependencies and peers left to the host, in an emptied dist. Imports of other entries of Farol end
  * in `.js`, so that two lines for a package are enough in an import map. Types come from `bundleTypes`.
  *
- * @param {URL} folder of the package, with a slash at its end
- * @param {import('vite').Rolldown.OutputOptions} [output] more of the output
+ * @param {URL} folder - of the package, with a slash at its end
+ * @param {import('vite').Rolldown.OutputOptions} [output] - more of the output
  * @returns {import('vite').UserConfig}
  */
 export function libraryConfig(folder, output = {}) {

@@ -4,7 +4,7 @@ export const MOST_COLUMNS = 120;
 /**
  * Lines that are too long.
  *
- * @param {string} path named in the result
+ * @param {string} path - named in the result
  * @param {string} text
  * @returns {string[]} one line each: file, line and columns
  */

@@ -12,7 +12,7 @@ function sceneLikeText() {
   return JSON.stringify(Array.from({ length: 8000 }, (_, i) => ({ id: `object-${i}`, components })));
 }
 
-/** What is made of a component. @param {{ type: string, values: Record<string, number> }} component */
+/** What is made of a component. @param {{ type: string, values: Record<string, number> }} component - */
 function partOf({ type, values }) {
   const matrix = Array.from({ length: 16 }, () => 0);
   return { type, matrix, values: { ...values }, byName: new Map(Object.entries(values)) };
@@ -35,7 +35,7 @@ export function workSeconds() {
  * needs now for the same work: 1 where it is as fast or faster. Limits of time in tests are multiplied by it: it tells a
  * slow machine, or one that is busy just now, from slow code. It uses none of Farol's code, and takes half a second.
  *
- * @param {() => number} [work] does it once; returns the time that this took (s)
+ * @param {() => number} [work] - does it once; returns the time that this took (s)
  * @returns {number}
  */
 export function machineSlowness(work = workSeconds) {

@@ -20,9 +20,9 @@ function randomOf(/** @type {number} */ seed) {
 
 /**
  * A resonance of two poles: a function from sample to sample.
- * @param {number} frequency of its peak (Hz)
- * @param {number} width of the peak (Hz)
- * @param {number} rate samples a second
+ * @param {number} frequency - of its peak (Hz)
+ * @param {number} width - of the peak (Hz)
+ * @param {number} rate - samples a second
  */
 function resonance(frequency, width, rate) {
   const radius = Math.exp((-Math.PI * width) / rate);

@@ -24,7 +24,7 @@ export function minifyGlsl() {
 }
 
 /**
- * @param {string} text GLSL ES 3.00
+ * @param {string} text - GLSL ES 3.00
  * @returns {string} the same lines without comments, indentation, the blanks round operators and `const in`
  */
 export function minifiedGlsl(text) {
@@ -37,7 +37,7 @@ export function minifiedGlsl(text) {
     .trimEnd();
 }
 
-/** @param {string} line outside of the preprocessor; the last character stays as it is for a `\` at the end of a line */
+/** @param {string} line - outside of the preprocessor; the last character stays as it is for a `\` at the end of a line */
 function tightened(line) {
   return (
     line
@@ -54,7 +54,7 @@ function tightened(line) {
 /**
  * `a + +b` and `a - -b` need their blanks.
  *
- * @param {string} whole @param {number} at @param {string} match
+ * @param {string} whole - @param {number} at @param {string} match
  */
 function keepsBlank(whole, at, match) {
   return /[+-]/.test(match) && (/[+-]/.test(whole[at - 1] ?? '') || /[+-]/.test(whole[at + match.length] ?? ''));

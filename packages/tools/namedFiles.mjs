@@ -7,9 +7,9 @@ const FILE_NAME = /(?<![\w./*<>{}-])(?:[\w.@-]+\/)*[\w-][\w.-]*\.(?:ts|tsx|mjs|g
 /**
  * Files that comments name and that do not exist.
  *
- * @param {string} path of the source that holds the comments
- * @param {string} source TypeScript, a module, or GLSL
- * @param {readonly string[]} files paths of all files that may be named
+ * @param {string} path - of the source that holds the comments
+ * @param {string} source - TypeScript, a module, or GLSL
+ * @param {readonly string[]} files - paths of all files that may be named
  * @returns {string[]} one line each: the source and what its comment names
  */
 export function missingNamedFiles(path, source, files) {

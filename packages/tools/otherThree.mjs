@@ -8,7 +8,7 @@ const MISSING = '\0farol-missing:';
  * A Vite plugin that has `three` and all of `three/…` come from another folder than the page's own: for `npm run compat`.
  * Vite's own resolution is not asked: `resolve.dedupe` would find the three of the repository whoever imports it.
  *
- * @param {string} folder a folder whose node_modules holds the three to take
+ * @param {string} folder - a folder whose node_modules holds the three to take
  * @returns {import('vite').Plugin}
  */
 export function otherThree(folder) {
@@ -37,8 +37,8 @@ export function otherThree(folder) {
 /**
  * The file that an import of three means.
  *
- * @param {string} source what is imported
- * @param {Record<string, string | { import: string }>} exports of three's package.json
+ * @param {string} source - what is imported
+ * @param {Record<string, string | { import: string }>} exports - of three's package.json
  * @returns {string | null} path in three's folder; null for another package's module
  * @throws {Error} when this three does not export it
  */

@@ -8,7 +8,7 @@
 /**
  * Promises of a page: list items that begin in bold. The tests of each stand behind it as `path` "title", "title".
  *
- * @param {string} page Markdown
+ * @param {string} page - Markdown
  * @returns {Promised[]}
  */
 export function promisesOf(page) {
@@ -25,7 +25,7 @@ export function promisesOf(page) {
  * What keeps a promise from being held: no test, a file that is not there, a title that no test of `npm run verify` has.
  *
  * @param {Promised} promise
- * @param {(path: string) => string | null} read gives the source of a test file, null where there is none
+ * @param {(path: string) => string | null} read - gives the source of a test file, null where there is none
  * @returns {string[]} a line each
  */
 export function promiseFaults({ name, tests }, read) {

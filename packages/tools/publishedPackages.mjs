@@ -18,7 +18,7 @@ import { root } from './root.mjs';
 /**
  * Packages for the registry: each folder of packages/ whose package.json is not private.
  *
- * @param {string} [checkout] folder of a repository; default this one
+ * @param {string} [checkout] - folder of a repository; default this one
  * @returns {PublishedPackage[]} by name of the folder
  */
 export function publishedPackages(checkout = root) {
@@ -29,7 +29,7 @@ export function publishedPackages(checkout = root) {
     .filter(({ manifest }) => !manifest.private);
 }
 
-/** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
+/** @param {string} folder - @returns {Manifest & { private?: boolean }} its package.json */
 export function readManifest(folder) {
   return JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
 }
@@ -37,7 +37,7 @@ export function readManifest(folder) {
 /**
  * Whether an import is left to the host: the package is a dependency or a peer, or a part of one.
  *
- * @param {Manifest} manifest of the package that imports
+ * @param {Manifest} manifest - of the package that imports
  * @returns {(specifier: string) => boolean}
  */
 export function leftToHost({ dependencies, peerDependencies }) {

@@ -7,9 +7,9 @@ const house = ['importDirection', 'importCircles', 'noClocks', 'shaderLines', 's
  * Unit tests that a change is likely to break: those beside a changed file, those that import it, and those beside what
  * imports it that have its name.
  *
- * @param {readonly string[]} changed paths from the repository's root, with `/`
- * @param {ReadonlyMap<string, string>} files source of all TypeScript files, by path
- * @param {import('./importCircles.mjs').ImportGraph} imports of those files
+ * @param {readonly string[]} changed - paths from the repository's root, with `/`
+ * @param {ReadonlyMap<string, string>} files - source of all TypeScript files, by path
+ * @param {import('./importCircles.mjs').ImportGraph} imports - of those files
  * @returns {string[]} paths, sorted; those of the repository's order included
  */
 export function relatedTests(changed, files, imports) {

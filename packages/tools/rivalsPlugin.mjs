@@ -9,7 +9,7 @@ const none = { versions: {}, canInstall: false };
 /**
  * What `rivals/versions.json` says: versions by competitor's key, and whether a POST to `rivals/install` installs them.
  *
- * @param {string} [folder] where their modules lie
+ * @param {string} [folder] - where their modules lie
  */
 export function rivalVersions(folder = rivalsDist) {
   const path = join(folder, 'versions.json');
@@ -55,7 +55,7 @@ let installing = null;
 /**
  * What the development server answers under `rivals/`.
  *
- * @param {string} name of the file, or `install`
+ * @param {string} name - of the file, or `install`
  * @param {Parameters<typeof isOwnRequest>[0]} request
  * @returns {Promise<{ status: number, type: string, body: string | Buffer }>}
  */

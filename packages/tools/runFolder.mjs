@@ -26,7 +26,7 @@ export function makeRunFolder() {
 /**
  * Copies what was built of the apps, so that a later build does not change what a run serves.
  *
- * @param {string} folder of the run
+ * @param {string} folder - of the run
  * @returns {string} folder to serve from, as FAROL_BUILT takes it
  * @throws {Error} when an app is not built
  */
@@ -69,7 +69,7 @@ function take() {
   }
 }
 
-/** @param {number} pid */
+/** @param {number} pid - */
 function isAlive(pid) {
   try {
     process.kill(pid, 0);

@@ -6,8 +6,8 @@ import { root } from './root.mjs';
  *
  * @param {string[]} args
  * @param {object} [options]
- * @param {string} [options.cwd] default the top of the repository
- * @param {boolean} [options.isQuiet] keeps its output back; default false: the output is passed on
+ * @param {string} [options.cwd] - default the top of the repository
+ * @param {boolean} [options.isQuiet] - keeps its output back; default false: the output is passed on
  * @returns {{ status: number, stdout: string, stderr: string }} exit code, 1 when a signal ended npm; what a quiet npm said
  */
 export function runNpm(args, { cwd = root, isQuiet = false } = {}) {

@@ -11,9 +11,9 @@
 /**
  * Runs stages: side by side where they need not one another. A stage that fails ends none but those that need it.
  *
- * @param {Readonly<Record<string, Stage>>} stages in the order that they are to start in
+ * @param {Readonly<Record<string, Stage>>} stages - in the order that they are to start in
  * @param {object} options
- * @param {boolean} options.isSmall whether the machine has few cores: a stage that is `alone` then waits for the others, and
+ * @param {boolean} options.isSmall - whether the machine has few cores: a stage that is `alone` then waits for the others, and
  *   they for it, but for those that wait for the network
  * @param {(name: string) => void} [options.onStart]
  * @param {(name: string, outcome: Outcome) => void} [options.onEnd]
@@ -26,15 +26,15 @@ export async function runStages(stages, { isSmall, onStart, onEnd }) {
   const running = new Map();
   /** @type {Record<string, Outcome>} */
   const outcomes = {};
-  /** @param {string} name @param {Outcome} outcome */
+  /** @param {string} name - @param {Outcome} outcome */
   const end = (name, outcome) => {
     outcomes[name] = outcome;
     running.delete(name);
     onEnd?.(name, outcome);
   };
-  /** @param {string} name */
+  /** @param {string} name - */
   const needsOf = (name) => (stages[name].needs ?? []).filter((need) => need in stages);
-  /** @param {string} name */
+  /** @param {string} name - */
   const hasRoom = (name) => {
     const busy = [...running.keys()].filter((other) => !stages[other].waits);
     if (!isSmall || stages[name].waits || busy.length === 0) return true;

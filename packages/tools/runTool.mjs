@@ -8,7 +8,7 @@ import { toolPath } from './toolPath.mjs';
  * @param {string} packageName
  * @param {string} command
  * @param {string[]} args
- * @param {Record<string, string>} [env] added to this process's
+ * @param {Record<string, string>} [env] - added to this process's
  * @returns {number} its exit code; 1 when it was ended by a signal
  */
 export function runTool(packageName, command, args, env = {}) {

@@ -49,8 +49,8 @@ export function gatherDeclarations() {
 
   /**
    * Adds a file and those that it imports.
-   * @param {string} folder of the package, on this machine
-   * @param {string} name of the package
+   * @param {string} folder - of the package, on this machine
+   * @param {string} name - of the package
    * @param {string} file
    */
   const addFile = (folder, name, file) => {

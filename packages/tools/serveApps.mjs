@@ -13,10 +13,10 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: '
  * the others by `apps.json`.
  *
  * @param {object} options
- * @param {Partial<Record<AppName, number>>} options.ports which apps, and on which port; 0 picks a free one
- * @param {boolean} [options.built] serve what `npm run build` made, or what lies in the folder that FAROL_BUILT names, not the
+ * @param {Partial<Record<AppName, number>>} options.ports - which apps, and on which port; 0 picks a free one
+ * @param {boolean} [options.built] - serve what `npm run build` made, or what lies in the folder that FAROL_BUILT names, not the
  *   sources; default false
- * @param {boolean} [options.watch] follow edits of the sources (hot reload); default true
+ * @param {boolean} [options.watch] - follow edits of the sources (hot reload); default true
  * @returns {Promise<{ urls: Partial<Record<AppName, string>>, close(): Promise<void> }>} URLs end in a slash
  * @throws {Error} when a port is taken
  */

@@ -18,11 +18,11 @@ const NEAR = 1;
  *
  * @param {Page} page
  * @param {object} options
- * @param {string} options.url where e2e/pages are served
+ * @param {string} options.url - where e2e/pages are served
  * @param {number} options.seed
- * @param {(rounds: number) => boolean} options.isOver asked after each round
- * @param {number} [options.every] rounds from one measurement to the next
- * @param {readonly string[]} [options.without] kinds of acts that are left out
+ * @param {(rounds: number) => boolean} options.isOver - asked after each round
+ * @param {number} [options.every] - rounds from one measurement to the next
+ * @param {readonly string[]} [options.without] - kinds of acts that are left out
  * @param {(line: string) => void} [options.say]
  * @returns {Promise<SoakResult>}
  */
@@ -77,7 +77,7 @@ export async function soakRounds(page, { url, seed, isOver, every = 10, without 
   return result;
 }
 
-/** What is wrong with a run: a line each; empty when nothing is. @param {SoakResult} result */
+/** What is wrong with a run: a line each; empty when nothing is. @param {SoakResult} result - */
 export function soakFaults({ mismatches, messages, samples }) {
   return [...mismatches, ...messages, ...growthOf(samples).grows];
 }

@@ -17,7 +17,7 @@ const notSource = new Set(['node_modules', 'dist', '.cache']);
 /**
  * Files of packages, apps and browser tests, without what is installed or built.
  *
- * @param {...string} endings of their names, '' for all files
+ * @param {...string} endings - of their names, '' for all files
  * @returns {string[]} paths from the repository's root, with `/`
  */
 export function filesEnding(...endings) {

@@ -7,7 +7,7 @@ type Name = keyof typeof stagePlan;
 /**
  * Runs the plan with stages that end by hand.
  *
- * @param isSmall whether on a machine with few cores
+ * @param isSmall - whether on a machine with few cores
  */
 function running(isSmall: boolean) {
   const under = new Map<string, (isWell: boolean) => void>();

@@ -5,11 +5,11 @@ import { toolPath } from './toolPath.mjs';
 /**
  * Runs a script by Node at the top of the repository, so that others can run beside it.
  *
- * @param {string} script path
+ * @param {string} script - path
  * @param {readonly string[]} args
  * @param {object} [options]
- * @param {Readonly<Record<string, string>>} [options.env] added to this process's
- * @param {boolean} [options.isHeld] whether its output is shown at its end, in one piece; default false: as it comes
+ * @param {Readonly<Record<string, string>>} [options.env] - added to this process's
+ * @param {boolean} [options.isHeld] - whether its output is shown at its end, in one piece; default false: as it comes
  * @returns {Promise<number>} its exit code; 1 when a signal ended it or it could not be started
  */
 export function startScript(script, args, { env = {}, isHeld = false } = {}) {
@@ -37,7 +37,7 @@ export function startScript(script, args, { env = {}, isHeld = false } = {}) {
  * @param {string} packageName
  * @param {string} command
  * @param {readonly string[]} args
- * @param {Parameters<typeof startScript>[2]} [options] as of {@link startScript}
+ * @param {Parameters<typeof startScript>[2]} [options] - as of {@link startScript}
  */
 export const startTool = (packageName, command, args, options) =>
   startScript(toolPath(packageName, command), args, options);

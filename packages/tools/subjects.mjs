@@ -90,7 +90,7 @@ export const subjects = [
 ];
 
 /**
- * @param {string} path of a source file, from the repository's root, with `/`
+ * @param {string} path - of a source file, from the repository's root, with `/`
  * @returns {readonly string[]} paths of the specs of its subject; empty where it has none
  */
 export function specsOf(path) {

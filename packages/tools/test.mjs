@@ -94,7 +94,7 @@ if (failedStages.length > 0) {
 if (failedStages.length > 0 || tally.passed > 0) console.log(tallyLine(tally));
 process.exit(failedStages.length > 0 ? 1 : 0);
 
-/** @param {string} name of a script of this folder */
+/** @param {string} name - of a script of this folder */
 function tool(name) {
   return join(root, 'packages/tools', name);
 }
@@ -116,7 +116,7 @@ async function vitest() {
 /**
  * Runs tests of Playwright's.
  *
- * @param {string} name of the stage
+ * @param {string} name - of the stage
  * @param {string} config
  * @param {Record<string, string>} [env]
  */
@@ -172,8 +172,8 @@ async function twice(run, again, { failedOf, tallyOf }) {
 /**
  * @typedef {{ code: number, report: any }} Counted
  *
- * @param {string} path of the JSON report that the run writes
- * @param {() => Promise<number>} run gives the exit code
+ * @param {string} path - of the JSON report that the run writes
+ * @param {() => Promise<number>} run - gives the exit code
  * @returns {Promise<Counted>}
  * @throws {Error} when there is no report, since the runner ended before
  */

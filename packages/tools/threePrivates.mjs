@@ -22,7 +22,7 @@ const home = 'packages/renderer/src/three/';
 /**
  * Names of three's privates in the code of a file, comments left out.
  *
- * @param {string} path from the repository's root
+ * @param {string} path - from the repository's root
  * @param {string} source
  * @returns {string[]} one line each; none for a file of packages/renderer/src/three
  */

@@ -12,7 +12,7 @@ let elements = 0;
 /** Elements that a built-in function copies or compares in about the time of one step of ours. */
 const ELEMENTS = 64;
 
-/** @param {unknown} value @returns {number} elements, or letters */
+/** @param {unknown} value - @returns {number} elements, or letters */
 function sizeOf(value) {
   if (typeof value === 'string') return value.length;
   if (typeof value !== 'object' || value === null) return 0;
@@ -35,7 +35,7 @@ const ofSearch = (target, [, from = 0], result) =>
 const ofSplice = (target, [start = 0], result) =>
   Number(start) < 0 ? -Number(start) : sizeOf(target) + sizeOf(result) - Number(start);
 
-/** @param {Iterable<unknown>} list @returns {Row} */
+/** @param {Iterable<unknown>} list - @returns {Row} */
 function iteration(list) {
   return [Object.getPrototypeOf(list[Symbol.iterator]()), ['next'], () => 1];
 }
@@ -71,7 +71,7 @@ function countBuiltIns() {
       const described = Object.getOwnPropertyDescriptor(owner, name);
       if (!described) continue;
       const { value } = described;
-      /** @this {unknown} @param {unknown[]} args */
+      /** @this {unknown} @param {unknown[]} args - */
       const counting = function (...args) {
         const result = Reflect.apply(value, this, args);
         elements += size(this, args, result);
@@ -91,7 +91,7 @@ function countBuiltIns() {
  * sources of this repository, and a step for each 64 elements that built-in functions go through. Only in files `*.work.test.ts`, whose sources
  * count. Regular expressions, three and other packages are no part of it.
  *
- * @param {() => unknown} run may be asynchronous
+ * @param {() => unknown} run - may be asynchronous
  * @returns {Promise<number>} steps
  */
 export async function workOf(run) {
@@ -113,7 +113,7 @@ export async function workOf(run) {
  * grows with its square.
  *
  * @param {number} count
- * @param {(count: number) => (() => unknown) | Promise<() => unknown>} prepare does what is not counted; returns the work,
+ * @param {(count: number) => (() => unknown) | Promise<() => unknown>} prepare - does what is not counted; returns the work,
  *   which may be asynchronous
  */
 export async function growthOf(count, prepare) {

@@ -83,8 +83,8 @@ export class Viewer {
   private readonly listeners = new Set<() => void>();
 
   /**
-   * @param parent what the canvas is put into
-   * @param search query of the page's address
+   * @param parent - what the canvas is put into
+   * @param search - query of the page's address
    * @throws Error when the browser has no WebGL 2
    */
   constructor(parent: HTMLElement, search: string) {
@@ -206,8 +206,8 @@ export class Viewer {
   /**
    * Shows a scene of the engine's, when it is loaded. Of several calls that run at once the last one counts.
    *
-   * @param parameters values of its parameters; the rest have their defaults
-   * @param keepCamera look from where the present camera is
+   * @param parameters - values of its parameters; the rest have their defaults
+   * @param keepCamera - look from where the present camera is
    * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the present scene stays
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
@@ -222,7 +222,7 @@ export class Viewer {
   /**
    * Shows a scene with those of some parameters that it has; a message tells when it cannot be shown.
    *
-   * @param parameters the state's by default
+   * @param parameters - the state's by default
    */
   async chooseScene(name: string, keepCamera = false, parameters = this.state.parameters): Promise<void> {
     const fields = scenes[name]?.parameters ?? {};
@@ -239,7 +239,7 @@ export class Viewer {
   /**
    * Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then.
    *
-   * @param files a glTF or OBJ, and what it names; those of a drop are on their way
+   * @param files - a glTF or OBJ, and what it names; those of a drop are on their way
    */
   async loadFiles(files: FileMap | Promise<FileMap>): Promise<void> {
     const load = ++this.loads;

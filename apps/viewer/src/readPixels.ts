@@ -21,7 +21,7 @@ export interface Pixels {
  * as three does for any render target. 32 bits a channel, or 16 where the device cannot blend 32, or 8 where it
  * draws to no floats.
  *
- * @param draw draws one frame to the current render target
+ * @param draw - draws one frame to the current render target
  */
 export function readPixels(webgl: WebGLRenderer, draw: () => void): Pixels {
   const { x: width, y: height } = webgl.getDrawingBufferSize(new Vector2());

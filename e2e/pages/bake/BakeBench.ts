@@ -47,7 +47,7 @@ export class BakeBench {
     });
   }
 
-  /** @param lights point lights that stand still, beside sun and sky */
+  /** @param lights - point lights that stand still, beside sun and sky */
   static async make(lights: number): Promise<BakeBench> {
     return new BakeBench(await scenes.sponza.build({ lights, still: true }));
   }
@@ -118,8 +118,8 @@ export class BakeBench {
   /**
    * Times frames of a technique with the bake, without any light, and with the lights drawn, in turns.
    *
-   * @param rounds turns of each
-   * @param milliseconds of each turn, at least
+   * @param rounds - turns of each
+   * @param milliseconds - of each turn, at least
    */
   async frames(
     technique: TechniqueName | 'stock',

@@ -2,7 +2,7 @@
 export class Dice {
   private state: number;
 
-  /** @param seed whole; neighbouring seeds give unlike choices */
+  /** @param seed - whole; neighbouring seeds give unlike choices */
   constructor(seed: number) {
     this.state = Math.imul(seed + 1, 0x9e3779b1) >>> 0;
   }

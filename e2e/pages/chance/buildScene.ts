@@ -25,7 +25,7 @@ const shadowTypes = { basic: THREE.BasicShadowMap, vsm: THREE.VSMShadowMap };
 export class Materials {
   private readonly made = new Map<string, THREE.Material>();
 
-  /** @param use tells apart materials of equal facts that are not to be one */
+  /** @param use - tells apart materials of equal facts that are not to be one */
   of(facts: MaterialFacts = {}, kind: Kind = 'mesh', use = ''): THREE.Material {
     const key = JSON.stringify([facts, kind, use]);
     let material = this.made.get(key);
@@ -118,7 +118,7 @@ function drawTwo(webgl: THREE.WebGLRenderer, camera: THREE.Camera, draw: (camera
 
 /** A scene that can be drawn by stock three and by Farol. */
 export interface BuiltScene {
-  /** Draws to the render target or canvas that is set. @param farol null: by stock three */
+  /** Draws to the render target or canvas that is set. @param farol - null: by stock three */
   draw(webgl: THREE.WebGLRenderer, farol: FarolRenderer | null): void;
   /** Frees all but the materials. */
   dispose(): void;

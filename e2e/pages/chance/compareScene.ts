@@ -96,7 +96,7 @@ class Output {
     else this.target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type, stencilBuffer: true });
   }
 
-  /** @param technique null: stock three */
+  /** @param technique - null: stock three */
   draw(scene: BuiltScene, technique: TechniqueName | null): PageImage {
     const { webgl, farol } = this.bench;
     const { target } = this;

@@ -86,7 +86,7 @@ class Shrinker {
 /**
  * Draws the scenes of seeds by stock three and by every technique, and shrinks those that differ.
  *
- * @param seeds of one deck, in order: see {@link DECK}
+ * @param seeds - of one deck, in order: see {@link DECK}
  */
 export function runScenes(seeds: readonly number[], options: ChanceOptions = {}): ChanceResult {
   const { techniques = compared, shrinks = Infinity, tries = 120 } = options;

@@ -45,8 +45,8 @@ function halved(value: Json): Json {
  * Takes away halves, quarters and single parts of a description while it still fails, from its outermost parts to the
  * innermost ones, until nothing more can go.
  *
- * @param fails whether a description still has the fault
- * @param tries how often `fails` is asked, at most
+ * @param fails - whether a description still has the fault
+ * @param tries - how often `fails` is asked, at most
  */
 export function shrink<T extends object>(given: T, fails: (tried: T) => boolean, tries = 200): T {
   let left = tries;

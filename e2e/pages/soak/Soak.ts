@@ -64,7 +64,7 @@ export class Soak {
   private width: number = SIZE[0];
   private height: number = SIZE[1];
 
-  /** @param kinds acts that may be done */
+  /** @param kinds - acts that may be done */
   constructor(
     seed: number,
     private readonly kinds: readonly ActName[] = Object.keys(acts) as ActName[],

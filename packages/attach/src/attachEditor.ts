@@ -9,7 +9,7 @@ import { languages } from './language/languages';
  * needs to know nothing of it. While the editor is there, it stands in for `renderer.render` of this one renderer; all
  * else is listened to, or drawn over the finished frame. `dispose()` takes all of that away; edits of the scene stay.
  *
- * @param camera what the page looks through; set `camera` of the editor when that changes
+ * @param camera - what the page looks through; set `camera` of the editor when that changes
  * @example
  * const editor = attachEditor(scene, camera, renderer);
  * editor.dispose();

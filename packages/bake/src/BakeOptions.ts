@@ -30,7 +30,7 @@ export interface TraceOptions {
   sliceMilliseconds?: number;
   /**
    * Whether a mesh stays where it is: it throws shadows and reflects light, and gets a lightmap. Default: each that is visible.
-   * @param instance of an InstancedMesh that is static: whether this one of its instances is
+   * @param instance - of an InstancedMesh that is static: whether this one of its instances is
    */
   isStatic?(object: Object3D, instance?: number): boolean;
   /**

@@ -11,7 +11,7 @@ export class Progress {
 
   constructor(private readonly tell: ((progress: BakeProgress) => void) | undefined) {}
 
-  /** @param done share of the stage */
+  /** @param done - share of the stage */
   report(stage: BakeProgress['stage'], done: number, samples = 0): void {
     const now = performance.now();
     if (stage === 'tracing' && this.begun === 0) this.begun = now;

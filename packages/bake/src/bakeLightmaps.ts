@@ -30,7 +30,7 @@ import { unwrapStaticMeshes } from './unwrap/unwrapStaticMeshes';
  * Nothing of the scene changes but while `showProgress` shows the picture so far, and as {@link Bake.apply} says; the
  * scene must not change in the meantime.
  *
- * @param renderer its WebGL context traces the paths
+ * @param renderer - its WebGL context traces the paths
  * @throws RangeError for an option out of its bounds; Error when the scene has nothing to bake, or the device cannot
  */
 export async function bakeLightmaps(renderer: WebGLRenderer, scene: Scene, options: BakeOptions = {}): Promise<Bake> {
@@ -113,7 +113,7 @@ async function bake(renderer: WebGLRenderer, scene: Scene, checked: CheckedBakeO
 /** Irradiance never exceeds what halves hold by so much that it would be infinite. */
 const toHalf = (value: number): number => DataUtils.toHalfFloat(Math.min(value, 65504));
 
-/** @param count lightmaps that are kept */
+/** @param count - lightmaps that are kept */
 async function trace(
   renderer: WebGLRenderer,
   scene: Scene,

@@ -12,7 +12,7 @@ export interface BakeProbesOptions extends TraceOptions {
  * Bakes the light that arrives at points, direct and reflected, for things that move. With lightmaps as well, give
  * `probes` to {@link bakeLightmaps}, which traces the scene once for both.
  *
- * @param points three a point, world space (m)
+ * @param points - three a point, world space (m)
  */
 export async function bakeProbes(
   renderer: WebGLRenderer,

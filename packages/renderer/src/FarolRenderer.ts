@@ -90,7 +90,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly begun = () => this.frame.takeOutputBuffer();
 
   /**
-   * @param webgl the host's renderer; it stays the host's, and other code may draw with it
+   * @param webgl - the host's renderer; it stays the host's, and other code may draw with it
    * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option does not
    *   exist or has a value that it cannot have
    */
@@ -217,8 +217,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   /**
    * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
    * Called by a callback of the host's while this renderer draws, it has three draw.
-   * @param scene a Scene, or any object
-   * @param camera perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
+   * @param scene - a Scene, or any object
+   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
    * @throws Error while an XR session presents
    */
   render(scene: Object3D, camera: Camera): void {
@@ -251,7 +251,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     }
   }
 
-  /** @param seenBy whose layers count too: the array of cameras that the camera is of. Default the camera */
+  /** @param seenBy - whose layers count too: the array of cameras that the camera is of. Default the camera */
   private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
     if (this.disposed) return; // by a callback that another camera of an array has had called
     this.recorder.begin(this.timing);
@@ -304,8 +304,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /**
    * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow what is drawn to.
-   * @param width CSS pixels, as `height`
-   * @param updateStyle whether the canvas' style is set too. Default true, as in three
+   * @param width - CSS pixels, as `height`
+   * @param updateStyle - whether the canvas' style is set too. Default true, as in three
    */
   setSize(width: number, height: number, updateStyle?: boolean): void {
     this.webgl.setSize(width, height, updateStyle);
@@ -323,7 +323,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
    * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (one
    * of these two draws), GPU times, warming programs up ('auto' changes unprepared).
-   * @param parts names of `FarolRenderer.parts`. Default all
+   * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
   static async preload(parts: readonly LazyPart[] = FarolRenderer.parts): Promise<void> {

@@ -26,7 +26,7 @@ export class SceneDraws {
   /** What is seen through transmissive things is drawn at another size than light lists are for. */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
-  /** @param background uniform that gets what three would have cleared the target to, its alpha -1 where three has */
+  /** @param background - uniform that gets what three would have cleared the target to, its alpha -1 where three has */
   constructor(
     private readonly frame: Frame,
     private readonly recorder: InfoRecorder,
@@ -38,7 +38,7 @@ export class SceneDraws {
 
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins a frame. @param antialias as `FarolOptions.antialias` */
+  /** Begins a frame. @param antialias - as `FarolOptions.antialias` */
   begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
     this.antialias = antialias;
     this.sceneView = sceneView;

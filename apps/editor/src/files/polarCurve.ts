@@ -29,8 +29,8 @@ export function shinesUp(profile: PhotometricProfile): boolean {
 /**
  * The polar curve of two half planes, as catalogues of luminaires draw it: down is down, the half plane of `horizontal` to the
  * right, the other one to the left.
- * @param horizontal angle (degrees)
- * @param scale intensity (cd) at `POLAR_RADIUS`
+ * @param horizontal - angle (degrees)
+ * @param scale - intensity (cd) at `POLAR_RADIUS`
  * @returns x, y of its points, y downwards
  */
 export function polarCurve(profile: PhotometricProfile, horizontal: number, scale: number): [number, number][] {

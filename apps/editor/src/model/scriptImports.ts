@@ -6,7 +6,7 @@ import { splitName } from './assetNames';
 /** The specifier of an import, an export or a call of `require` or `import` that leads to another script. */
 const IMPORT = /(\b(?:from|import|require)\s*\(?\s*)(['"])(\.{1,2}\/[^'"\n]+)\2/g;
 
-/** How a script in one folder imports another. @param folder '' for the top */
+/** How a script in one folder imports another. @param folder - '' for the top */
 function specifierOf(folder: string, target: string): string {
   const from = folder === '' ? [] : folder.split('/');
   const to = target.split('/');
@@ -18,9 +18,9 @@ function specifierOf(folder: string, target: string): string {
 
 /**
  * The text of a script whose imports lead where they did once scripts have other names.
- * @param name of the script, before
- * @param renames names of before to names of after, that of the script too where it gets another one
- * @param isScript whether there is a script of a name, before
+ * @param name - of the script, before
+ * @param renames - names of before to names of after, that of the script too where it gets another one
+ * @param isScript - whether there is a script of a name, before
  */
 export function sourceWithImports(
   source: string,
@@ -46,8 +46,8 @@ export function importsOf(source: string, name: string, isScript: (name: string)
 
 /**
  * The texts of scripts whose imports lead elsewhere once assets have other names, by the names of before.
- * @param renames names of before to names of after; of assets of any kind
- * @param sources texts that take the place of those in the scene. Default none
+ * @param renames - names of before to names of after; of assets of any kind
+ * @param sources - texts that take the place of those in the scene. Default none
  */
 export function sourcesAfterRename(
   scene: Scene,

@@ -1,8 +1,8 @@
 /**
  * A picture of an SVG file.
  *
- * @param svg text of the file, with width and height in pixels
- * @param scale pixels of the picture for one of the file; 2 by default
+ * @param svg - text of the file, with width and height in pixels
+ * @param scale - pixels of the picture for one of the file; 2 by default
  * @throws Error when the browser cannot draw the file, or makes no picture of it
  */
 export async function chartPNG(svg: string, scale = 2): Promise<Blob> {

@@ -1,8 +1,8 @@
 /**
  * Moves labels apart along one direction, in their order, as little as possible.
  *
- * @param wanted places (pixels), any order
- * @param gap least distance of two labels
+ * @param wanted - places (pixels), any order
+ * @param gap - least distance of two labels
  * @returns a place for each, in the order given; null where they do not all fit between `low` and `high`
  */
 export function spreadLabels(wanted: readonly number[], gap: number, low: number, high: number): number[] | null {

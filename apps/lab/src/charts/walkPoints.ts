@@ -15,7 +15,7 @@ export function nearestPoint(points: readonly ChartPoint[], x: number, y: number
  * Where an arrow key leads: left and right within a group, up and down to the next point of other groups at the same
  * place, Home and End to a group's ends.
  *
- * @param current null where none is chosen yet: the first point is then
+ * @param current - null where none is chosen yet: the first point is then
  * @returns undefined for a key that does not walk
  */
 export function walkPoints(

@@ -65,7 +65,7 @@ export interface Competitor {
    */
   refuses(scene: RefusableScene): string | null;
   /**
-   * @param longest time that a first frame may take (ms)
+   * @param longest - time that a first frame may take (ms)
    * @throws Error that names what failed
    */
   open(canvas: HTMLCanvasElement, scene: StageScene, signal: AbortSignal, longest: number): Promise<Drawing>;

@@ -29,7 +29,7 @@ export interface Reach {
  * Counts the lights of each cluster by the addon's own rule: spheres against the bounds of clusters in view space, lists
  * filled from the farthest light on.
  *
- * @param limit lights that a cluster holds
+ * @param limit - lights that a cluster holds
  */
 export function clusterFill(
   lights: readonly Reach[],

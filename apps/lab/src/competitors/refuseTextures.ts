@@ -4,8 +4,8 @@ import type { StageScene } from '../stage/StageScene';
 /**
  * Refuses a scene whose shadow maps do not fit into a shader beside a material's own textures.
  *
- * @param textures that a shader holds on this device
- * @param others that the renderer needs besides
+ * @param textures - that a shader holds on this device
+ * @param others - that the renderer needs besides
  * @throws Error that says for how many lights there is room
  */
 export function refuseTextures({ three, lights, still }: StageScene, textures: number, others = 0): void {

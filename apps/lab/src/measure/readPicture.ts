@@ -4,7 +4,7 @@ const WIDEST = 320;
 /**
  * A picture, as it would be shown on black: 8-bit sRGB, RGBA.
  *
- * @param widest greatest width of the result (pixels); default that of pictures which are compared
+ * @param widest - greatest width of the result (pixels); default that of pictures which are compared
  */
 export function readPicture(source: HTMLCanvasElement | ImageData, widest = WIDEST): ImageData {
   const width = Math.min(widest, source.width);

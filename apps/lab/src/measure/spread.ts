@@ -3,8 +3,8 @@ import type { Spread } from '../results/LabRun';
 /**
  * Quantile with linear interpolation between order statistics; NaN without values.
  *
- * @param values in any order
- * @param q 0 to 1
+ * @param values - in any order
+ * @param q - 0 to 1
  */
 export function quantile(values: readonly number[], q: number): number {
   const sorted = [...values].sort((a, b) => a - b);
@@ -21,7 +21,7 @@ export const median = (values: readonly number[]): number => quantile(values, 0.
  * Median of the turns' medians, so that one disturbed turn does not count, and percentiles of all samples, so that it
  * shows.
  *
- * @param turns samples of each turn (ms); turns without samples do not count
+ * @param turns - samples of each turn (ms); turns without samples do not count
  * @returns null when no turn has any
  */
 export function spreadOf(turns: readonly (readonly number[])[]): Spread | null {

@@ -61,7 +61,7 @@ function aim(camera: PerspectiveCamera): void {
 /**
  * Draws one of the two pictures of figure 4.3 of the thesis.
  *
- * @param size of the picture (pixels)
+ * @param size - of the picture (pixels)
  * @throws Error (as a rejection) that names what the device or the browser cannot do
  */
 export async function drawNormals(way: NormalsWay, size: { width: number; height: number }): Promise<NormalsPicture> {

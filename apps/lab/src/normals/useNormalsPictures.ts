@@ -14,7 +14,7 @@ export interface NormalsPictures {
 /**
  * The two pictures of figure 4.3, drawn once in a frame of their own, which goes again.
  *
- * @param isWanted whether they are to be drawn now: not while others are measured
+ * @param isWanted - whether they are to be drawn now: not while others are measured
  */
 export function useNormalsPictures(isWanted: boolean): NormalsPictures {
   const [state, setState] = useState<NormalsPictures>({ pictures: {}, problem: null });

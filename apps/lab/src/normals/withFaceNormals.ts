@@ -7,7 +7,7 @@ const WELD = 1e-5;
  * A copy of a geometry without normals, with those that engines of 2015 computed: each place takes the mean of the
  * triangles that meet there, by their areas, whatever the angle between them.
  *
- * @param geometry indexed triangles with positions; left as it is
+ * @param geometry - indexed triangles with positions; left as it is
  */
 export function withFaceNormals(geometry: BufferGeometry): BufferGeometry {
   const { position } = geometry.attributes;

@@ -4,7 +4,7 @@ import { presets, type Preset } from '../plan/presets';
 /** Whether a configuration measures the scene that was handed over. */
 export const usesOwnScene = ({ series }: Configuration): boolean => series.some(({ scene }) => scene === 'own');
 
-/** What to measure of the scene that was handed over, by everybody. @param name of the scene */
+/** What to measure of the scene that was handed over, by everybody. @param name - of the scene */
 export function ownPreset(name: string): Preset {
   const { configuration } = presets.quick;
   return {

@@ -65,7 +65,7 @@ export function RunItem(props: RunItemProps) {
   );
 }
 
-/** @param onEnd called once with the name, or with null when the user left it */
+/** @param onEnd - called once with the name, or with null when the user left it */
 function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
   const field = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);

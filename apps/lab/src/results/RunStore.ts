@@ -40,7 +40,7 @@ const reasons: Readonly<Record<string, string>> = {
   UnknownError: 'its store is damaged, or the disk is full',
 };
 
-/** @param what could not be done, as in "The run was not kept" */
+/** @param what - could not be done, as in "The run was not kept" */
 function refused(what: string, error: unknown): RunStoreError {
   const { name, message } = error instanceof Error ? error : new Error(String(error));
   const why = Object.hasOwn(reasons, name) ? reasons[name] : message || 'it did not say why';
@@ -58,7 +58,7 @@ export class RunStore {
   readonly #listeners = new Set<() => void>();
   readonly #channel: BroadcastChannel | null;
 
-  /** @param name of the database */
+  /** @param name - of the database */
   constructor(name = 'farol-lab') {
     let opened: UseStore | null = null;
     // opened on first use: a page that may store nothing throws here, and should start nevertheless
@@ -104,7 +104,7 @@ export class RunStore {
     return readRun(run);
   }
 
-  /** @param name 200 characters at most; more are cut */
+  /** @param name - 200 characters at most; more are cut */
   async rename(id: string, name: string): Promise<void> {
     await this.save({ ...(await this.open(id)), name: name.trim().slice(0, 200) });
   }

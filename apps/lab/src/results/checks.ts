@@ -6,7 +6,7 @@ export class FormatError extends Error {
   override name = 'FormatError';
 }
 
-/** @param mend what the field must be, after "give" */
+/** @param mend - what the field must be, after "give" */
 function refuse(path: string, value: unknown, mend: string): never {
   if (value === undefined) throw new FormatError(`${path} is missing: give ${mend}.`);
   throw new FormatError(`${path} is ${shown(value)}: give ${mend}.`);
@@ -30,7 +30,7 @@ export function text(most = 1000): Check<string> {
       : refuse(path, value, `a text of ${most} characters at most`);
 }
 
-/** @param what in words, with the pattern's own examples */
+/** @param what - in words, with the pattern's own examples */
 export function textLike(pattern: RegExp, most: number, what: string): Check<string> {
   return (value, path) =>
     typeof value === 'string' && value.length <= most && pattern.test(value) ? value : refuse(path, value, what);
@@ -63,7 +63,7 @@ export function orNull<T>(check: Check<T>): Check<T | null> {
   return (value, path) => (value === null ? null : check(value, path));
 }
 
-/** @param fallback stands in for a field that older files lack */
+/** @param fallback - stands in for a field that older files lack */
 export function orMissing<T>(check: Check<T>, fallback: T): Check<T> {
   return (value, path) => (value === undefined ? fallback : check(value, path));
 }

@@ -53,7 +53,7 @@ const MOST_VALUES = 200;
 
 const shown = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** A few problems of many. @param others what the others are, with their number before it */
+/** A few problems of many. @param others - what the others are, with their number before it */
 function tellFew(problems: string[], all: readonly string[], others: string): void {
   problems.push(...all.slice(0, MOST_TOLD));
   if (all.length > MOST_TOLD) problems.push(`So ${others.replace('#', String(all.length - MOST_TOLD))}.`);
@@ -62,7 +62,7 @@ function tellFew(problems: string[], all: readonly string[], others: string): vo
 /**
  * The configuration of an address's fragment. What is wrong in it is named, and its default stands in its place.
  *
- * @param fragment with or without `#`
+ * @param fragment - with or without `#`
  * @returns null where the address names no preset and no series
  */
 export function configurationOf(fragment: string): Linked | null {

@@ -47,8 +47,8 @@ const placeOf = (series: string, index: number, competitor: string): string => `
  * Parts of one run as one: rows of later parts stand in place of those of earlier ones. Cases are found by series and
  * what they draw, wherever they stand in their part.
  *
- * @param plan of the whole run
- * @param parts at least one, of one device
+ * @param plan - of the whole run
+ * @param parts - at least one, of one device
  * @throws Error that names what the parts differ in, where they are no parts of one run
  */
 export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {

@@ -158,7 +158,7 @@ const run = fields<LabRun>({
 /**
  * Reads the JSON of a run that somebody else may have written. Fields that are not known are left out.
  *
- * @param source the JSON, {@link LONGEST_RUN} characters at most
+ * @param source - the JSON, {@link LONGEST_RUN} characters at most
  * @throws FormatError that names the field, its value and what is needed in its place
  */
 export function parseRun(source: string): LabRun {

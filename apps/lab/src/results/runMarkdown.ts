@@ -53,7 +53,7 @@ export interface ChartWords {
 /**
  * A run as Markdown: surroundings, then tables as in chapter 4 of the thesis, with problems and warnings.
  *
- * @param charts whose sentences come before the tables
+ * @param charts - whose sentences come before the tables
  */
 export function runMarkdown(run: LabRun, charts: readonly ChartWords[] = []): string {
   const { plan, surroundings, rows } = run;

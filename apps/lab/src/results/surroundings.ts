@@ -29,9 +29,9 @@ const words: Readonly<Record<string, { kind: string }>> = competitorNames;
 /**
  * Where a run that begins now is made.
  *
- * @param device what the stage's `device` gave
- * @param competitors keys of those that are measured: versions of other engines are asked for where one is among them
- * @param teller default `navigator`
+ * @param device - what the stage's `device` gave
+ * @param competitors - keys of those that are measured: versions of other engines are asked for where one is among them
+ * @param teller - default `navigator`
  */
 export async function surroundingsOf(
   device: { readonly renderer: string; readonly software: boolean },

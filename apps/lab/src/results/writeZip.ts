@@ -8,7 +8,7 @@ export interface ZipEntry {
 /**
  * An archive of files as they are, uncompressed.
  *
- * @param date of all files
+ * @param date - of all files
  * @see APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16
  */
 export function writeZip(entries: readonly ZipEntry[], date: Date): Blob {

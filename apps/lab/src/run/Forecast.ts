@@ -15,13 +15,13 @@ const STEEPEST = 2;
 export class Forecast {
   private readonly seen = new Map<string, Seen[]>();
 
-  /** @param longest time (ms) beyond which a case is left out */
+  /** @param longest - time (ms) beyond which a case is left out */
   constructor(private readonly longest: number) {}
 
   /**
-   * @param kind `first` or `frame`
-   * @param value along the series' axis
-   * @param ms that it took
+   * @param kind - `first` or `frame`
+   * @param value - along the series' axis
+   * @param ms - that it took
    */
   note(series: string, competitor: string, kind: 'first' | 'frame', value: number, ms: number): void {
     const key = `${series} ${competitor} ${kind}`;

@@ -18,7 +18,7 @@ export interface StageFrames {
   /**
    * Hands the scene `own` to the frames that there are and to those that come.
    *
-   * @param file a scene file of the engine with its assets
+   * @param file - a scene file of the engine with its assets
    */
   setOwnScene(file: Uint8Array): Promise<void>;
   /** Takes all frames out of the page, with all they hold. */
@@ -28,8 +28,8 @@ export interface StageFrames {
 /**
  * Frames inside a page.
  *
- * @param parent element that holds the frames; they have no size on the page
- * @param url of `stage.html`
+ * @param parent - element that holds the frames; they have no size on the page
+ * @param url - of `stage.html`
  */
 export function createStageFrames(parent: HTMLElement, url = './stage.html'): StageFrames {
   let ownScene: Uint8Array | null = null;

@@ -15,7 +15,7 @@ export interface Crash {
 /**
  * Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`.
  *
- * @param crashes what is not opened again
+ * @param crashes - what is not opened again
  */
 export function framesOfBuilds(
   parent: HTMLElement,

@@ -33,7 +33,7 @@ export interface Stage {
   /**
    * Makes a competitor ready for a case and draws its first frame. Several competitors may be open at once.
    *
-   * @param competitor key in `competitors`
+   * @param competitor - key in `competitors`
    * @throws Error (as a rejection) that names what the device, the browser or the competitor cannot do
    */
   open(competitor: string, labCase: LabCase, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;

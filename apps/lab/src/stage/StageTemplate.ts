@@ -17,9 +17,9 @@ export interface StageTemplate {
 /**
  * Takes a scene apart. The balls that show where lamps are go for good: they are no part of what is measured.
  *
- * @param scene stays alive as long as the template is in use
- * @param size of the picture (pixels)
- * @param moves whether lights that move by the engine's RandomMovement get paths of our own
+ * @param scene - stays alive as long as the template is in use
+ * @param size - of the picture (pixels)
+ * @param moves - whether lights that move by the engine's RandomMovement get paths of our own
  * @throws Error when the scene has no camera
  */
 export function takeApart(

@@ -37,8 +37,8 @@ const LOOKS = [0.37, 1.9, 7.3, 23.1, 61.7];
 /**
  * A competitor's own scene of a case: the same numbers for every competitor and in every run.
  *
- * @param template of the case's scene, made with at least as many lights
- * @param profiles of points with light profiles: the scene has copies of them
+ * @param template - of the case's scene, made with at least as many lights
+ * @param profiles - of points with light profiles: the scene has copies of them
  */
 export function buildStageScene(
   labCase: LabCase,

@@ -18,7 +18,7 @@ export interface MovingField {
 
 const position = new Vector3();
 
-/** @param lights as many point lights, of which colour, intensity, reach and decay are taken */
+/** @param lights - as many point lights, of which colour, intensity, reach and decay are taken */
 export function movingField(lights: readonly PointLight[]): MovingField {
   const field = new LightField(lights.length + SPARE);
   field.count = 0;

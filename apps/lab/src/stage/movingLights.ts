@@ -35,7 +35,7 @@ function rectangle(point: PointLight): RectAreaLight {
 /**
  * What makes the lights of a kind.
  *
- * @param profiles textures that points with profiles have in turns
+ * @param profiles - textures that points with profiles have in turns
  */
 export function lightMaker(kind: SingleLightKind, profiles: readonly Texture[]): Maker {
   if (kind === 'spots') return spot;

@@ -20,7 +20,7 @@ export interface MovingParticles {
  * As many particles as lights, in the space in which these move; no more and no fewer live at any time. Their motion is
  * exact whatever the steps, so that all competitors have the same at the same time.
  *
- * @param lights of which the mean colour and intensity, and the reach are taken
+ * @param lights - of which the mean colour and intensity, and the reach are taken
  */
 export function movingParticles(lights: readonly PointLight[], paths: readonly LightPath[]): MovingParticles {
   const count = lights.length;

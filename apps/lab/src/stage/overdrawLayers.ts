@@ -7,8 +7,8 @@ const MARGIN = 1.05;
  * Lit quads that cover the picture one behind the other. They are drawn before all else and from back to front, so that
  * each one is drawn whole. They stand in the farther half of the lights' depths, where lights shine on their fronts.
  *
- * @param count of layers
- * @param places world positions of the lights
+ * @param count - of layers
+ * @param places - world positions of the lights
  */
 export function overdrawLayers(count: number, camera: Camera, places: readonly Vector3[]): Mesh[] {
   camera.updateMatrixWorld(true);

@@ -28,8 +28,8 @@ interface Both {
 /**
  * The thesis's conclusions (its section 4.2.2 and chapter 5), each held against a run.
  *
- * @param pairs rows of the thesis beside the run's
- * @param forward the competitor that stands for the thesis's forward rendering
+ * @param pairs - rows of the thesis beside the run's
+ * @param forward - the competitor that stands for the thesis's forward rendering
  */
 export function conclusionsOf(run: LabRun, pairs: readonly ThesisPair[], forward = 'forward'): Conclusion[] {
   const both = pairs.flatMap((pair): Both[] => {

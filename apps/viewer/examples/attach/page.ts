@@ -13,7 +13,7 @@ export const controls = new OrbitControls(camera, renderer.domElement);
 controls.target.set(0, 1.4, 0);
 controls.update();
 
-/** @param seconds time on the page's clock */
+/** @param seconds - time on the page's clock */
 export function drawFrame(seconds: number): void {
   update(seconds);
   renderer.render(scene, camera);

@@ -10,7 +10,7 @@ export interface ExampleOptions {
   /** Its canvas fills the page. */
   webgl: WebGLRenderer;
   farol: FarolRenderer;
-  /** Draws one frame. @param byFarol false: as it was before Farol @param seconds time on the page's clock */
+  /** Draws one frame. @param byFarol - false: as it was before Farol @param seconds - time on the page's clock */
   frame(byFarol: boolean, seconds: number): void;
   /** Takes the size of the page (CSS pixels); the canvas has it already. */
   resize(width: number, height: number): void;

@@ -16,9 +16,9 @@ function lightsRound(lights: number): string {
  * What the Lab's address has after `#` to measure a demo scene over its lights, those on show in the middle:
  * `#preset=custom&series=temple:lights:12,25,50,100,200`.
  *
- * @param scene key in the engine's `scenes`
- * @param parameters of the scene on show; those absent have their defaults
- * @param defaults of the scene's parameters
+ * @param scene - key in the engine's `scenes`
+ * @param parameters - of the scene on show; those absent have their defaults
+ * @param defaults - of the scene's parameters
  * @returns null for a scene that the Lab does not build by itself
  */
 export function labFragment(

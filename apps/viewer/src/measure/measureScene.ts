@@ -8,7 +8,7 @@ import { labFragment, ownSceneFragment } from './labFragment';
 /**
  * Opens the Lab with the scene on show: a demo scene that the Lab builds too by its address, others handed over as a file.
  *
- * @param model on show, null for a scene of the engine's
+ * @param model - on show, null for a scene of the engine's
  * @throws Error (as a rejection) of a sentence with the mend, see `openBeside`
  */
 export function measureScene(

@@ -9,7 +9,7 @@ const notMeasured = new Set(['KeyController', 'MouseController', 'ModelAnimation
  * The scene on show as the bytes of a `.farol` file: the camera where it is now, a dropped model with all its textures
  * inside.
  *
- * @param model on show, null for a scene of the engine's
+ * @param model - on show, null for a scene of the engine's
  * @throws Error (as a rejection) when the model cannot be packed
  */
 export async function sceneFile(scene: Scene, model: LoadedModel | null): Promise<Uint8Array<ArrayBuffer>> {

@@ -6,7 +6,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
  * A GLTFLoader with the decoders that a file asks for: Draco, meshopt and KTX2 (Basis Universal) are fetched only when
  * a file uses them.
  *
- * @param extensions `extensionsUsed` of the file
+ * @param extensions - `extensionsUsed` of the file
  * @returns the loader, and what gives the decoders' workers back
  */
 export async function createLoader(

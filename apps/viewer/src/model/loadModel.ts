@@ -28,8 +28,8 @@ export interface LoadedModel {
 /**
  * Reads the glTF, OBJ, STL or PLY among some files, with the buffers, materials and textures that it names.
  *
- * @param given files; a ZIP stands for what it holds
- * @param signal cancels the reading
+ * @param given - files; a ZIP stands for what it holds
+ * @param signal - cancels the reading
  * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
  */
 export async function loadModel(given: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {

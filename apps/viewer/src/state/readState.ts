@@ -13,7 +13,7 @@ class BadValue extends Error {}
  * Reads the state of a URL. A value that is wrong gives its default and a problem, a line that names the parameter, the
  * value and what is allowed; nothing throws.
  *
- * @param search query of the URL, with or without its '?'
+ * @param search - query of the URL, with or without its '?'
  */
 export function readState(search: string, known: KnownNames): { state: ViewerState; problems: string[] } {
   const query = new URLSearchParams(search);

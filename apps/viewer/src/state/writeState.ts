@@ -5,7 +5,7 @@ import type { KnownNames, ViewerState } from './ViewerState';
  * The query of a URL that gives this state back: scene, technique and view always, the rest where it differs from its
  * default. `readState(writeState(state))` is `state`, less parameters that the scene does not have.
  *
- * @param isScene whether a scene is on show, not a model, which no query can hold: the query names no scene then. Default true
+ * @param isScene - whether a scene is on show, not a model, which no query can hold: the query names no scene then. Default true
  * @returns the query with its '?'
  */
 export function writeState(state: ViewerState, { scenes, defaults }: KnownNames, isScene = true): string {

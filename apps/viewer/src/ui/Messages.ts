@@ -12,8 +12,8 @@ export class Messages {
   /**
    * Shows a message in place of the last one on the same subject; an empty text takes that away.
    *
-   * @param subject what it is about, such as 'file'
-   * @param onClose called when the user closes it
+   * @param subject - what it is about, such as 'file'
+   * @param onClose - called when the user closes it
    */
   show(subject: string, text: string, onClose = (): void => {}): void {
     this.bySubject.get(subject)?.remove();

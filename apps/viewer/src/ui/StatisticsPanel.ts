@@ -9,7 +9,7 @@ export class StatisticsPanel {
   private frames = 0;
   private since = performance.now();
 
-  /** @param period time between two updates of the page (ms) */
+  /** @param period - time between two updates of the page (ms) */
   constructor(private readonly period = 250) {
     this.element.className = 'statistics';
     const table = document.createElement('table');
@@ -23,7 +23,7 @@ export class StatisticsPanel {
     this.element.append(this.summary, table);
   }
 
-  /** @param now time of the frame (ms), as of `performance.now()` */
+  /** @param now - time of the frame (ms), as of `performance.now()` */
   frameDrawn(info: FarolInfo, now: number): void {
     this.frames++;
     const elapsed = now - this.since;
@@ -33,7 +33,7 @@ export class StatisticsPanel {
     this.since = now;
   }
 
-  /** Writes the figures now. @param fps frames a second; null when no frames follow one another */
+  /** Writes the figures now. @param fps - frames a second; null when no frames follow one another */
   show(info: FarolInfo, fps: number | null): void {
     this.summary.textContent = [
       fps === null ? 'stopped' : `${fps.toFixed(0)} FPS`,

@@ -17,7 +17,7 @@ export class PropertyOwner implements FieldTarget {
   readonly fields: Readonly<Record<string, Field>>;
   private readonly properties: ReadonlyMap<string, Property>;
 
-  /** @param ownerName name or type of the target */
+  /** @param ownerName - name or type of the target */
   constructor(
     readonly ownerName: string,
     private readonly target: object,

@@ -8,7 +8,7 @@ type Target = Record<string, unknown>;
  * Declares a property that stands under its own name on an object of three's: plain for numbers, texts and flags, copied
  * in and out for vectors, Euler angles and colours.
  *
- * @param after called with the object once the value is set
+ * @param after - called with the object once the value is set
  */
 export function declare(name: string, field: Field, after?: (target: Target) => void): Property<Target> {
   const { get, set } = accessOf(field, name);
@@ -55,7 +55,7 @@ function accessOf(field: Field, name: string): Pick<Property<Target>, 'get' | 's
   }
 }
 
-/** Declares a choice among three's constants, shown by name. @param values constant by name */
+/** Declares a choice among three's constants, shown by name. @param values - constant by name */
 export function declareConstant(
   name: string,
   help: string,

@@ -21,7 +21,7 @@ const materialsOf = (object: Object3D): Material[] => {
 /**
  * What the inspector shows of objects: transform, flags, and what they have as lights, as cameras or by their materials. Of
  * several objects it is what all of them have.
- * @param objects at least one
+ * @param objects - at least one
  */
 export function sectionsOf(objects: readonly Object3D[]): Section[] {
   const [first] = objects;

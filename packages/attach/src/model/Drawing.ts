@@ -17,7 +17,7 @@ export class Drawing {
   private own: FarolRenderer | null = null;
   private isDisposed = false;
 
-  /** @param given the page's own FarolRenderer, if it draws by one already; then three cannot be asked for */
+  /** @param given - the page's own FarolRenderer, if it draws by one already; then three cannot be asked for */
   constructor(
     private readonly session: Session,
     private readonly hook: RenderHook,

@@ -8,7 +8,7 @@ export interface Placement {
   readonly index: number;
 }
 
-/** Where an object is now. @param object with a parent */
+/** Where an object is now. @param object - with a parent */
 export function placementOf(object: Object3D): Placement {
   const parent = object.parent!;
   return { object, parent, index: parent.children.indexOf(object) };
@@ -19,8 +19,8 @@ export class PlaceObjects implements Command<Object3D> {
   private readonly placements: readonly Placement[];
 
   /**
-   * @param kind whether `do` adds or removes
-   * @param placements where the objects are while all of them are there
+   * @param kind - whether `do` adds or removes
+   * @param placements - where the objects are while all of them are there
    */
   constructor(
     readonly label: string,

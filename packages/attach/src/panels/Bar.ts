@@ -9,7 +9,7 @@ import type { Gizmo } from '../viewport/Gizmo';
 /** The keys of the gizmo while the focus is in the panels: those of Farol's own editor. */
 const modeKeys: Readonly<Record<string, TransformMode>> = { w: 'translate', e: 'rotate', r: 'scale' };
 
-/** What a key does to the gizmo; null for a key of something else. @param key in small letters */
+/** What a key does to the gizmo; null for a key of something else. @param key - in small letters */
 export function gizmoKey(gizmo: Gizmo, key: string): (() => void) | null {
   const mode = modeKeys[key];
   if (mode) return () => (gizmo.mode = mode);
@@ -39,7 +39,7 @@ export class Bar {
   private readonly problem = element('p', { role: 'alert' });
   private readonly ends: (() => void)[];
 
-  /** @param toggle shows or hides the panels */
+  /** @param toggle - shows or hides the panels */
   constructor(
     private readonly session: Session,
     private readonly gizmo: Gizmo,

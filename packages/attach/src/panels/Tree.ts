@@ -192,7 +192,7 @@ export class Tree {
     else this.choose(row.object, event);
   }
 
-  /** @param keys that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before */
+  /** @param keys - that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before */
   private choose(object: Object3D, { ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): void {
     const { rows, session, anchor } = this;
     const objects = rows.map((row) => row.object);

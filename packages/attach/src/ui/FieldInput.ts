@@ -30,7 +30,7 @@ export class FieldInput {
   private readonly gesture: FieldGesture<Object3D>;
   private readonly problem = element('p', { className: 'problem', role: 'alert', hidden: true });
 
-  /** @param owners at least one, all with the field */
+  /** @param owners - at least one, all with the field */
   constructor(
     session: Session,
     private readonly owners: readonly PropertyOwner[],
@@ -157,8 +157,8 @@ export class FieldInput {
 
   /**
    * Shows what an edit would make.
-   * @param part where it is typed or chosen, which stays as it is; null for a drag of the label
-   * @param update null for what there was before
+   * @param part - where it is typed or chosen, which stays as it is; null for a drag of the label
+   * @param update - null for what there was before
    */
   private take(session: Session, part: FieldPart | null, update: FieldUpdate | null): void {
     const { gesture } = this;
@@ -195,7 +195,7 @@ const messageOf = (error: unknown): string => (error instanceof Error ? error.me
 
 const isWrong = ({ control }: FieldPart): boolean => control.getAttribute('aria-invalid') === 'true';
 
-/** Marks a control as wrong, with the reason as its tooltip. @param problem '' for none */
+/** Marks a control as wrong, with the reason as its tooltip. @param problem - '' for none */
 function mark({ control }: FieldPart, problem: string): void {
   control.setAttribute('aria-invalid', String(problem !== ''));
   control.title = problem;

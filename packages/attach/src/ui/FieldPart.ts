@@ -49,8 +49,8 @@ const AXES = ['x', 'y', 'z'] as const;
 
 /**
  * The controls of a field, left to right.
- * @param id of the first control, for its label
- * @param label accessible name of the field
+ * @param id - of the first control, for its label
+ * @param label - accessible name of the field
  */
 export function makeFieldParts(field: Field, id: string, label: string): FieldPart[] {
   switch (field.kind) {
@@ -77,8 +77,8 @@ export function makeFieldParts(field: Field, id: string, label: string): FieldPa
 
 /**
  * A part that shows a text.
- * @param textOf the text of the owners' values; null where they differ
- * @param write shows the text
+ * @param textOf - the text of the owners' values; null where they differ
+ * @param write - shows the text
  */
 function part(
   control: FieldPart['control'],
@@ -106,7 +106,7 @@ type Typed = number | ((before: number) => number);
 
 /**
  * An input that takes what a number's field of Farol's own editor takes: expressions, units, `+=`. Arrow keys step.
- * @param updateOf the update of a number, or of what makes one
+ * @param updateOf - the update of a number, or of what makes one
  */
 function numericPart(
   range: NumberRange & { readonly step: number },
@@ -161,7 +161,7 @@ function numericPart(
   return { ...part(control, textOf, write, read), unfinished };
 }
 
-/** @param axis of a vector or of Euler angles; none for a single number */
+/** @param axis - of a vector or of Euler angles; none for a single number */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
   const { toShown, fromShown, ...range } = numberDisplay(field);
   const text = (value: number | null): string | null =>

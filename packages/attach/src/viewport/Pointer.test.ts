@@ -40,7 +40,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** @param to where the pointer goes up, and by which event */
+/** @param to - where the pointer goes up, and by which event */
 function press(x: number, values: object = {}, to: { x?: number; as?: 'pointerup' | 'pointercancel' } = {}): string {
   const event = { target: canvas, button: 0, pointerId: 1, clientX: x, clientY: 50, ...values };
   listeners.get('pointerdown')!(event);

@@ -16,7 +16,7 @@ export class Pointer {
   private pressed: { x: number; y: number; id: number } | null = null;
   private readonly listening = new AbortController();
 
-  /** @param area the element that the page's controls listen on */
+  /** @param area - the element that the page's controls listen on */
   constructor(
     private readonly session: Session,
     private readonly gizmo: Gizmo,

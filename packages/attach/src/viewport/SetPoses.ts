@@ -15,7 +15,7 @@ export class SetPoses implements Command<Object3D> {
   /** Poses before the first `do`; null until then. */
   private before: readonly AngledPose[] | null = null;
 
-  /** @param poses of the objects, in their order; what does not change is left out */
+  /** @param poses - of the objects, in their order; what does not change is left out */
   constructor(
     readonly label: string,
     private readonly objects: readonly Object3D[],

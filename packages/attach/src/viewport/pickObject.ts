@@ -9,7 +9,7 @@ const skipped = new WeakSet<Object3D>();
  * The nearest visible object under a point of the picture; null when there is none. What three alone could cast at, by vertices
  * that the GPU alone has, does not count, and is named once.
  *
- * @param at normalised device coordinates, -1 to 1, y up
+ * @param at - normalised device coordinates, -1 to 1, y up
  */
 export function pickObject(scene: Object3D, camera: Camera, at: Vector2): Object3D | null {
   raycaster.setFromCamera(at, camera);

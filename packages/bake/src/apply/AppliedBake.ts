@@ -20,10 +20,10 @@ export class AppliedBake {
   private applied = false;
 
   /**
-   * @param lights that leave while it is applied
-   * @param textures one a lightmap; they stay their owner's
-   * @param channel set of UVs that the textures are read by
-   * @param skyOf see {@link litMaterial}
+   * @param lights - that leave while it is applied
+   * @param textures - one a lightmap; they stay their owner's
+   * @param channel - set of UVs that the textures are read by
+   * @param skyOf - see {@link litMaterial}
    */
   constructor(
     meshes: readonly BakedMesh[],

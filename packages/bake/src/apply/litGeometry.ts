@@ -7,7 +7,7 @@ type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 export class GatheredAttributes {
   private readonly made = new Map<AnyAttribute, { order: Uint32Array; gathered: BufferAttribute }[]>();
 
-  /** @param order one a vertex of the result: the vertex that it is a copy of */
+  /** @param order - one a vertex of the result: the vertex that it is a copy of */
   of(attribute: AnyAttribute, order: Uint32Array): BufferAttribute {
     const all = this.made.get(attribute) ?? [];
     this.made.set(attribute, all);

@@ -10,7 +10,7 @@ export interface LitMaterial {
 /**
  * A material that inherits every property of its source, live, and has a lightmap. Nothing is written to the source.
  *
- * @param skyOf the scene whose environment is in the lightmap, null when it is not: the material then shows of it what
+ * @param skyOf - the scene whose environment is in the lightmap, null when it is not: the material then shows of it what
  *   metals mirror
  */
 export function litMaterial(source: AnyMaterial, texture: Texture, skyOf: Scene | null): LitMaterial {

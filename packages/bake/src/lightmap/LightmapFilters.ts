@@ -137,7 +137,7 @@ export class LightmapFilters {
     grid.light.reverse();
   }
 
-  /** @param samples of the stage so far */
+  /** @param samples - of the stage so far */
   showSoFar(lightmap: number, stage: Stage, samples: number): void {
     const { shared, renderer } = this;
     const { fine, coarse } = this.targets;

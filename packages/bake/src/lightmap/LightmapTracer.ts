@@ -103,8 +103,8 @@ export class LightmapTracer {
   }
 
   /**
-   * @param tables lights whose light is baked, and lights of which reflections alone are
-   * @param skies the same of ambient and hemisphere lights
+   * @param tables - lights whose light is baked, and lights of which reflections alone are
+   * @param skies - the same of ambient and hemisphere lights
    */
   async run(
     tables: readonly [LightTable, LightTable],
@@ -241,7 +241,7 @@ export class LightmapTracer {
     measurePhase('trace', begin, { indirectSamples: stage.isGather ? samples * grid.size ** 2 : 0 });
   }
 
-  /** @param samples so far */
+  /** @param samples - so far */
   private tellSlice(stage: Stage, lightmap: number, samples: number): void {
     if (performance.now() - this.lastPreview > PREVIEW_MILLISECONDS && !stage.isIndirect) {
       this.lastPreview = performance.now();

@@ -59,7 +59,7 @@ const softSamples = (samples: number): number =>
 /**
  * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise counts
  * less.
- * @param index from 0
+ * @param index - from 0
  */
 const gatherSamples = (samples: number, index: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);

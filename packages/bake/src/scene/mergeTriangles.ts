@@ -62,7 +62,7 @@ const NO_AREA = 1e-16;
 /**
  * Brings static meshes into one list of triangles.
  *
- * @param unwrapped where each mesh lies in a lightmap, by the index of the mesh; null for those without one
+ * @param unwrapped - where each mesh lies in a lightmap, by the index of the mesh; null for those without one
  */
 export function mergeTriangles(
   meshes: readonly StaticMesh[],

@@ -20,7 +20,7 @@ export class SeamSystem {
   private readonly places: number[] = [];
   private readonly weights: number[] = [];
 
-  /** @param size of the lightmap in texels */
+  /** @param size - of the lightmap in texels */
   constructor(private readonly size: number) {
     this.numbers = new Int32Array(size * size).fill(-1);
   }

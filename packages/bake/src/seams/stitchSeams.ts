@@ -5,7 +5,7 @@ import { WorkerPool } from '../worker/WorkerPool';
 /**
  * `stitchLightmap` of all lightmaps, in workers.
  *
- * @param lightmaps four floats a texel: those that are stitched come in their place
+ * @param lightmaps - four floats a texel: those that are stitched come in their place
  */
 export async function stitchSeams(
   lightmaps: Float32Array[],

@@ -18,7 +18,7 @@ export interface SkySource {
   readonly defines: Record<string, unknown>;
 }
 
-/** @param lights ambient and hemisphere lights that are baked */
+/** @param lights - ambient and hemisphere lights that are baked */
 export function skySource(
   scene: Scene,
   sky: Sky,

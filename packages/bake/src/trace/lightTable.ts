@@ -26,7 +26,7 @@ export interface LightTable {
   dispose(): void;
 }
 
-/** @param bounds of all surfaces, world space */
+/** @param bounds - of all surfaces, world space */
 export function lightTable(all: readonly TracedLight[], bounds: Box3): LightTable {
   const reach = ({ kind, range }: TracedLight): number => (kind === 'point' || kind === 'spot' ? range : 0);
   const endless = all.filter((light) => reach(light) === 0);

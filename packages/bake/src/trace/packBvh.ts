@@ -20,7 +20,7 @@ const FLOATS = 16;
  * Builds a hierarchy over triangles, by three-mesh-bvh, with both children's bounds in their parent, so that a step reads
  * four texels in a row.
  *
- * @param positions nine a triangle
+ * @param positions - nine a triangle
  * @see Aila and Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs
  */
 export function packBvh(positions: Float32Array): PackedBvh {

@@ -27,7 +27,7 @@ export class ChartPacker {
   private readonly pieces: Piece[][] = [];
   private scale = 0;
 
-  /** @param surfaces one a mesh; equal ones are the same object */
+  /** @param surfaces - one a mesh; equal ones are the same object */
   constructor(
     private readonly surfaces: readonly Charts[],
     private readonly size: number,

@@ -24,7 +24,7 @@ export class TexelGrid {
   /**
    * The first place, by rows and columns, where a chart touches no texel that is taken; -1 for none.
    *
-   * @param from no place before this one is looked at
+   * @param from - no place before this one is looked at
    * @returns row times (size + 1) and column, of the chart's texel 0, 0
    */
   find({ width, height, touched }: Footprint, from: number): number {

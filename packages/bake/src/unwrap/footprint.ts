@@ -25,7 +25,7 @@ export interface Footprint {
  * The texels that a chart touches. Sides are stretched to whole texels, so that borders of charts lie on centres where
  * they are straight; long sides lie along rows.
  *
- * @param uvs of the chart's surface (m)
+ * @param uvs - of the chart's surface (m)
  */
 export function footprintOf(
   uvs: Float32Array,

@@ -21,8 +21,8 @@ const MOST_STEPS = 60;
 /**
  * Packs the charts of meshes into one lightmap.
  *
- * @param surfaces one a mesh; equal ones are the same object
- * @param texelsPerMetre null: as many as there is room for
+ * @param surfaces - one a mesh; equal ones are the same object
+ * @param texelsPerMetre - null: as many as there is room for
  * @returns null when the lightmap is too small
  */
 export function packLightmap(

@@ -9,8 +9,8 @@ const MOST_NEED = 1;
 /**
  * Lays meshes out in lightmaps, each in one.
  *
- * @param surfaces one a mesh; equal ones are the same object
- * @param onProgress share of the work that is done
+ * @param surfaces - one a mesh; equal ones are the same object
+ * @param onProgress - share of the work that is done
  * @throws Error when a lightmap is too small for the charts of one mesh
  */
 export function packMeshes(

@@ -1,4 +1,4 @@
-/** Area of a surface (m²). @param positions three a vertex @param index three a triangle */
+/** Area of a surface (m²). @param positions - three a vertex @param index - three a triangle */
 export function surfaceArea(positions: Float32Array, index: Uint32Array): number {
   let area = 0;
   for (let i = 0; i < index.length; i += 3) {

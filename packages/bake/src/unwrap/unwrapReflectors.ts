@@ -27,8 +27,8 @@ const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
  * Lays out meshes that reflect light without a lightmap that is kept, in one lightmap more, coarsely. Where there is no room
  * for them they throw shadows alone, which is told.
  *
- * @param density texels a metre of the lightmaps that are kept
- * @param first number of the first lightmap
+ * @param density - texels a metre of the lightmaps that are kept
+ * @param first - number of the first lightmap
  */
 export async function unwrapReflectors(
   meshes: readonly StaticMesh[],

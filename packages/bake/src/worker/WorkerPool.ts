@@ -21,8 +21,8 @@ export class WorkerPool {
   }
 
   /**
-   * @param wanted workers; there are as many as there are processors for
-   * @param signal when it is aborted, what is asked for is rejected with its reason
+   * @param wanted - workers; there are as many as there are processors for
+   * @param signal - when it is aborted, what is asked for is rejected with its reason
    */
   static async make(wanted: number, signal: AbortSignal | undefined): Promise<WorkerPool> {
     const { default: BakeWorker } = await import('./bakeWorker?worker&inline');
@@ -35,7 +35,7 @@ export class WorkerPool {
   }
 
   /**
-   * @param weight of what is asked for at once, the heaviest begins first
+   * @param weight - of what is asked for at once, the heaviest begins first
    * @throws Error (as a rejection) with what the worker failed by
    */
   ask<Kind extends keyof BakeResults>(

@@ -20,8 +20,8 @@ export class FieldGesture<Item = string> {
   private step: Command<Item> | null = null;
 
   /**
-   * @param owners all of one type; at least one
-   * @param whose what labels of the history call them; by their `ownerName` when absent
+   * @param owners - all of one type; at least one
+   * @param whose - what labels of the history call them; by their `ownerName` when absent
    */
   constructor(
     private readonly commands: CommandStack<Item>,

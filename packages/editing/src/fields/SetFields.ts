@@ -23,7 +23,7 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
 const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
   authored({ owner, name: owner.fields[name]?.viewOf ?? name, value: null });
 
-/** Sets all, or none when one is refused. @param before values before the call, in the same order */
+/** Sets all, or none when one is refused. @param before - values before the call, in the same order */
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
   try {
@@ -41,7 +41,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   /** What `undo` sets, in the same order. */
   private undoes: readonly FieldEdit<Owner>[] = [];
 
-  /** @param edits each field of each owner at most once */
+  /** @param edits - each field of each owner at most once */
   constructor(
     readonly label: string,
     readonly edits: readonly FieldEdit<Owner>[],

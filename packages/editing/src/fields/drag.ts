@@ -13,8 +13,8 @@ export const suitsSlider = ({ min, max, step }: SteppedRange): boolean =>
 
 /**
  * The number at a place of a slider. The ends are reached although no whole number of steps may lead there.
- * @param part of the way from `min` to `max`; beyond 0 and 1 it is one of them
- * @param isFine by a tenth of the step
+ * @param part - of the way from `min` to `max`; beyond 0 and 1 it is one of them
+ * @param isFine - by a tenth of the step
  */
 export function valueOnSlider(part: number, range: { min: number; max: number; step: number }, isFine = false): number {
   const { min, max, step } = range;

@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from './Field';
 
-/** The sRGB transfer function. @param linear 0 to 1 @see IEC 61966-2-1 */
+/** The sRGB transfer function. @param linear - 0 to 1 @see IEC 61966-2-1 */
 const encode = (linear: number): number => (linear <= 0.0031308 ? linear * 12.92 : 1.055 * linear ** (1 / 2.4) - 0.055);
 
 const decode = (encoded: number): number => (encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4);
@@ -46,7 +46,7 @@ export function withScreenColour(hex: string): ((before: Vector3Tuple) => Vector
 /**
  * An update of the intensity of a colour, for `FieldGesture`: each owner keeps its hue exactly. Above 1 the brightest
  * channel becomes the intensity; 1 takes away what a screen cannot show, and leaves colours that a screen shows.
- * @param intensity 1 or more
+ * @param intensity - 1 or more
  * @throws RangeError for another one
  */
 export function withIntensity(intensity: number): (before: Vector3Tuple) => Vector3Tuple {
@@ -59,7 +59,7 @@ export function withIntensity(intensity: number): (before: Vector3Tuple) => Vect
   };
 }
 
-/** What several colours have in common: a part that differs is null. @param colours at least one */
+/** What several colours have in common: a part that differs is null. @param colours - at least one */
 export function sharedColour(colours: readonly Vector3Tuple[]): { hex: string | null; intensity: number | null } {
   const [first, ...others] = colours.map(splitColour);
   return {

@@ -11,7 +11,7 @@ export interface SharedValue {
   readonly parts?: readonly (number | null)[];
 }
 
-/** @param values of each owner; at least one */
+/** @param values - of each owner; at least one */
 export function sharedValue(values: readonly FieldValue[]): SharedValue {
   const [first] = values;
   if (values.every((value) => sameValue(value, first))) return { value: first, mixed: false };
@@ -23,8 +23,8 @@ export function sharedValue(values: readonly FieldValue[]): SharedValue {
 
 /**
  * An update of one coordinate of a triple, for `FieldGesture`: each owner keeps its other two.
- * @param axis 0 to 2
- * @param value the new one, or what makes it of the owner's own
+ * @param axis - 0 to 2
+ * @param value - the new one, or what makes it of the owner's own
  */
 export const withCoordinate =
   (axis: number, value: number | ((before: number) => number)) =>

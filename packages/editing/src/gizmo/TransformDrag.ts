@@ -42,7 +42,7 @@ export class TransformDrag {
   private readonly pivotInverse: Matrix4;
   private readonly pivotRotationInverse: Quaternion;
 
-  /** @param pivot below nothing but objects at the origin, of scale 1; its matrix in the world is up to date */
+  /** @param pivot - below nothing but objects at the origin, of scale 1; its matrix in the world is up to date */
   constructor(
     private readonly pivot: Object3D,
     starts: readonly DragStart[],
@@ -99,7 +99,7 @@ export class TransformDrag {
 
 const matrix = new Matrix4();
 
-/** Puts the pivot of a gizmo to a place in the world, turned as an object is. @param like that object's matrix in the world */
+/** Puts the pivot of a gizmo to a place in the world, turned as an object is. @param like - that object's matrix in the world */
 export function placePivot(pivot: Object3D, place: Vector3, like: Matrix4): void {
   pivot.position.copy(place);
   pivot.quaternion.setFromRotationMatrix(matrix.extractRotation(like));

@@ -25,7 +25,7 @@ export interface Command<Item = string> {
   replaceWith?(next: Command<Item>): Command<Item> | null;
   /**
    * Called when the command can be neither undone nor redone any more: disposes of objects that only the command holds.
-   * @param isDone whether the command is done, not undone
+   * @param isDone - whether the command is done, not undone
    */
   forget?(isDone: boolean): void;
 }

@@ -22,8 +22,8 @@ export class CommandStack<Item = string> {
   private isHeld = false;
 
   /**
-   * @param onApplied called after a command was done or undone
-   * @param limit steps that are kept; the oldest go first
+   * @param onApplied - called after a command was done or undone
+   * @param limit - steps that are kept; the oldest go first
    */
   constructor(
     private readonly onApplied: (command: Command<Item>, isDone: boolean) => void = () => {},
@@ -98,7 +98,7 @@ export class CommandStack<Item = string> {
 
   /**
    * Does `next` in place of the last step, as one step with it: for a value that comes after its gesture was committed.
-   * @param step the command that `next` belongs to
+   * @param step - the command that `next` belongs to
    * @returns false, and nothing is changed, when `step` is not the last step any more or cannot be joined
    */
   amend(step: Command<Item>, next: Command<Item>): boolean {
@@ -150,7 +150,7 @@ export class CommandStack<Item = string> {
 
   /**
    * Takes all steps since `hold` back and out of the history.
-   * @param failed called for a step that cannot be undone, such as one of something that is gone; the others go on. What it
+   * @param failed - called for a step that cannot be undone, such as one of something that is gone; the others go on. What it
    * threw is thrown when absent
    * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
    */

@@ -9,8 +9,8 @@ export class Gesture<Item = string> {
   private open = true;
 
   /**
-   * @param finish takes the command of a committed gesture; null when nothing is to be kept
-   * @param instead gives for each command the one to do in its place; see `EditRecorder`
+   * @param finish - takes the command of a committed gesture; null when nothing is to be kept
+   * @param instead - gives for each command the one to do in its place; see `EditRecorder`
    */
   constructor(
     private readonly finish: (command: Command<Item> | null) => void,

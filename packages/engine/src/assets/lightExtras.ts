@@ -16,7 +16,7 @@ export interface LightExtras {
 
 /**
  * The extras of a light; null for one that glTF has room for.
- * @param hasOwnColour whether the file has another colour
+ * @param hasOwnColour - whether the file has another colour
  */
 export function lightExtrasOf(light: Light, hasOwnColour = false): LightExtras | null {
   const { distance, decay, penumbra } = light as SpotLight;

@@ -3,7 +3,7 @@ export class NumberWriter {
   private bytes = new Uint8Array(1024);
   private length = 0;
 
-  /** @param value whole, -2³⁰ to 2³⁰ */
+  /** @param value - whole, -2³⁰ to 2³⁰ */
   write(value: number): void {
     let rest = value < 0 ? -2 * value - 1 : 2 * value;
     if (this.length + 5 > this.bytes.length) {

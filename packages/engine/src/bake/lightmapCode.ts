@@ -13,7 +13,7 @@ export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Arra
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** @param length bytes that must come out @throws TypeError (as a rejection) when others do */
+/** @param length - bytes that must come out @throws TypeError (as a rejection) when others do */
 export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> =>
   unpack(bytes, 'deflate-raw', { exact: length }).catch((cause: unknown) => {
     // engines disagree on which error it is

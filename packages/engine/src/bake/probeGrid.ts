@@ -14,7 +14,7 @@ const size = new Vector3();
 
 /**
  * Where probes are to be for a scene: in a box round all that is static.
- * @param spacing between them (m), at least
+ * @param spacing - between them (m), at least
  * @returns null where nothing is static
  */
 export function probeBox(meshes: readonly BakeMesh[], spacing: number): ProbeBox | null {
@@ -38,7 +38,7 @@ export function probeBox(meshes: readonly BakeMesh[], spacing: number): ProbeBox
 /**
  * Gives probes that lie within something the light of those beside them, nearer ones counting more, so that no darkness
  * leaks out of walls. Changes `coefficients` in place.
- * @param backFaces share of the directions in which each sees the back of a surface
+ * @param backFaces - share of the directions in which each sees the back of a surface
  */
 export function fillBuriedProbes({ counts }: ProbeBox, coefficients: Float32Array, backFaces: Float32Array): void {
   const [nx, ny, nz] = counts;

@@ -138,7 +138,7 @@ export class ObjectRenderer extends component({
     this.show(scene, mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle), mesh);
   }
 
-  /** Draws a geometry. @param mesh the mesh that it is of; null for none of the library */
+  /** Draws a geometry. @param mesh - the mesh that it is of; null for none of the library */
   private show(scene: Scene, geometry: BufferGeometry | null, mesh: string | null): void {
     if (geometry === this.geometryInUse && geometry) return;
     if (geometry) scene.assets.uses.acquire(geometry);

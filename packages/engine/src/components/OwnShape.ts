@@ -17,7 +17,7 @@ export class OwnShape {
     return this.isGone ? null : (this.made ??= this.make());
   }
 
-  /** The component came, went, was switched, or its fields changed. @param change 'fields' makes another shape */
+  /** The component came, went, was switched, or its fields changed. @param change - 'fields' makes another shape */
   tell(change: 'came' | 'gone' | 'switched' | 'fields'): void {
     if (change === 'fields') this.made = null;
     this.isGone = change === 'gone' || (this.isGone && change !== 'came');

@@ -35,8 +35,8 @@ const LOOK = 2000;
  * while a click or a key is answered, or the browser blocks the window. The scene goes to the very window and origin that
  * were opened and to nobody else; a page that is loaded anew gets it again.
  *
- * @param app key in `apps.json`: 'lab'
- * @param label what messages call the app: 'the Lab'
+ * @param app - key in `apps.json`: 'lab'
+ * @param label - what messages call the app: 'the Lab'
  * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, nobody knows where the app is, it does
  * not ask, or the scene cannot be packed
  */

@@ -158,7 +158,7 @@ export function readFile(input: unknown, registry: ComponentRegistry, problems: 
   };
 }
 
-/** The uses of assets that neither a library nor the file itself may have. @param uses those of the file */
+/** The uses of assets that neither a library nor the file itself may have. @param uses - those of the file */
 export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets: AssetLibrary): AssetUse[] {
   const own = new OwnAssets(file.assets);
   return uses.filter((use) => !assets.has(use.name) && !own.mayHold(use));
@@ -166,7 +166,7 @@ export function missingAssets(file: FarolFile, uses: readonly AssetUse[], assets
 
 /**
  * The second half of `parseFile`: every asset that the file names must be in the library, or among the file's own.
- * @param uses those of the file
+ * @param uses - those of the file
  */
 export function checkAssets(
   file: FarolFile,

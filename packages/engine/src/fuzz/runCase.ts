@@ -145,7 +145,7 @@ function errorFailure({ kind }: FuzzCase, error: unknown): string | null {
   return null;
 }
 
-/** @param collect see `CaseMeter.begin` */
+/** @param collect - see `CaseMeter.begin` */
 async function runOnce(
   given: FuzzCase,
   budget: FuzzBudget,

@@ -37,7 +37,7 @@ export class CaseMeter {
     this.restart();
   }
 
-  /** @param collect collects all garbage, so that memory in use alone is measured; null counts garbage of the case, too */
+  /** @param collect - collects all garbage, so that memory in use alone is measured; null counts garbage of the case, too */
   static async begin(collect: (() => void) | null): Promise<CaseMeter> {
     const canary = new WeakRef({});
     await turn();

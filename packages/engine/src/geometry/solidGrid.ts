@@ -17,8 +17,8 @@ function sorted(planes: readonly number[]): number[] {
  * The surface of the cells of a grid that are solid: flat faces between solid and empty cells alone, so none inside, and no
  * vertex in the middle of another face's edge. Texture coordinates are metres, as those of `MeshBuilder`.
  *
- * @param planes between which the cells lie
- * @param isSolid whether the cell with this middle is solid
+ * @param planes - between which the cells lie
+ * @param isSolid - whether the cell with this middle is solid
  */
 export function solidGrid(planes: GridPlanes, isSolid: (middle: Vector3Tuple) => boolean): BufferGeometry {
   const lines = planes.map(sorted);

@@ -115,7 +115,7 @@ export class Picture {
 
   /**
    * An effect is through with it; the last one writes it to the host's target.
-   * @param goesOn whether more of the frame is drawn then, over the host's target
+   * @param goesOn - whether more of the frame is drawn then, over the host's target
    */
   end(frame: Frame, goesOn = false): void {
     if (--this.users > 0) return;

@@ -3,7 +3,7 @@ import type { ForwardTwins } from './forwardTwin';
 
 /**
  * Draws into the host's target what must be there before the rest, in three's order.
- * @param twins of a loop without lists: those are not made yet
+ * @param twins - of a loop without lists: those are not made yet
  */
 export function drawEarly(frame: Frame, twins: ForwardTwins): void {
   const { queue } = frame;

@@ -23,7 +23,7 @@ export interface ForwardTwins {
 
 /**
  * Lit materials shaded in one draw by all lights that the loop visits.
- * @param adapt makes of each kind what is used in its place
+ * @param adapt - makes of each kind what is used in its place
  */
 export function forwardTwins(
   loop: LightLoop,

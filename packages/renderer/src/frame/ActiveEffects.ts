@@ -22,7 +22,7 @@ export const NO_EFFECTS: ActiveEffects = {
   needsSurfaces: false,
 };
 
-/** @param room attachments that the device can draw to besides those of the G-buffer */
+/** @param room - attachments that the device can draw to besides those of the G-buffer */
 export function activeEffects(all: readonly FarolEffect[], room: number): ActiveEffects {
   return {
     all,

@@ -30,7 +30,7 @@ export class EffectList {
 
   /**
    * The effects that draw a frame.
-   * @param target what is drawn to
+   * @param target - what is drawn to
    * @throws Error when two effects conflict, of which one was pushed to the list
    */
   of(target: WebGLRenderTarget | null): ActiveEffects {

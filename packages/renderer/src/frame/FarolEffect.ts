@@ -59,7 +59,7 @@ export interface FarolEffect {
    * in the order of the effects, each with what the one before gave; must not allocate in steady state.
    */
   adapt?(kind: TwinKind, item: RenderItem): TwinKind;
-  /** Draws, inside three's `render`, by what is in `frame.resources`. @param pass the pass that was drawn, or that is to be replaced */
+  /** Draws, inside three's `render`, by what is in `frame.resources`. @param pass - the pass that was drawn, or that is to be replaced */
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;

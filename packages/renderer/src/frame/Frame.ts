@@ -298,13 +298,13 @@ export class Frame {
 
   /**
    * Copies depth to all of a target, both with a depth texture of the same format.
-   * @param x first pixel of what is copied, with y
+   * @param x - first pixel of what is copied, with y
    */
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
     this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
   }
 
-  /** @param x first pixel of what is copied, of `from`, with y */
+  /** @param x - first pixel of what is copied, of `from`, with y */
   private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
     const { gl, webgl } = this;
     const { width, height } = to;

@@ -12,7 +12,7 @@ export class FrameUniforms {
     this.values = sharedUniforms(lights.ambient);
   }
 
-  /** Sends the light table, and sets what tells of it. @param heatMaximum hottest count of the count views */
+  /** Sends the light table, and sets what tells of it. @param heatMaximum - hottest count of the count views */
   set(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null, heatMaximum: number): void {
     const { lights, values } = this;
     lights.upload(webgl);

@@ -9,7 +9,7 @@ export class LastFrame {
   /** Called once each, after the next frame or when the renderer is disposed. */
   readonly waiting: (() => void)[] = [];
 
-  /** @param redraw called when a part has come that the last frame lacked */
+  /** @param redraw - called when a part has come that the last frame lacked */
   constructor(readonly redraw: () => void) {}
 
   /** Names of the parts that have not come since. */

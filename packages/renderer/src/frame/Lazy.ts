@@ -16,9 +16,9 @@ export class Lazy<Code extends object, Name extends string = string> {
   private next = 0;
 
   /**
-   * @param name of the part, in `FarolInfo.pending` and messages
-   * @param fetch called again after a failure
-   * @param instead what happens without it, for the warning
+   * @param name - of the part, in `FarolInfo.pending` and messages
+   * @param fetch - called again after a failure
+   * @param instead - what happens without it, for the warning
    */
   constructor(
     readonly name: Name,

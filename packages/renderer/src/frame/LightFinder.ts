@@ -42,9 +42,9 @@ export class LightFinder {
   ) {}
 
   /**
-   * @param layers whether lights reach only objects of their layers
-   * @param update brings the world matrices of the scene up to date. Default false
-   * @param byThree whether three is to draw all lights. Default false
+   * @param layers - whether lights reach only objects of their layers
+   * @param update - brings the world matrices of the scene up to date. Default false
+   * @param byThree - whether three is to draw all lights. Default false
    */
   find(scene: Object3D, camera: Camera, layers: boolean, update = false, byThree = false): void {
     const { found, left } = this;

@@ -225,7 +225,7 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) opaque[i].plain = opaque[i].splits = false;
   }
 
-  /** @param reversed whether the lists are turned round once they are sorted, as three until 0.185 does for reversed depth */
+  /** @param reversed - whether the lists are turned round once they are sorted, as three until 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
     if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);

@@ -30,8 +30,8 @@ const FORCED = 2;
 
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
- * @param camera or the array of cameras that it is of
- * @param update brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
+ * @param camera - or the array of cameras that it is of
+ * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
  *   is fetched once, not twice. Default false
  */
 export function collectLights(

@@ -13,8 +13,8 @@ export class GBuffer {
   accumulation: Texture;
 
   /**
-   * @param extras attachments after those of `gbufferLayout`
-   * @param storesDistance distances are stored beside normals, and positions come from them, not from depth
+   * @param extras - attachments after those of `gbufferLayout`
+   * @param storesDistance - distances are stored beside normals, and positions come from them, not from depth
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
@@ -66,7 +66,7 @@ export class GBuffer {
     return targetBytes(this.target);
   }
 
-  /** @param width pixels @param height pixels */
+  /** @param width - pixels @param height - pixels */
   setSize(width: number, height: number): void {
     if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
   }

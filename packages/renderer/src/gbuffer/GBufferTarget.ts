@@ -13,7 +13,7 @@ export function fitsGBuffer(item: RenderItem): boolean {
 export class GBufferTarget {
   private made: GBuffer | null = null;
 
-  /** @param keepsDistance whether distances are stored where depth is too coarse for positions */
+  /** @param keepsDistance - whether distances are stored where depth is too coarse for positions */
   constructor(private readonly keepsDistance = true) {}
 
   get bytes(): number {

@@ -10,8 +10,8 @@ const DEEPEST = 1e3;
 /**
  * Whether places can be rebuilt from depth, and lights put into tiles: the projection is perspective or orthographic, also
  * off-centre or with an oblique near plane, not skewed, and holds no view as those of mapping libraries do.
- * @param m 16 elements of a projection, column-major
- * @param orthographic the camera says it is
+ * @param m - 16 elements of a projection, column-major
+ * @param orthographic - the camera says it is
  */
 export function isPlainProjection(m: ArrayLike<number>, orthographic: boolean): boolean {
   if (m[1] || m[3] || m[4] || m[7] || m[15] !== +orthographic) return false;
@@ -25,9 +25,9 @@ function isOblique(m: ArrayLike<number>): boolean {
 /**
  * The distance (m, along the view) from which on a surface's depth may be 1, as that of an empty pixel; Infinity for
  * none.
- * @param m 16 elements of a projection, column-major
- * @param logarithmic the far plane of logarithmic depth (m), else 0
- * @param coarse depth has 16 bits
+ * @param m - 16 elements of a projection, column-major
+ * @param logarithmic - the far plane of logarithmic depth (m), else 0
+ * @param coarse - depth has 16 bits
  */
 export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmic: number, coarse: boolean): number {
   if (isOblique(m)) return -Infinity;
@@ -40,8 +40,8 @@ export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmi
 /**
  * True if positions rebuilt from 32-bit depth would be too coarse or, with an oblique near plane, wrong: then the
  * G-buffer stores the distances of surfaces.
- * @param m 16 elements of a projection, column-major
- * @param precise depth is reversed or logarithmic
+ * @param m - 16 elements of a projection, column-major
+ * @param precise - depth is reversed or logarithmic
  */
 export function needsStoredDistance(m: ArrayLike<number>, precise: boolean): boolean {
   if (isOblique(m)) return true;

@@ -29,7 +29,7 @@ export class DataTable {
   private firstChanged = Infinity;
   private lastChanged = -1;
 
-  /** @param width texels a row */
+  /** @param width - texels a row */
   constructor(readonly width: number) {
     this.data = new Float32Array(width * 4);
     this.makeSlots();

@@ -24,7 +24,7 @@ export class WordTable {
   /** What was sent last. */
   private sent = new Uint32Array(0);
 
-  /** @param channels words a texel, 1 or 4 */
+  /** @param channels - words a texel, 1 or 4 */
   constructor(private readonly channels: 1 | 4) {
     this.texture = this.make(1, 1);
   }
@@ -36,8 +36,8 @@ export class WordTable {
 
   /**
    * Sends the first rows.
-   * @param words row after row, at least width * rows * channels
-   * @param width texels a row
+   * @param words - row after row, at least width * rows * channels
+   * @param width - texels a row
    */
   upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number): void {
     if (this.texture.image.width !== width || this.texture.image.height < rows) {

@@ -2,7 +2,7 @@ import type { WebGLRenderer } from 'three';
 
 /**
  * Checks that the device can do what is asked of it.
- * @param floatTargets whether targets of half float or float colour are drawn to
+ * @param floatTargets - whether targets of half float or float colour are drawn to
  * @throws Error that names what is missing and the mend
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {

@@ -31,7 +31,7 @@ function depthBytes({ depthTexture, depthBuffer, stencilBuffer }: WebGLRenderTar
 
 /**
  * Bytes of a render target on the GPU: textures, depth, and the samples of both where the target is multisampled.
- * @param ownsDepth false for a target whose depth texture is another target's. Default true
+ * @param ownsDepth - false for a target whose depth texture is another target's. Default true
  */
 export function targetBytes(target: WebGLRenderTarget, ownsDepth = true): number {
   let color = 0;

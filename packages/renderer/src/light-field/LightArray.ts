@@ -14,7 +14,7 @@ export class LightArray {
   /** The highest of `rows`. */
   private newest = 1;
 
-  /** @param capacity lights */
+  /** @param capacity - lights */
   constructor(capacity: number) {
     const rows = Math.ceil(capacity / ROW);
     // whole rows, as the texture has them
@@ -49,7 +49,7 @@ export class LightArray {
 
   /**
    * Calls `send` for each run of the first rows that changed after version `seen`.
-   * @param seen what the last call for the same copy returned
+   * @param seen - what the last call for the same copy returned
    * @returns the version that the copy then has
    */
   changes(seen: number, rows: number, send: (first: number, rows: number) => void): number {

@@ -51,7 +51,7 @@ export class LightField extends Light {
 
   /**
    * Has the code that draws fields fetched.
-   * @param capacity lights, at most 262,144
+   * @param capacity - lights, at most 262,144
    * @throws RangeError when there is no room for so many
    */
   constructor(capacity: number, options: LightFieldOptions = {}) {
@@ -70,7 +70,7 @@ export class LightField extends Light {
 
   /**
    * Makes a light a point light.
-   * @param r linear colour times intensity (cd), with g and b
+   * @param r - linear colour times intensity (cd), with g and b
    * @throws RangeError when there is no such light
    */
   setPoint(
@@ -92,9 +92,9 @@ export class LightField extends Light {
 
   /**
    * Makes a light, which `setPoint` has given all else, a spot light.
-   * @param x direction in which it shines, in the field's space, of any length but 0, with y and z
-   * @param angle from the direction to the edge of the cone (rad), above 0 and at most π / 2
-   * @param penumbra 0 to 1
+   * @param x - direction in which it shines, in the field's space, of any length but 0, with y and z
+   * @param angle - from the direction to the edge of the cone (rad), above 0 and at most π / 2
+   * @param penumbra - 0 to 1
    * @throws RangeError when there is no such light; Error when the field was made without `spots`
    */
   setCone(light: number, x: number, y: number, z: number, angle: number, penumbra = 0): void {
@@ -110,7 +110,7 @@ export class LightField extends Light {
     this.spheres.set(light, x, y, z, this.spheres.array[light * 4 + 3]);
   }
 
-  /** @param r linear colour times intensity (cd), with g and b @throws RangeError when there is no such light */
+  /** @param r - linear colour times intensity (cd), with g and b @throws RangeError when there is no such light */
   setEmission(light: number, r: number, g: number, b: number): void {
     this.check(light);
     this.emissions.set(light, r, g, b, this.emissions.array[light * 4 + 3]);

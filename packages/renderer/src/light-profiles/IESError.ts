@@ -1,6 +1,6 @@
 /** What is wrong with a file of photometric data, and where. */
 export class IESError extends Error {
-  /** @param line of the file, from 1 */
+  /** @param line - of the file, from 1 */
   constructor(
     readonly line: number,
     /** What is wrong, and what to write there. */

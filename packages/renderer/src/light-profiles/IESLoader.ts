@@ -59,8 +59,8 @@ export class IESLoader extends Loader<PhotometricProfile> {
   }
 
   /**
-   * @param text of the file
-   * @param tilt text of the file that `TILT=` names, if it names one
+   * @param text - of the file
+   * @param tilt - text of the file that `TILT=` names, if it names one
    * @throws IESError with the line where it is wrong, and what to write there
    */
   parse(text: string, tilt: string | null = null): PhotometricProfile {

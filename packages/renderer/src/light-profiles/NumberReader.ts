@@ -10,7 +10,7 @@ export class NumberReader {
   private words: string[] = [];
   private word = 0;
 
-  /** @param next index of the first line with numbers */
+  /** @param next - index of the first line with numbers */
   constructor(
     private readonly lines: readonly string[],
     private next: number,
@@ -20,7 +20,7 @@ export class NumberReader {
 
   /**
    * The next number.
-   * @param what it is, for the message, such as 'the number of lamps'
+   * @param what - it is, for the message, such as 'the number of lamps'
    * @throws IESError when there is none
    */
   number(what: string): number {

@@ -32,7 +32,7 @@ export class PhotometricProfile {
   readonly tiltFactor: number;
   private made: DataTexture | null = null;
 
-  /** @param tilt of the luminaire from the position in which it was measured (degrees), for lamps that then give less light */
+  /** @param tilt - of the luminaire from the position in which it was measured (degrees), for lamps that then give less light */
   constructor(
     readonly data: PhotometricData,
     tilt = 0,
@@ -62,8 +62,8 @@ export class PhotometricProfile {
 
   /**
    * Intensity in a direction (cd).
-   * @param vertical degrees from down, 0 to 180
-   * @param horizontal degrees, any
+   * @param vertical - degrees from down, 0 to 180
+   * @param horizontal - degrees, any
    */
   intensityAt(vertical: number, horizontal: number): number {
     return (

@@ -1,7 +1,7 @@
 /**
  * A value between those of a table, linearly; the first or the last one beyond.
- * @param at ascending
- * @param values one for each of `at`, from index `from` on
+ * @param at - ascending
+ * @param values - one for each of `at`, from index `from` on
  */
 export function interpolate(at: Float64Array, values: Float64Array, from: number, x: number): number {
   let low = 0;

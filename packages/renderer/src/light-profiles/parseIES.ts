@@ -124,8 +124,8 @@ function readKeywords(lines: readonly string[], version: IESVersion): Map<string
 }
 
 /**
- * @param line of the file, from 1
- * @param other text of the file that is named, if one is
+ * @param line - of the file, from 1
+ * @param other - text of the file that is named, if one is
  */
 function readTilt(text: string, line: number, reader: NumberReader, other: string | null): LampTilt | null {
   const value = text.slice(text.indexOf('=') + 1).trim();

@@ -38,8 +38,8 @@ export class FrameLights {
 
   /**
    * Brings the lights of a frame up to date.
-   * @param finder has found the lights of the scene
-   * @param pick picks the technique, by the lights that are seen. @returns the order that it wants them in
+   * @param finder - has found the lights of the scene
+   * @param pick - picks the technique, by the lights that are seen. @returns the order that it wants them in
    */
   update(scene: Object3D, frame: Frame, finder: LightFinder, settings: LightSettings, pick: () => LightOrder): void {
     const { table, masks } = this;

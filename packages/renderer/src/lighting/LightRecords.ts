@@ -56,9 +56,9 @@ export class LightRecords {
 
   /**
    * Begins a frame.
-   * @param firstMask record of the first mask; extensions follow the masks
-   * @param settings tell which lights to look up in the masks
-   * @param slots records that shaders see before the masks, beside those of the table
+   * @param firstMask - record of the first mask; extensions follow the masks
+   * @param settings - tell which lights to look up in the masks
+   * @param slots - records that shaders see before the masks, beside those of the table
    */
   begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null, slots = 0): void {
     this.masks = masks;
@@ -86,7 +86,7 @@ export class LightRecords {
 
   /**
    * Writes the record of a point, spot or area light whose centre (view space, m) is given.
-   * @param range (m)
+   * @param range - (m)
    * @returns whether the record is that of a plain point light
    */
   writeLocal(record: number, light: Light, x: number, y: number, z: number, range: number, view: Matrix4): boolean {

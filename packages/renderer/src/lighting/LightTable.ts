@@ -92,8 +92,8 @@ export class LightTable extends VisibleLights {
 
   /**
    * Fills the table with what was collected.
-   * @param masks records of what masks lights; null for none
-   * @param rank that of the order; null for 'by-volume'
+   * @param masks - records of what masks lights; null for none
+   * @param rank - that of the order; null for 'by-volume'
    */
   write(
     camera: Camera,
@@ -173,7 +173,7 @@ export class LightTable extends VisibleLights {
     this.firstSlot = this.firstBounded + before;
   }
 
-  /** @param i place of a light with a range, or NO_LIGHT */
+  /** @param i - place of a light with a range, or NO_LIGHT */
   private writeBounded(record: number, i: number, view: Matrix4): void {
     const { bounds, plain, table } = this;
     const to = record * FLOATS_PER_RECORD;

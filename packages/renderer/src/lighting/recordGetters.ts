@@ -8,7 +8,7 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
  * GLSL functions that read a record of the light table: `vec4 farol_<prefix><Texel>(record)` for each texel, and
  * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before. The texels of a layout with
  * more than a record has lie in the records that follow.
- * @param prefix such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
+ * @param prefix - such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
  */
 export function recordGetters(prefix: string, layout: RecordLayout): string {
   const lines: string[] = [];

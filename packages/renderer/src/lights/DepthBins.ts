@@ -47,7 +47,7 @@ export class DepthBins {
   private readonly extents = new Uint32Array(EXTENTS);
   private readonly next = new Uint16Array(BINS + 1);
 
-  /** @param perspective false allows depths of 0 and below */
+  /** @param perspective - false allows depths of 0 and below */
   build(lights: GridLights, perspective: boolean): void {
     const { count } = lights;
     if (this.first.length < count) {

@@ -9,8 +9,8 @@ export class DepthOrder {
   private readonly counts = new Uint32Array(256);
 
   /**
-   * @param count lights
-   * @param data view-space z (m, negative before the camera) of light i at data[i * stride + offset]
+   * @param count - lights
+   * @param data - view-space z (m, negative before the camera) of light i at data[i * stride + offset]
    * @returns indices of the lights, nearest first; valid until the next call; at least `count` long
    */
   sort(count: number, data: ArrayLike<number>, stride: number, offset: number): Uint32Array {

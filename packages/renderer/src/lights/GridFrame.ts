@@ -18,9 +18,9 @@ export class GridFrame {
   far = 0;
 
   /**
-   * @param m projection, 16 elements, column-major
-   * @param near depth of the near plane (m), above 0 for a perspective
-   * @param far depth of the far plane (m), or Infinity
+   * @param m - projection, 16 elements, column-major
+   * @param near - depth of the near plane (m), above 0 for a perspective
+   * @param far - depth of the far plane (m), or Infinity
    */
   set(m: ArrayLike<number>, near: number, far: number, width: number, height: number, tileSize: number): void {
     this.tilesX = Math.ceil(width / tileSize);

@@ -37,7 +37,7 @@ export class LightGrid {
   private readonly tileMasks = new TileMasks();
   private readonly depthBins = new DepthBins();
 
-  /** @param tileSize pixels of a tile's side, above 0 */
+  /** @param tileSize - pixels of a tile's side, above 0 */
   constructor(readonly tileSize = 32) {
     if (!(tileSize > 0)) throw new RangeError(`LightGrid: a tile of ${tileSize} pixels; give a size above 0.`);
   }
@@ -92,13 +92,13 @@ export class LightGrid {
   }
 
   /**
-   * @param count lights, up to MOST_LIGHTS
-   * @param spheres [count, 4] centre in view space and radius (m), finite centres; radius 0 to Infinity
-   * @param projection 16 elements, column-major: perspective, off-centre perspective or orthographic
-   * @param near depth of the near plane (m); above 0 for a perspective
-   * @param far depth of the far plane (m), or Infinity
-   * @param width of the picture (pixels), with height
-   * @param cones [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its cutoff,
+   * @param count - lights, up to MOST_LIGHTS
+   * @param spheres - [count, 4] centre in view space and radius (m), finite centres; radius 0 to Infinity
+   * @param projection - 16 elements, column-major: perspective, off-centre perspective or orthographic
+   * @param near - depth of the near plane (m); above 0 for a perspective
+   * @param far - depth of the far plane (m), or Infinity
+   * @param width - of the picture (pixels), with height
+   * @param cones - [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its cutoff,
    *   0 to 1; -1 for a sphere. Null: all are spheres
    * @throws RangeError for too many lights
    */

@@ -20,7 +20,7 @@ export class TileMasks {
   masks = new Uint32Array(0);
 
   /**
-   * @param order rank to light, `count` of them; NO_LIGHT where a rank is not used
+   * @param order - rank to light, `count` of them; NO_LIGHT where a rank is not used
    */
   fill(lights: GridLights, order: Uint32Array, count: number, frame: GridFrame): void {
     const pages = Math.ceil(count / PAGE_LIGHTS);

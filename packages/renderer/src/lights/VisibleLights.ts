@@ -70,8 +70,8 @@ export class VisibleLights {
 
   /**
    * Takes the lights of a frame. World matrices must be up to date.
-   * @param lights managed ones that are visible to the camera's layers
-   * @param camera gives view space and the frustum
+   * @param lights - managed ones that are visible to the camera's layers
+   * @param camera - gives view space and the frustum
    */
   collect(lights: readonly Light[], camera: Camera, masks: MaskSettings): void {
     const view = camera.matrixWorldInverse;

@@ -1,10 +1,10 @@
 /**
  * Smallest sphere round a cone with a spherical cap.
- * @param x apex (m), with y and z
- * @param dx unit axis from the apex into the cone, with dy and dz
- * @param range length of the sides (m)
- * @param angle half the opening (rad), 0 to π/2
- * @param out gets centre and radius
+ * @param x - apex (m), with y and z
+ * @param dx - unit axis from the apex into the cone, with dy and dz
+ * @param range - length of the sides (m)
+ * @param angle - half the opening (rad), 0 to π/2
+ * @param out - gets centre and radius
  * @see Wronski 2017, Cull that cone
  */
 export function coneBoundingSphere(

@@ -103,7 +103,7 @@ export const EXTENSION = {
 
 /**
  * What the fourth number of `emission` holds of a local light: below 0 where it is not plain.
- * @param decay as three has it; below 0 light grows with distance, which no plain light does
+ * @param decay - as three has it; below 0 light grows with distance, which no plain light does
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {
   return isPlain ? decay : -64 - Math.max(decay, -63);

@@ -12,12 +12,12 @@ const tangents = new Float64Array(4);
 /**
  * The rectangle on screen of a spot light's cone, which ends in a cap of its range's sphere. Exact for the whole cone
  * where that lies beyond the near plane; else the common part of the rectangles of two spheres round it.
- * @param x apex in view space (m), with y and z
- * @param dx unit axis from the apex into the cone, with dy and dz
- * @param range (m), finite
- * @param angle half the opening (rad), 0 to π/2
- * @param projection 16 elements, column-major, as for `projectedSphereBounds`
- * @param out gets left, bottom, right, top in normalized device coordinates; they may lie outside of -1..1
+ * @param x - apex in view space (m), with y and z
+ * @param dx - unit axis from the apex into the cone, with dy and dz
+ * @param range - (m), finite
+ * @param angle - half the opening (rad), 0 to π/2
+ * @param projection - 16 elements, column-major, as for `projectedSphereBounds`
+ * @param out - gets left, bottom, right, top in normalized device coordinates; they may lie outside of -1..1
  * @returns false, with `out` undefined, when the cone is surely outside of the frustum's planes
  */
 export function projectedConeBounds(
@@ -75,7 +75,7 @@ function intersect(axis: 0 | 1, a: number, b: number): void {
 
 /**
  * Least and greatest slope of a cone wholly before the eye: a tangent touches the apex, the rim of the cap, or the cap.
- * @param lateral apex (m), with depth; the axis by its parts in the same plane
+ * @param lateral - apex (m), with depth; the axis by its parts in the same plane
  */
 function coneSlopes(
   lateral: number,

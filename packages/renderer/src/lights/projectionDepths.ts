@@ -1,7 +1,7 @@
 /**
  * Depth of the near plane (m before the camera; an orthographic one may be below 0). Where the planes are oblique, as in
  * three's mirrors, a depth that is surely before it.
- * @param m 16 elements of a projection, column-major, clip z in [-w, w], or reversed, near to far, in [w, 0]
+ * @param m - 16 elements of a projection, column-major, clip z in [-w, w], or reversed, near to far, in [w, 0]
  */
 export function projectionNear(m: ArrayLike<number>): number {
   const orthographic = m[11] === 0;

@@ -1,8 +1,8 @@
 /**
  * Least and greatest slope `lateral / depth`, seen from the origin, of a disc between two depths.
  * The disc must reach into that range, and `near` must be above 0.
- * @param lateral centre (m), with depth
- * @param out gets least and greatest slope, then the depths (m) at which the tangents to the whole disc touch it, where
+ * @param lateral - centre (m), with depth
+ * @param out - gets least and greatest slope, then the depths (m) at which the tangents to the whole disc touch it, where
  *   0 or less stands for none before the eye
  * @see Mara and McGuire 2013, 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere
  */

@@ -1,8 +1,8 @@
 /**
  * Share of the picture that a sphere covers, roughly, 0 to 1.
- * @param depth of its centre before the camera (m)
- * @param radius (m)
- * @param projection 16 elements, column-major
+ * @param depth - of its centre before the camera (m)
+ * @param radius - (m)
+ * @param projection - 16 elements, column-major
  */
 export function sphereCoverage(depth: number, radius: number, projection: ArrayLike<number>): number {
   const p = projection;

@@ -92,8 +92,8 @@ export const testCameras: readonly TestCamera[] = [
 /**
  * Spheres [n, 4] about what a camera sees: in view, beside it, behind the camera and round it, across the near plane,
  * some of radius 0.
- * @param reach depth that they are spread over (m)
- * @param radius from a fifth to twice of it (m)
+ * @param reach - depth that they are spread over (m)
+ * @param radius - from a fifth to twice of it (m)
  */
 export function randomSpheres(
   count: number,

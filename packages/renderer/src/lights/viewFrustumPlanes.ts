@@ -1,7 +1,7 @@
 /**
  * The six planes of a projection in view space, unit normals pointing inward, as 24 numbers (x, y, z, w each).
  * A point p is inside when dot(n, p) + w >= 0 for all. Perspective, orthographic and off-centre projections.
- * @param m 16 elements, column-major, clip z in [-w, w]
+ * @param m - 16 elements, column-major, clip z in [-w, w]
  * @see Gribb and Hartmann 2001, Fast Extraction of Viewing Frustum Planes
  */
 export function viewFrustumPlanes(m: ArrayLike<number>, out: Float64Array): Float64Array {

@@ -12,8 +12,8 @@ const added = new WeakMap<Material, Uniforms>();
 const followed = new WeakMap<Material, Uniforms>();
 
 /**
- * @param before the uniforms of a twin's shader as three has made them
- * @param after the same once the page's callback was called
+ * @param before - the uniforms of a twin's shader as three has made them
+ * @param after - the same once the page's callback was called
  * @returns those that a twin is drawn with: three's, and as their prototype the page's, of whichever shader it was given last
  */
 export function withHostUniforms(webgl: WebGLRenderer, source: Material, before: Uniforms, after: Uniforms): Uniforms {

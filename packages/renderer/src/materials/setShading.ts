@@ -10,7 +10,7 @@ import type { ShadingName } from './shadingOf';
  * - `'gouraud'`: light is evaluated at the vertices, and interpolated. Drawn forward within each technique; every vertex goes
  *   through all lights of the table, those of a LightField and area lights among them, with shadow maps, cookies and
  *   profiles, by the material's own roughness or shininess without maps. Coats, sheen and the like take only indirect light.
- * @param shading null for `'phong'`, or what the material's own `flatShading` says
+ * @param shading - null for `'phong'`, or what the material's own `flatShading` says
  */
 export function setShading(material: Material, shading: ShadingName | null): void {
   const { shading: _, ...others } = (material.userData.farol ?? {}) as { shading?: ShadingName };

@@ -6,10 +6,10 @@ export class MicroShaderCompileError extends Error {
   readonly entries: readonly MicroShaderCompileEntry[];
 
   /**
-   * @param shader name of the shader
-   * @param stage that was refused, or 'link'
-   * @param log of the driver
-   * @param source as it was given to the driver; '' for 'link'
+   * @param shader - name of the shader
+   * @param stage - that was refused, or 'link'
+   * @param log - of the driver
+   * @param source - as it was given to the driver; '' for 'link'
    */
   constructor(
     readonly shader: string,

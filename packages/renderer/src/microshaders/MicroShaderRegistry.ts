@@ -34,7 +34,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly revisions = new Map<string, number>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
 
-  /** @param parent chunks that are known besides those added; they are not to change */
+  /** @param parent - chunks that are known besides those added; they are not to change */
   constructor(
     private readonly parent: MicroShaderSource | null = null,
     options: MicroShaderRegistryOptions<Program> = {},
@@ -78,7 +78,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   /**
    * Adds the chunks of the thesis's XML, whose reader is fetched when first asked for; its form is that of
    * `parseMicroShaderXML` of `@farol/renderer/authoring`.
-   * @param file named in errors
+   * @param file - named in errors
    * @returns their names
    * @throws Error with file, and line where it has one; then none is added
    */
@@ -119,7 +119,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
 
   /**
    * The shader of this name, composed and compiled when it is first asked for, then always the same object.
-   * @param xmlUrl file to load when a chunk is unknown: only then is a promise returned, so `await` the result
+   * @param xmlUrl - file to load when a chunk is unknown: only then is a promise returned, so `await` the result
    * @throws Error when the name stands for other chunks already; MicroShaderCompileError when it does not compile
    */
   getShader(name: string, vertexChunks: readonly string[], fragmentChunks: readonly string[]): Shader<Program>;
@@ -148,7 +148,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   /**
    * Puts another chunk in the place of a known one. All shaders that use it, directly or not, are composed and compiled
    * anew, and the checks run; when any of that fails, everything stays as it was and the error is thrown.
-   * @param content text of a `.glsl` file, or a chunk of the same name
+   * @param content - text of a `.glsl` file, or a chunk of the same name
    * @throws MicroShaderCompileError with chunk and line; Error for unknown names, cycles and what a check throws
    */
   replace(name: string, content: string | MicroShader): void {
@@ -251,7 +251,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.shaders.dispose();
   }
 
-  /** @param chunk undefined for the parent's, or none */
+  /** @param chunk - undefined for the parent's, or none */
   private put(name: string, chunk: MicroShader | undefined): void {
     const before = this.own.get(name);
     const set = (value: MicroShader | undefined) => void (value ? this.own.set(name, value) : this.own.delete(name));

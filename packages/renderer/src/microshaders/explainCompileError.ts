@@ -15,8 +15,8 @@ const FRAME = /^\/\/ <(\/?)([^>]+)>(?: (\d+))?$/;
 
 /**
  * Maps each line number of a driver's log to chunk and line, by the frames of `MicroShaderRegistry.header` and `compose`.
- * @param log of `getShaderInfoLog`
- * @param source as it was given to the driver, whatever was put round the composed text
+ * @param log - of `getShaderInfoLog`
+ * @param source - as it was given to the driver, whatever was put round the composed text
  */
 export function explainCompileError(log: string, source: string): MicroShaderCompileEntry[] {
   const lines = source.split('\n');

@@ -14,7 +14,7 @@ export abstract class OutputPass<U extends Uniforms> extends FullscreenPass<Outp
   abstract readonly reads: readonly Resource[];
   readonly writes = ['target', 'output'] as const;
 
-  /** @param options `uniforms` are those of the pass beside `OutputUniforms` */
+  /** @param options - `uniforms` are those of the pass beside `OutputUniforms` */
   constructor(options: Omit<FullscreenPassOptions<U>, 'asThree'> & { readonly uniforms: U }) {
     super({
       shared: 'all',

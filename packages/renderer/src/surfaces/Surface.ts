@@ -61,8 +61,8 @@ export class Surface {
   >();
 
   /**
-   * @param name for errors and lists
-   * @param source its text
+   * @param name - for errors and lists
+   * @param source - its text
    * @throws MicroShaderCompileError with line, for a text without a hook or with a uniform that cannot be; what a driver
    *   refuses is told when it is first drawn, or by `compile`
    */

@@ -30,8 +30,8 @@ const HOOKS = {
 
 /**
  * Reads a surface: GLSL with one hook or both, and declared uniforms (see `readUniforms`).
- * @param name for errors
- * @param prefix of all names that the text declares, so that two surfaces, and three, never share one
+ * @param name - for errors
+ * @param prefix - of all names that the text declares, so that two surfaces, and three, never share one
  * @throws MicroShaderCompileError with the line
  */
 export function parseSurface(name: string, source: string, prefix: string): ParsedSurface {

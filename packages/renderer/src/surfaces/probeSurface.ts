@@ -28,7 +28,7 @@ uniform bool isOrthographic;
 
 /**
  * Compiles a surface in a small shader of its own, which knows of three's what all of three's do.
- * @param chunks of it, whether the registry has them or others in their place
+ * @param chunks - of it, whether the registry has them or others in their place
  * @throws MicroShaderCompileError with chunk and line; Error for an unknown include
  */
 export function probeSurface(

@@ -28,7 +28,7 @@ const COLOR = /^#([\da-fA-F]{6}|[\da-fA-F]{3})\b/;
 /**
  * The uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`. What stands
  * in the comment, default, range with step and label, may be left out from the right; without `=` all of it is the label.
- * @param name of the surface, for errors
+ * @param name - of the surface, for errors
  * @throws MicroShaderCompileError with the line, for a type or a default that cannot be
  */
 export function readUniforms(name: string, text: string): SurfaceUniform[] {

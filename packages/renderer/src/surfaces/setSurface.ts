@@ -36,8 +36,8 @@ function surfacesOf(material: Material): MaterialSurfaces {
  * G-buffer, depth and motion, its shadows included. Nothing of the material is changed: stock three draws it without the surface.
  * Where vertices move farther than their geometry's bounding sphere reaches, set `frustumCulled` of the objects to false, or
  * give them a `boundingSphere` that is larger by `surfaceReach(material)`.
- * @param surface null for none
- * @param values of its uniforms, in place of their defaults; vectors and linear colours may be lists of numbers
+ * @param surface - null for none
+ * @param values - of its uniforms, in place of their defaults; vectors and linear colours may be lists of numbers
  * @returns the values, which may be changed at any time
  * @throws Error for a material that is none of three's mesh materials, or a value of a uniform that is not declared
  */

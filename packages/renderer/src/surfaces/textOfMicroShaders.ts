@@ -14,8 +14,8 @@ const VARYING_LINE = /^[ \t]*varying[ \t]+(?:(?:high|medium|low)p[ \t]+)?(\w+)[ 
  * `['surface', 'light', 'light_point', 'phong', 'phong_output']` of `microshaders/thesis.xml`. What they write to
  * `gl_FragColor` is emitted, and nothing else is: wear it on a MeshBasicMaterial, or on a black one. Their uniforms are the
  * surface's.
- * @param chunks that there are; of the varyings that they read, positionWS, normalWS and textureCoordinate can be had
- * @param names of those whose main parts make the fragment shader, in this order
+ * @param chunks - that there are; of the varyings that they read, positionWS, normalWS and textureCoordinate can be had
+ * @param names - of those whose main parts make the fragment shader, in this order
  * @throws Error for an unknown chunk or varying
  * @see thesis 3.1.2
  */

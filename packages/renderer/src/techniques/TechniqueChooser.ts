@@ -91,7 +91,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     return this.waited > 0;
   }
 
-  /** @param prepares whether someone makes `next` ready; else it is drawn by unprepared. Default false */
+  /** @param prepares - whether someone makes `next` ready; else it is drawn by unprepared. Default false */
   choose(figures: SceneFigures, prepares = false): Choice {
     const best = choices[this.best(figures, 1)];
     const { current } = this;

@@ -45,7 +45,7 @@ export class TechniquePicker {
 
   /**
    * Sets `active` and `reason`; to be called when the lights of the frame are collected.
-   * @param chooser of the scene that is drawn
+   * @param chooser - of the scene that is drawn
    */
   pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
     this.active = this.asked;

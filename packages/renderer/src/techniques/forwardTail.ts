@@ -5,8 +5,8 @@ import type { LightLoop } from '../lighting/loops/LightLoop';
 /**
  * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to
  * front, each lit by all the lights that the loop gives it.
- * @param loop microshader that loops over the lights
- * @param behind the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
+ * @param loop - microshader that loops over the lights
+ * @param behind - the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
  */
 export function forwardTail(loop: LightLoop, reads: readonly Resource[] = [], behind = loop): Pass[] {
   return [

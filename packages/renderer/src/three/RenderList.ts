@@ -17,13 +17,13 @@ export interface RenderList {
     camera?: Camera,
   ): void;
   init(): void;
-  /** @param reversed whether depth is reversed, and so the lists: until three 0.185, which hands `push` no camera */
+  /** @param reversed - whether depth is reversed, and so the lists: until three 0.185, which hands `push` no camera */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed?: boolean): void;
   finish(): void;
 }
 
 /** three's WebGLRenderLists. */
 export interface RenderLists {
-  /** @param depth of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
+  /** @param depth - of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
   get(scene: Object3D, depth: number): RenderList;
 }

@@ -23,7 +23,7 @@ export interface ShadowDraws {
   readonly calls: ShadowMapCalls;
 }
 
-/** @param backs only the back faces of what transmits and is double-sided, into three's transmission target */
+/** @param backs - only the back faces of what transmits and is double-sided, into three's transmission target */
 export type DrawScene = (backs: boolean) => void;
 
 /** A host's scene as three is shown it by Farol. */
@@ -96,12 +96,12 @@ export class SceneView {
 
   /**
    * Runs three's `render`.
-   * @param lights the lights to hide that three's traversal would meet below the root
-   * @param rest what three's traversal meets of the root: its children without managed lights, see `FoundLights`
-   * @param queue gets the items in three's order
-   * @param draw does the drawing; called for three's transmission target too if something transmits
-   * @param fills how what draws can fill the target, so that three need not clear it
-   * @param shadows what is to be drawn where three draws its shadow maps
+   * @param lights - the lights to hide that three's traversal would meet below the root
+   * @param rest - what three's traversal meets of the root: its children without managed lights, see `FoundLights`
+   * @param queue - gets the items in three's order
+   * @param draw - does the drawing; called for three's transmission target too if something transmits
+   * @param fills - how what draws can fill the target, so that three need not clear it
+   * @param shadows - what is to be drawn where three draws its shadow maps
    */
   render(
     camera: Camera,

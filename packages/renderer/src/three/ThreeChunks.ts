@@ -8,7 +8,7 @@ const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
 const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
 const SHADERS_LIT = 4;
 
-/** @param i an even number for the vertex shader of one of SHADERS, the next for its fragment shader */
+/** @param i - an even number for the vertex shader of one of SHADERS, the next for its fragment shader */
 const shaderText = (i: number) => ShaderLib[SHADERS[i >> 1]][i & 1 ? 'fragmentShader' : 'vertexShader'];
 
 export type ChunkGroup = 'lights' | 'shadows' | 'shading';

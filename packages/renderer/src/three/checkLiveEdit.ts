@@ -16,7 +16,7 @@ const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;
 
 /**
  * Tries a replaced microshader in every program on the GPU that holds it, before it takes effect.
- * @param names the replaced chunk and its dependants; the registry gives their new text already
+ * @param names - the replaced chunk and its dependants; the registry gives their new text already
  * @throws MicroShaderCompileError with chunk and line, when one of them does not compile
  */
 export function checkLiveEdit(webgl: WebGLRenderer, registry: MicroShaderRegistry, names: readonly string[]): void {

@@ -13,8 +13,8 @@ const encoded = { r: 0, g: 0, b: 0 };
 
 /**
  * The value that three clears the current target's colour to for a scene, without asking the device, which would wait.
- * @param premultiplied whether the context's colours are multiplied by alpha
- * @param value gets red, green, blue and alpha, in the encoding of the target
+ * @param premultiplied - whether the context's colours are multiplied by alpha
+ * @param value - gets red, green, blue and alpha, in the encoding of the target
  * @see three.js r187, WebGLBackground and getUnlitUniformColorSpace
  */
 export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied: boolean, value: Vector4): void {

@@ -25,7 +25,7 @@ FAROL_FOR_EACH_LIGHT(geometryPosition)
 
 /**
  * three's `lights_fragment_begin` with Farol's light loop put before three's own loops.
- * @param withThreeLights false leaves three's own loops out (for the passes of single lights)
+ * @param withThreeLights - false leaves three's own loops out (for the passes of single lights)
  * @throws TwinRefusal where the page has changed the chunk
  */
 export function lightsFragmentBegin(withThreeLights: boolean): string {

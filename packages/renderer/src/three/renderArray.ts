@@ -7,7 +7,7 @@ const part = new Vector4();
 /**
  * Draws by each camera of an array, as three does: each into its `viewport` (pixels), into a target that is cleared once.
  * The host's viewport and scissor are put back.
- * @param render draws by one camera
+ * @param render - draws by one camera
  */
 export function renderArray(webgl: WebGLRenderer, { cameras }: ArrayCamera, render: (camera: Camera) => void): void {
   const target = webgl.getRenderTarget();

@@ -13,7 +13,7 @@ export function findChunk(shader: string, name: ChunkName): string | null {
 
 /**
  * Replaces a chunk of three's wherever a shader has it.
- * @param by gives the new text for what stands for it now
+ * @param by - gives the new text for what stands for it now
  * @throws TwinRefusal where there is none, since the host has changed or left it out
  */
 export function replaceChunk(shader: string, name: ChunkName, by: (found: string) => string): string {

@@ -7,7 +7,7 @@ export function isDepthReversed(webgl: WebGLRenderer): boolean {
   return webgl.state.buffers.depth.getReversed();
 }
 
-/** @param rectangle x, y, width, height of the bound target (pixels) */
+/** @param rectangle - x, y, width, height of the bound target (pixels) */
 export function setViewport(webgl: WebGLRenderer, rectangle: Vector4): void {
   webgl.state.viewport(rectangle);
 }
@@ -21,7 +21,7 @@ export function testScissor(webgl: WebGLRenderer, on: boolean): void {
   webgl.state.setScissorTest(on);
 }
 
-/** @param point FRAMEBUFFER, READ_FRAMEBUFFER or DRAW_FRAMEBUFFER */
+/** @param point - FRAMEBUFFER, READ_FRAMEBUFFER or DRAW_FRAMEBUFFER */
 export function bindFramebuffer(webgl: WebGLRenderer, point: number, framebuffer: WebGLFramebuffer | null): void {
   webgl.state.bindFramebuffer(point, framebuffer);
 }

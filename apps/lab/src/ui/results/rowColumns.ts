@@ -146,7 +146,7 @@ const everyColumn: readonly RowColumn[] = [
   },
 ];
 
-/** The columns in which any row has something. @param rows all rows of the run, filtered or not */
+/** The columns in which any row has something. @param rows - all rows of the run, filtered or not */
 export function columnsOf(rows: readonly TableRow[]): RowColumn[] {
   return everyColumn.filter(
     (column) => column.isText || rows.length === 0 || rows.some((row) => column.order(row) !== null),

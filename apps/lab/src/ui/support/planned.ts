@@ -8,7 +8,7 @@ import { messageOf } from '../../run/messageOf';
 /** A plan, or why a configuration makes none, as a sentence. */
 export type Planned = { plan: LabPlan; problem: null } | { plan: null; problem: string };
 
-/** Makes the plan of a configuration. @param hasOwnScene whether a scene was handed over */
+/** Makes the plan of a configuration. @param hasOwnScene - whether a scene was handed over */
 export function planned(configuration: Configuration, hasOwnScene: boolean): Planned {
   if (usesOwnScene(configuration) && !hasOwnScene) {
     const problem =

@@ -37,7 +37,7 @@ export interface RunState {
   /**
    * Measures a plan.
    *
-   * @param prepare makes the frames and tells of the machine
+   * @param prepare - makes the frames and tells of the machine
    * @returns the run, complete or cancelled; null when it could not begin or broke off
    */
   start(plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null>;

@@ -1,7 +1,7 @@
 /**
  * The half float of a single one that is not negative, rounded towards 0 as three's `DataUtils.toHalfFloat` does, at a
  * fraction of its cost: a picture has a million and a half.
- * @param bits those of the single one; what is too large, and NaN, gives the largest half float, 65504
+ * @param bits - those of the single one; what is too large, and NaN, gives the largest half float, 65504
  */
 export function halfOf(bits: number): number {
   const exponent = bits >>> 23;

@@ -2,7 +2,7 @@ import type { Camera, Object3D, WebGLRenderer } from 'three';
 
 type Render = WebGLRenderer['render'];
 
-/** Stands in for a renderer's `render`. @param next draws as it would be drawn without it */
+/** Stands in for a renderer's `render`. @param next - draws as it would be drawn without it */
 export type Interceptor = (scene: Object3D, camera: Camera, next: Render) => void;
 
 export interface Interception {

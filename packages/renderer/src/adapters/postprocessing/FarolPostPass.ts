@@ -19,8 +19,8 @@ export class FarolPostPass extends RenderPass {
   private readonly standIn: WebGLRenderer;
 
   /**
-   * @param farol what draws; it stays the host's, who also disposes it
-   * @param overrideMaterial drawn with in place of all materials; default none
+   * @param farol - what draws; it stays the host's, who also disposes it
+   * @param overrideMaterial - drawn with in place of all materials; default none
    */
   constructor(
     readonly farol: FarolRenderer,

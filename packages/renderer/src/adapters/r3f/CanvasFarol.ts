@@ -47,7 +47,7 @@ export class CanvasFarol {
 
   /**
    * Has a component's settings followed from the next draw on.
-   * @param owner stands for the component
+   * @param owner - stands for the component
    * @throws Error as FarolRenderer does
    */
   mount(owner: object, settings: FarolSettings): void {

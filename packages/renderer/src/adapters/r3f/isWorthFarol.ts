@@ -10,7 +10,7 @@ let looks = 0;
 /**
  * Whether a draw is for Farol. What shows no light, such as the full-screen triangles of post-processing and pictures of
  * depth or normals, three draws with the same picture and less work.
- * @param effects whether effects are to be seen on a scene without lit materials too
+ * @param effects - whether effects are to be seen on a scene without lit materials too
  */
 export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean): boolean {
   const { isPerspectiveCamera } = camera as PerspectiveCamera;

@@ -14,7 +14,7 @@ const UNIFORMS = 'uniform highp sampler2D farol_occlusionMap;\nuniform highp vec
 
 /**
  * The kind of a forward draw, with its indirect light taken down by ambient occlusion.
- * @param uniforms farol_occlusionMap, at full resolution, and farol_occlusionOffset (pixels)
+ * @param uniforms - farol_occlusionMap, at full resolution, and farol_occlusionOffset (pixels)
  */
 export function occludedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
   return {

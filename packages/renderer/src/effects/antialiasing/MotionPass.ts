@@ -28,7 +28,7 @@ export class MotionPass {
   private slot = 0;
   private readonly objects: Object3D[] = [];
 
-  /** @param jitter of the frame, normalised device coordinates */
+  /** @param jitter - of the frame, normalised device coordinates */
   constructor(jitter: Vector2) {
     this.uniforms = {
       farol_clipBefore: { value: new Matrix4() },
@@ -46,10 +46,10 @@ export class MotionPass {
   }
 
   /**
-   * @param motions how objects stood in the last frame of this camera; brought up to this frame
-   * @param number of this frame
-   * @param before last frame's projection × view
-   * @param picture whose depth it is drawn under
+   * @param motions - how objects stood in the last frame of this camera; brought up to this frame
+   * @param number - of this frame
+   * @param before - last frame's projection × view
+   * @param picture - whose depth it is drawn under
    */
   render(frame: Frame, motions: ObjectMotions, number: number, before: Matrix4, picture: WebGLRenderTarget): void {
     this.drawn = this.changed = false;

@@ -35,7 +35,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
   }
 
-  /** @param picture whose depth hides what lies behind it */
+  /** @param picture - whose depth hides what lies behind it */
   begin(picture: WebGLRenderTarget): void {
     this.picture = picture;
     this.isDrawn = false;

@@ -57,7 +57,7 @@ export class SMAA implements FarolEffect {
     this.shared.begin(frame);
   }
 
-  /** @param goesOn as of `Picture.end` */
+  /** @param goesOn - as of `Picture.end` */
   end(frame: Frame, goesOn = false): void {
     const picture = this.shared!;
     const { edges, weights, blend } = this;

@@ -5,10 +5,10 @@ const REACH = 0.42;
 
 /**
  * How much a sample counts in each cell of a pixel: the Gaussian of its way to the cell's middle, or whether it lies in it.
- * @param jitter by which the picture is moved (normalised device coordinates)
- * @param cells along a pixel's side: 1, where it counts whole, or 2
- * @param strict count 1 in the cell that the sample lies in and 0 in the others
- * @param out 0 to 1, rows of cells from the lower left on
+ * @param jitter - by which the picture is moved (normalised device coordinates)
+ * @param cells - along a pixel's side: 1, where it counts whole, or 2
+ * @param strict - count 1 in the cell that the sample lies in and 0 in the others
+ * @param out - 0 to 1, rows of cells from the lower left on
  * @see Karis 2014, High Quality Temporal Supersampling
  */
 export function cellWeights(

@@ -12,7 +12,7 @@ const VARYING = 'varying highp vec2 farol_edgeZW;\n';
 /**
  * The kind of an opaque draw, which takes the colour that the finished picture has for the surface, and shades only where the
  * picture does not show it.
- * @param uniforms of edgeColor.glsl, and `farol_reuse`: whether the pixels round its own count too, `farol_shades`: whether what the
+ * @param uniforms - of edgeColor.glsl, and `farol_reuse`: whether the pixels round its own count too, `farol_shades`: whether what the
  * picture does not show is shaded
  */
 export function edgeTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {

@@ -1,7 +1,7 @@
 /**
  * The Halton low-discrepancy sequence.
- * @param index from 1
- * @param base a prime
+ * @param index - from 1
+ * @param base - a prime
  * @returns 0 to 1, both left out
  * @see Halton 1964, Algorithm 247: Radical-inverse quasi-random point sequence
  */

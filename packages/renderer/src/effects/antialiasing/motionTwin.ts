@@ -16,7 +16,7 @@ const WRITE =
 /**
  * Writes how far a surface has moved over the picture since the last frame, and how much farther it was. Two kinds of one program, to be used in turns:
  * three sends a material's uniforms only when the material changes.
- * @param uniforms of motionVertexHeader.glsl
+ * @param uniforms - of motionVertexHeader.glsl
  */
 export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinKind, TwinKind] {
   const kind = (): TwinKind => ({

@@ -40,7 +40,7 @@ export class Decal extends Mesh {
   maximumAngle = Math.PI / 2;
 
   /**
-   * @param surface what it is made of: `color`, `opacity`, `map` (its alpha is coverage), `normalMap`, `normalScale`,
+   * @param surface - what it is made of: `color`, `opacity`, `map` (its alpha is coverage), `normalMap`, `normalScale`,
    *   `roughness`, `metalness` and `blending` count; it stays the host's. NormalBlending covers the surface.
    *   AdditiveBlending, SubtractiveBlending and MultiplyBlending change its colour alone, as three's factors for
    *   premultiplied alpha have it, and leave it its roughness and metalness; a `normalMap` bends it all the same. Other
@@ -55,7 +55,7 @@ export class Decal extends Mesh {
    * The same as a mesh of its own, cut from another by three's DecalGeometry, for techniques without a G-buffer: add it to
    * the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's to dispose.
    * Where it blends otherwise than NormalBlending, it does so with the lit colour of what is behind it.
-   * @param mesh that the decal lies on; matrices are brought up to date
+   * @param mesh - that the decal lies on; matrices are brought up to date
    */
   toMesh(mesh: Mesh): Mesh<DecalGeometry, MeshStandardMaterial> {
     this.updateWorldMatrix(true, false);

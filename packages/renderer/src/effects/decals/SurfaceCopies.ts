@@ -49,7 +49,7 @@ export class SurfaceCopies {
 
   /**
    * Brings the albedo up to date where the next decal may lie over earlier ones; another framebuffer is bound then.
-   * @param modelView from the decal's box to view space
+   * @param modelView - from the decal's box to view space
    */
   follow(frame: Frame, modelView: Matrix4): void {
     const rectangle = this.rectangle(this.boxes);

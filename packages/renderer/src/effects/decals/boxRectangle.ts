@@ -5,7 +5,7 @@ const corner = new Vector4();
 /**
  * The pixels that a unit cube round the origin may cover: x, y, width and height, whole numbers within the size. All of them
  * where the cube reaches behind the camera.
- * @param modelView from the cube to view space (m)
+ * @param modelView - from the cube to view space (m)
  */
 export function boxRectangle(
   modelView: Matrix4,

@@ -17,7 +17,7 @@ export class ProbeGrid {
   readonly counts = new Vector3();
 
   /**
-   * @param coefficients 27 a probe, of radiance, in the order of `probePoints`
+   * @param coefficients - 27 a probe, of radiance, in the order of `probePoints`
    * @throws RangeError when there are more or fewer than the box has probes for
    */
   constructor(

@@ -14,7 +14,7 @@ iblIrradiance *= farol_environmentShare;
 
 /**
  * The kind of a draw of lit materials, with the light of probes for those without a lightmap.
- * @param uniforms of probeIrradiance.glsl
+ * @param uniforms - of probeIrradiance.glsl
  */
 export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
   return {

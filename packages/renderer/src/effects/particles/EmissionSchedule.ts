@@ -64,8 +64,8 @@ export class EmissionSchedule {
 
   /**
    * Goes on by a time, in one or several steps: none is longer than LONGEST_STEP, and bursts lie between steps.
-   * @param emits whether particles begin
-   * @param take gets each step; the object is used again
+   * @param emits - whether particles begin
+   * @param take - gets each step; the object is used again
    */
   advance(seconds: number, settings: Emission, emits: boolean, take: (step: SimulationStep) => void): void {
     this.follow(settings);

@@ -96,7 +96,7 @@ export class ParticleEmitter extends MeshWithSettings {
   private toldOf = 0;
 
   /**
-   * @param settings those that are not the defaults
+   * @param settings - those that are not the defaults
    * @throws RangeError that names the setting which cannot be
    */
   constructor(settings: Partial<ParticleSettings> = {}) {
@@ -142,7 +142,7 @@ export class ParticleEmitter extends MeshWithSettings {
   /**
    * Lets time go by: long steps are made in parts of at most 1/30 s, between which the emitter's transform is interpolated.
    * The GPU follows in the next frame that draws the emitter.
-   * @param seconds 0 or more
+   * @param seconds - 0 or more
    * @throws RangeError when it is no such number
    */
   step(seconds: number): void {

@@ -234,7 +234,7 @@ export class ParticleState {
     else emitter.geometry.setDrawRange(0, 6 * count);
   }
 
-  /** @param depth of the opaque surfaces */
+  /** @param depth - of the opaque surfaces */
   setDepth(frame: Frame, depth: Texture): void {
     const { uniforms } = this;
     const { near } = frame.camera as PerspectiveCamera;

@@ -92,7 +92,7 @@ export class ParticleSurroundings {
     };
   }
 
-  /** Draws the light at an emitter's place. Binds the target. @param place world matrix of the emitter */
+  /** Draws the light at an emitter's place. Binds the target. @param place - world matrix of the emitter */
   draw(frame: Frame, target: WebGLRenderTarget, place: Matrix4): void {
     this.mesh.matrixWorld.identity().copyPosition(place);
     frame.bind(target);

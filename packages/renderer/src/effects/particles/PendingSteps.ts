@@ -46,7 +46,7 @@ export class PendingSteps {
     this.last.copy(matrix);
   }
 
-  /** @param matrix world matrix of the emitter at the end of the time @param emits whether particles begin */
+  /** @param matrix - world matrix of the emitter at the end of the time @param emits - whether particles begin */
   advance(seconds: number, settings: ParticleSettings, matrix: Matrix4, emits: boolean): void {
     this.longestLife = Math.max(this.longestLife, settings.life[1]);
     if (this.count === 0) this.start.copy(this.last);

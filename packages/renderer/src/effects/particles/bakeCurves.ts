@@ -14,7 +14,7 @@ function keyAfter(keys: readonly (CurveKey | GradientKey)[], time: number): numb
   return next;
 }
 
-/** @param keys ascending, at least one @param time 0 to 1 */
+/** @param keys - ascending, at least one @param time - 0 to 1 */
 export function curveAt(keys: readonly CurveKey[], time: number): number {
   const next = keyAfter(keys, time);
   if (next === 0) return keys[0][1];
@@ -26,8 +26,8 @@ export function curveAt(keys: readonly CurveKey[], time: number): number {
 
 /**
  * Writes colour (linear) and opacity of a gradient.
- * @param keys ascending, at least one
- * @param time 0 to 1
+ * @param keys - ascending, at least one
+ * @param time - 0 to 1
  */
 export function gradientAt(keys: readonly GradientKey[], time: number, out: Float32Array, at = 0): void {
   const next = keyAfter(keys, time);
@@ -38,7 +38,7 @@ export function gradientAt(keys: readonly GradientKey[], time: number, out: Floa
   out[at + 3] = opacity + share * (toOpacity - opacity);
 }
 
-/** Integral of a curve from 0 to a time. @param keys ascending, at least one @param time 0 to 1 */
+/** Integral of a curve from 0 to a time. @param keys - ascending, at least one @param time - 0 to 1 */
 export function curveIntegral(keys: readonly CurveKey[], time: number): number {
   let sum = 0;
   let last = 0;

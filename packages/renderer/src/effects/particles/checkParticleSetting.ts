@@ -46,7 +46,7 @@ const oneOf =
   (value) =>
     names.includes(value as string) ? null : `one of: ${names.join(', ')}`;
 
-/** @param what it is, after "null or" */
+/** @param what - it is, after "null or" */
 const orNull =
   (isIt: (value: object) => boolean, what: string): Check =>
   (value) =>
@@ -181,7 +181,7 @@ export function checkParticleName(owner: string, name: string): void {
 }
 
 /**
- * @param owner names the emitter
+ * @param owner - names the emitter
  * @throws RangeError that names the setting and what to give, when the value cannot be
  */
 export function checkParticleSetting(owner: string, name: keyof ParticleSettings, value: unknown): void {

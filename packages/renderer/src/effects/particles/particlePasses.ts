@@ -70,7 +70,7 @@ const COORDINATE = 'farol_listCoordinate';
 /** Tells the check of live edits which names are others in this program: see `checkLiveEdit`. */
 const NAMES = `// names gl_FragCoord=${COORDINATE} FAROL_TEXEL=gl_FragCoord\n`;
 
-/** @param parameters of a program, as `Material.onBeforeCompile` has them */
+/** @param parameters - of a program, as `Material.onBeforeCompile` has them */
 function nameCoordinates(parameters: { fragmentShader: string }): void {
   parameters.fragmentShader = parameters.fragmentShader
     .replaceAll('gl_FragCoord', COORDINATE)

@@ -18,7 +18,7 @@ const normal = new Vector3();
 
 /**
  * Vose's alias method: column `i` is chosen evenly; `i` is drawn with its share, else `alias[i]`.
- * @param weights at least 0, with a sum above 0
+ * @param weights - at least 0, with a sum above 0
  * @see Vose 1991, A Linear Algorithm for Generating Random Numbers with a Given Distribution
  */
 export function aliasTable(weights: Float64Array): { share: Float64Array; alias: Uint32Array } {
@@ -49,7 +49,7 @@ type Attribute = Mesh['geometry']['attributes'][string];
 const readable = (attribute: Attribute | undefined) =>
   attribute !== undefined && isReadable(attribute) ? attribute : undefined;
 
-/** @param mesh its triangles count by their areas in the world @returns null where it has no area that the CPU can read */
+/** @param mesh - its triangles count by their areas in the world @returns null where it has no area that the CPU can read */
 export function surfaceTable(mesh: Mesh): SurfaceTable | null {
   const { geometry } = mesh;
   const { position: positions } = geometry.attributes;

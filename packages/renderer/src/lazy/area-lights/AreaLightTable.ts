@@ -19,8 +19,8 @@ export class AreaLightTable implements AreaLights {
   private readonly transforms;
 
   /**
-   * @param uniform gets the linearly transformed cosines
-   * @param microshaders get code for the shapes that are met
+   * @param uniform - gets the linearly transformed cosines
+   * @param microshaders - get code for the shapes that are met
    */
   constructor(
     webgl: WebGLRenderer,

@@ -11,7 +11,7 @@ const defines = {
 /** Shapes that the shaders of each registry have code for, as bits by `areaShapes`. They grow, and never shrink. */
 const known = new WeakMap<MicroShaderRegistry, number>();
 
-/** Text of the chunk `areaFeatures`. @param shapes bits, by `areaShapes` */
+/** Text of the chunk `areaFeatures`. @param shapes - bits, by `areaShapes` */
 export function areaFeaturesChunk(shapes: number): string {
   const lines = ['// What shaders have code for: the shapes of area lights met so far.', '// Farol'];
   for (const [shape, bit] of Object.entries(areaShapes)) {
@@ -20,7 +20,7 @@ export function areaFeaturesChunk(shapes: number): string {
   return `${lines.join('\n')}\n`;
 }
 
-/** Has shaders know a shape: code for others would slow them down. @param shape one of `areaShapes` */
+/** Has shaders know a shape: code for others would slow them down. @param shape - one of `areaShapes` */
 export function needShape(registry: MicroShaderRegistry, shape: number): void {
   const before = known.get(registry) ?? 0;
   const shapes = before | (1 << shape);

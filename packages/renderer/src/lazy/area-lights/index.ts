@@ -24,7 +24,7 @@ export const microShaders = {
 /** Registries whose shaders know area lights; once they do, they keep to it, so that nothing is compiled twice. */
 const adapted = new WeakSet<MicroShaderRegistry>();
 
-/** Makes what area lights need, and has shaders know of them. @param uniform gets the linearly transformed cosines */
+/** Makes what area lights need, and has shaders know of them. @param uniform - gets the linearly transformed cosines */
 export function makeAreaLights(
   webgl: WebGLRenderer,
   registry: MicroShaderRegistry,

@@ -16,7 +16,7 @@ export class StippledPass implements Pass {
   readonly bytes = 0;
   private readonly forward: ReturnType<typeof forwardTwins>;
 
-  /** @param loop microshader by which layers outside of the thin G-buffer loop over the lights */
+  /** @param loop - microshader by which layers outside of the thin G-buffer loop over the lights */
   constructor(loop: LightLoop) {
     this.forward = forwardTwins(loop);
   }

@@ -118,7 +118,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   }
 }
 
-/** @param storesDistance with an attachment more, of how far each texel is, see storedDistance.glsl */
+/** @param storesDistance - with an attachment more, of how far each texel is, see storedDistance.glsl */
 function makeTarget(storesDistance: boolean): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, {
     count: storesDistance ? 2 : 1,

@@ -9,8 +9,8 @@ import { objectNumber, stippleCorner } from './objectNumbers';
 /**
  * Draws the layers of a transparent item, one or, as three does with a double-sided one, back faces then front faces, each
  * with its own object number and corner of the stipple.
- * @param opaque number of opaque items, which have the first object numbers
- * @param layer number of layers before, in the frame
+ * @param opaque - number of opaque items, which have the first object numbers
+ * @param layer - number of layers before, in the frame
  * @returns number of layers with these
  */
 export function drawLayers(frame: Frame, item: RenderItem, twins: ForwardTwins, opaque: number, layer: number): number {

@@ -15,7 +15,7 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
  * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; under area lights, so does a
  * specular intensity below 1, since the sum that holds their diffuse light is in use then, and what mirrors them sharply.
- * @param hasAreas there are area lights. Default false
+ * @param hasAreas - there are area lights. Default false
  */
 export function isLightBufferMaterial(material: Material, hasAreas = false): boolean {
   const m = material as AnyMaterial;

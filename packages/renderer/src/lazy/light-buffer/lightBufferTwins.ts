@@ -6,7 +6,7 @@ import type { TwinKind } from '../../materials/TwinKind';
 
 /**
  * Lit materials that take their direct light from the light buffer.
- * @param uniforms of lightBufferFilter.glsl
+ * @param uniforms - of lightBufferFilter.glsl
  */
 export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: View) => ForwardTwins {
   return forwardTwins('lightLoopBuffer', (kind: TwinKind) =>

@@ -31,8 +31,8 @@ export function withObject(kind: TwinKind): TwinKind {
 
 /**
  * Sets `farol_object` of the draws to come.
- * @param number as `objectNumber` gives it
- * @param corner as `stippleCorner` gives it, 0 for opaque things
+ * @param number - as `objectNumber` gives it
+ * @param corner - as `stippleCorner` gives it, 0 for opaque things
  */
 export function setObject(gl: WebGL2RenderingContext, number: number, corner: number): void {
   gl.vertexAttrib2f(LOCATION, number, corner);

@@ -21,7 +21,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
 }
 
-/** Points the uniforms at a thin G-buffer and its light. @param sums the textures of the light buffer */
+/** Points the uniforms at a thin G-buffer and its light. @param sums - the textures of the light buffer */
 export function setLightBufferUniforms(
   uniforms: LightBufferUniforms,
   source: ThinGBuffer,

@@ -28,8 +28,8 @@ function byPixels(text: string): string {
 const FIT = 'gl_Position.xy = gl_Position.xy * farol_fit.xy + gl_Position.w * farol_fit.zw;';
 
 /**
- * @param scale texels of the buffer a pixel of the picture, along a side
- * @param fit from the picture's normalised device coordinates to the buffer's: scale, shift
+ * @param scale - texels of the buffer a pixel of the picture, along a side
+ * @param fit - from the picture's normalised device coordinates to the buffer's: scale, shift
  */
 export function thinGBufferTwins(scale: IUniform<number>, fit: IUniform<Vector4>): ThinGBufferTwins {
   const kind = (part: string, atEnd: string, properties: TwinKind['properties']): TwinKind => {

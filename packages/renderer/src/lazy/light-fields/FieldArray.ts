@@ -44,7 +44,7 @@ export class FieldArray {
     return this.texture.image.data!.byteLength * TURNS;
   }
 
-  /** Sends the first rows, where they changed. @param rows of 128 lights */
+  /** Sends the first rows, where they changed. @param rows - of 128 lights */
   upload(webgl: WebGLRenderer, rows: number): void {
     this.webgl = webgl;
     this.uploadedBytes = 0;

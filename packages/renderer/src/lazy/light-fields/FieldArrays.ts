@@ -21,7 +21,7 @@ export class FieldArrays {
     return this.held;
   }
 
-  /** Sends what changed of a field. @param rows of 128 lights @returns bytes sent */
+  /** Sends what changed of a field. @param rows - of 128 lights @returns bytes sent */
   upload(webgl: WebGLRenderer, field: LightField, rows: number): number {
     if (field.textures !== null) return 0;
     const { spheres, emissions, cones } = this.known.get(field) ?? this.make(field);

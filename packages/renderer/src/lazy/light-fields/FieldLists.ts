@@ -95,10 +95,10 @@ export class FieldLists {
 
   /**
    * Makes the lists.
-   * @param first record of the listed lights
-   * @param count how many there are, at least 1
-   * @param plainQuads quads of them, from the first on, that hold plain point lights alone
-   * @param sliced whether to find the quads of each slice of depth too
+   * @param first - record of the listed lights
+   * @param count - how many there are, at least 1
+   * @param plainQuads - quads of them, from the first on, that hold plain point lights alone
+   * @param sliced - whether to find the quads of each slice of depth too
    */
   draw(frame: Frame, first: number, count: number, plainQuads: number, sliced: boolean): void {
     const x = Math.ceil(frame.width / (1 << TILE_SHIFT));

@@ -87,7 +87,7 @@ export class FieldOrder {
     this.first.compile(frame);
   }
 
-  /** @param cells cell of each light, 128 a row */
+  /** @param cells - cell of each light, 128 a row */
   draw(frame: Frame, cells: Texture, rows: number): void {
     const { uniforms, counts, befores, firsts, order, points } = this;
     this.isCompiled = true;

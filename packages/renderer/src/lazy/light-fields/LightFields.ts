@@ -66,7 +66,7 @@ export class LightFields implements FieldDraws<Frame> {
   isDrawn = false;
   count = 0;
 
-  /** @param slices of the renderer's shared uniforms */
+  /** @param slices - of the renderer's shared uniforms */
   constructor(
     private readonly frame: Frame,
     private readonly slices: FieldSlices,

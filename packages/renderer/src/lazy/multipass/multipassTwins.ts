@@ -22,7 +22,7 @@ const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne' });
 const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne', properties: { fog: false } });
 const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
 
-/** @param fogged false leaves fog to the output */
+/** @param fogged - false leaves fog to the output */
 export function baseTwin(view: View, fogged: boolean): TwinKind {
   return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
 }
@@ -87,7 +87,7 @@ const field = additive(false, true, 'lightLoopField');
 const fieldUnfogged = additive(false, false, 'lightLoopField');
 const fieldCounter = additive(true, true, 'lightLoopField');
 
-/** The lights of fields, added to what is there. @param fogged false leaves fog to the output */
+/** The lights of fields, added to what is there. @param fogged - false leaves fog to the output */
 export function fieldTwin(view: View, fogged: boolean): TwinKind {
   return isCountView(view) ? fieldCounter : fogged ? field : fieldUnfogged;
 }
@@ -95,7 +95,7 @@ export function fieldTwin(view: View, fogged: boolean): TwinKind {
 /**
  * One light, added to what is there. Two kinds of one program, to be used in turns light by light: three sends a
  * material's uniforms only when the material changes.
- * @param fogged false leaves fog to the output
+ * @param fogged - false leaves fog to the output
  */
 export function additiveTwin(view: View, slot: 0 | 1, fogged: boolean): TwinKind {
   return (isCountView(view) ? counters : fogged ? additives : additivesUnfogged)[slot];

@@ -16,7 +16,7 @@ export class LightLayers {
   /** Some light does not reach all objects. */
   private hasLimited = false;
 
-  /** Begins a frame. @param enabled whether lights keep to their layers */
+  /** Begins a frame. @param enabled - whether lights keep to their layers */
   begin(root: Object3D, enabled: boolean): void {
     this.enabled = enabled;
     this.sets.length = this.counts.length = 0;

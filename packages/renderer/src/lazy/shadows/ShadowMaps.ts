@@ -161,7 +161,7 @@ export class ShadowMaps implements LightMasks {
 
   /**
    * Points the uniforms at what lights the frame, once the light table is written.
-   * @param firstMask record of the light table
+   * @param firstMask - record of the light table
    */
   setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
     uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorldInverse).invert();
@@ -177,8 +177,8 @@ export class ShadowMaps implements LightMasks {
 
   /**
    * Finds which maps a frame needs and which of them have to be drawn.
-   * @param lights of the frame that may cast shadows, throw images or be limited to layers
-   * @param picture size (pixels)
+   * @param lights - of the frame that may cast shadows, throw images or be limited to layers
+   * @param picture - size (pixels)
    */
   update(root: Object3D, camera: Camera, lights: readonly Light[], picture: PictureSize): void {
     this.begin();

@@ -21,7 +21,7 @@ export class OverdrawPass {
     return this.target.bytes;
   }
 
-  /** @param depthFirst the technique draws depth before it shades */
+  /** @param depthFirst - the technique draws depth before it shades */
   render(frame: Frame, depthFirst: boolean): void {
     const target = this.target.of(frame.width, frame.height);
     frame.bind(target);

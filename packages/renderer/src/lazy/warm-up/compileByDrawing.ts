@@ -23,7 +23,7 @@ export interface Compiled {
  * Fetches the code that a frame of the scene asks for, draws one pixel, which starts the compilation of everything the scene
  * needs, then waits until the device is done.
  *
- * @param last frame of `farol`: parts of the code that it lacked
+ * @param last - frame of `farol`: parts of the code that it lacked
  * @throws Error when code cannot be fetched
  */
 export async function compileByDrawing(

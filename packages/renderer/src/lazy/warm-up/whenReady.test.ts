@@ -11,7 +11,7 @@ class FakeRenderer {
   disposed = false;
   parts: readonly Lazy<object>[] = [];
 
-  /** @param inside called within the frame */
+  /** @param inside - called within the frame */
   draw(inside: () => void = () => {}): void {
     const outer = this.last.begin();
     for (const part of this.parts) part.ask();

@@ -20,7 +20,7 @@ export class LightGridPass implements Pass {
   private readonly masks = new WordTable(4);
   private readonly bins = new WordTable(1);
 
-  /** @param lit 'gbuffer' where the lists light one: tiles of it that shadow maps leave wholly lit or dark are found too */
+  /** @param lit - 'gbuffer' where the lists light one: tiles of it that shadow maps leave wholly lit or dark are found too */
   constructor(private readonly lit: 'gbuffer' | null = null) {
     this.reads = lit === null ? [] : [lit];
   }

@@ -6,10 +6,10 @@ const ROW = 2048;
 /**
  * Sets farol_tiles. As many grids lie side by side in list textures as there are quads, if they fit; as many as before
  * where fewer would do, so that a light more or less takes no other textures.
- * @param tiles the uniform's value
- * @param x tiles in x
- * @param y tiles in y
- * @param quads of 128 lights, at least 1
+ * @param tiles - the uniform's value
+ * @param x - tiles in x
+ * @param y - tiles in y
+ * @param quads - of 128 lights, at least 1
  */
 export function setTiles(tiles: number[], x: number, y: number, quads: number): void {
   if (tiles[1] !== x) tiles[0] = 0;
@@ -21,7 +21,7 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
 
 /**
  * Gives a list texture room for rows of grids of x × y texels, some more when it grows, and limits drawing to so many.
- * @param shift grids in a row, as a power of two
+ * @param shift - grids in a row, as a power of two
  */
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
   const width = x << shift;

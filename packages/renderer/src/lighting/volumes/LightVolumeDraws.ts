@@ -63,10 +63,10 @@ export class LightVolumeDraws {
   private counting: Materials | null = null;
 
   /**
-   * @param label begins the names of the programs, with a space at its end
-   * @param target microshader that reads the surface of a pixel, lights it and writes it, by a FarolPixel and the functions
+   * @param label - begins the names of the programs, with a space at its end
+   * @param target - microshader that reads the surface of a pixel, lights it and writes it, by a FarolPixel and the functions
    *   that volumeLighting.glsl has
-   * @param uniforms of that microshader
+   * @param uniforms - of that microshader
    */
   constructor(
     private readonly label: string,

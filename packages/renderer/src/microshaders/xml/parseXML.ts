@@ -30,7 +30,7 @@ const ENTITIES: Record<string, string> = { lt: '<', gt: '>', amp: '&', quot: '"'
 /**
  * Reads XML 1.0 without a document type: elements, attributes, text, CDATA, comments, character references. Written out
  * because `DOMParser` is missing in Node, and tells no line of an element in a browser.
- * @param file named in errors
+ * @param file - named in errors
  * @throws Error with file and line, for whatever is not well formed
  * @see https://www.w3.org/TR/xml/
  */

@@ -31,7 +31,7 @@ export class GltfProfiles {
   private readonly lights: WrittenProfile[] = [];
   private readonly indices = new Map<PhotometricProfile, number>();
 
-  /** @param nodes what has such a light */
+  /** @param nodes - what has such a light */
   constructor(
     private readonly writer: ProfileWriter,
     private readonly nodes: ReadonlyMap<Object3D, ProfileLight>,

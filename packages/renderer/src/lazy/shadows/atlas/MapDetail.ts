@@ -32,8 +32,8 @@ export class MapDetail {
 
   /**
    * Finds the target of a map that has a region.
-   * @param eighths of halvings after which the map would still do for this camera
-   * @param updates the map is drawn whenever something changes; one that is not must do for all cameras
+   * @param eighths - of halvings after which the map would still do for this camera
+   * @param updates - the map is drawn whenever something changes; one that is not must do for all cameras
    */
   aim(eighths: number, updates: boolean): void {
     const { applied } = this;

@@ -8,7 +8,7 @@ import type { Region } from './AtlasPlacement';
 export class RegionPacker {
   private free: Region[] = [];
 
-  /** @param size texels a side */
+  /** @param size - texels a side */
   constructor(public size: number) {
     this.clear(size);
   }

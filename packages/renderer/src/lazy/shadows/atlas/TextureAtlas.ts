@@ -56,9 +56,9 @@ export class TextureAtlas {
   private filled = 1;
 
   /**
-   * @param limit texels a side at most
-   * @param bytesPerTexel of the target
-   * @param make makes a target of so many texels a side
+   * @param limit - texels a side at most
+   * @param bytesPerTexel - of the target
+   * @param make - makes a target of so many texels a side
    */
   constructor(
     private limit: number,
@@ -82,9 +82,9 @@ export class TextureAtlas {
 
   /**
    * Gives every tenant a region of the size that it asks for, or of a half, a quarter… of that where there is no room.
-   * @param tenants those of lit lights
-   * @param kept tenants of lights that are not lit now; their regions are taken when room is needed
-   * @param rebalances whether a full atlas chooses anew which maps are halved
+   * @param tenants - those of lit lights
+   * @param kept - tenants of lights that are not lit now; their regions are taken when room is needed
+   * @param rebalances - whether a full atlas chooses anew which maps are halved
    */
   arrange(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[], rebalances: boolean): void {
     if (tenants.length === 0) return;
@@ -109,7 +109,7 @@ export class TextureAtlas {
     }
   }
 
-  /** Lets the atlas grow to a size. @param limit texels a side; a smaller limit than before changes nothing */
+  /** Lets the atlas grow to a size. @param limit - texels a side; a smaller limit than before changes nothing */
   raiseLimit(limit: number): void {
     this.limit = Math.max(this.limit, limit);
   }

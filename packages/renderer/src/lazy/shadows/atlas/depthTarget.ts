@@ -10,8 +10,8 @@ import {
 
 /**
  * Makes the target of shadow maps: depths, which the sampler compares.
- * @param size texels a side
- * @param isFine depths have 24 bits, else 16
+ * @param size - texels a side
+ * @param isFine - depths have 24 bits, else 16
  */
 export function depthTarget(size: number, isFine: boolean): WebGLRenderTarget {
   const depthTexture = new DepthTexture(size, size, isFine ? UnsignedIntType : UnsignedShortType);

@@ -55,8 +55,8 @@ export class CasterMaterials {
   ) {}
 
   /**
-   * @param light whose map is drawn
-   * @param bothSides draws the sides that pictures show, as three does for variance shadow maps
+   * @param light - whose map is drawn
+   * @param bothSides - draws the sides that pictures show, as three does for variance shadow maps
    */
   get(object: Object3D, source: Material, light: Light, bothSides: boolean): Material {
     const isPoint = (light as Light & { isPointLight?: boolean }).isPointLight === true;

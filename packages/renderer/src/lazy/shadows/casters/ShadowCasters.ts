@@ -27,8 +27,8 @@ export class ShadowCasters {
 
   /**
    * Walks over the scene.
-   * @param camera by which LODs choose their level
-   * @param receiversCast true for variance shadow maps, into which three draws objects that receive shadows too
+   * @param camera - by which LODs choose their level
+   * @param receiversCast - true for variance shadow maps, into which three draws objects that receive shadows too
    */
   update(root: Object3D, camera: Camera, receiversCast: boolean): void {
     this.walks++;

@@ -2,8 +2,8 @@ import type { Matrix4 } from 'three';
 
 /**
  * Finds the box along the world's axes round a box in an object's own space; both as centre and half sizes (m), 6 numbers.
- * @param from index of the first number in `boxes`
- * @param to index of the first number in `out`
+ * @param from - index of the first number in `boxes`
+ * @param to - index of the first number in `out`
  */
 export function moveBox(boxes: ArrayLike<number>, from: number, matrix: Matrix4, out: Float64Array, to: number): void {
   const e = matrix.elements;

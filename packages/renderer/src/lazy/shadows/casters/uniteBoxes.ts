@@ -1,8 +1,8 @@
 /**
  * Finds the box round several boxes; all as centre and half sizes (m), 6 numbers each.
- * @param from index of the first number of the first box in `boxes`
- * @param end index after the last number of the last box
- * @param to index of the first number in `out`
+ * @param from - index of the first number of the first box in `boxes`
+ * @param end - index after the last number of the last box
+ * @param to - index of the first number in `out`
  */
 export function uniteBoxes(boxes: Float64Array, from: number, end: number, out: Float64Array, to: number): void {
   for (let axis = 0; axis < 3; axis++) {

@@ -14,7 +14,7 @@ export class ShadowMapCalls {
   private autoUpdate = true;
   private fail!: (error: unknown) => void;
 
-  /** @param draw draws Farol's maps */
+  /** @param draw - draws Farol's maps */
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly draw: () => void,
@@ -24,8 +24,8 @@ export class ShadowMapCalls {
   }
 
   /**
-   * @param scene as the frame shows it to three, see `SceneView`
-   * @param fail gets what is thrown while the frame's own maps are drawn
+   * @param scene - as the frame shows it to three, see `SceneView`
+   * @param fail - gets what is thrown while the frame's own maps are drawn
    */
   begin(scene: Object3D, fail: (error: unknown) => void): void {
     const { shadowMap } = this.webgl;

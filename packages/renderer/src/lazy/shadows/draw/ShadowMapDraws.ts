@@ -72,7 +72,7 @@ export class ShadowMapDraws {
 
   /**
    * Begins a frame.
-   * @param bothSides draws the sides of casters that pictures show, as three does for variance shadow maps
+   * @param bothSides - draws the sides of casters that pictures show, as three does for variance shadow maps
    */
   begin(casters: ShadowCasters, camera: Camera, bothSides: boolean): void {
     this.casters = casters;
@@ -105,7 +105,7 @@ export class ShadowMapDraws {
   /**
    * Whether only the visible parts of a map need be drawn: it changes in frame after frame, or it is partial, rests, and its drawn
    * parts still hold all that is visible. Finds the visible parts where that matters.
-   * @param mayDraw the map may be drawn in this frame
+   * @param mayDraw - the map may be drawn in this frame
    */
   isPart(slot: ShadowSlot, mayDraw: boolean, frame: number): boolean {
     const { map, placement } = slot;

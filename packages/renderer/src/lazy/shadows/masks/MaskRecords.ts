@@ -38,7 +38,7 @@ export class MaskRecords {
     if (this.layers.separates(light)) this.layered.set(light, -1);
   }
 
-  /** Gives a lit slot its record, once it is known whether its light has a shadow. @param type of maps, as `shadowMap.type` */
+  /** Gives a lit slot its record, once it is known whether its light has a shadow. @param type - of maps, as `shadowMap.type` */
   assign(slot: ShadowSlot, type: number): void {
     const isMasked =
       slot.hasShadow || slot.cookie !== null || slot.profile !== null || this.layers.separates(slot.light);
@@ -65,7 +65,7 @@ export class MaskRecords {
     return slot.record >= 0 && slot.hasLeftMap ? slot.record + ELSEWHERE : slot.record;
   }
 
-  /** @param type of maps, as `shadowMap.type` @param reversed the depth buffer is @param picture size (pixels) */
+  /** @param type - of maps, as `shadowMap.type` @param reversed - the depth buffer is @param picture - size (pixels) */
   write(table: DataTable, first: number, camera: Camera, type: number, reversed: boolean, picture: PictureSize): void {
     for (const slot of this.slots.lit) {
       if (slot.record < 0) continue;

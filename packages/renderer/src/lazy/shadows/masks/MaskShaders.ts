@@ -15,7 +15,7 @@ export class MaskShaders {
     this.before = microshaders.get('lightMask')!;
   }
 
-  /** Notes what a light of the frame needs. @param features bits of `maskFeatures` */
+  /** Notes what a light of the frame needs. @param features - bits of `maskFeatures` */
   need(features: number): void {
     this.neededFeatures |= features;
   }

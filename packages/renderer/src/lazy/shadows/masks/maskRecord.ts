@@ -14,10 +14,10 @@ const down = new Vector3();
 
 /**
  * Writes the mask of a light, for positions in view space.
- * @param lookup one of `shadowLookups`
- * @param reversed the depth buffer is
- * @param layers that the light reaches, as bits; 0 for all
- * @param picture size (pixels)
+ * @param lookup - one of `shadowLookups`
+ * @param reversed - the depth buffer is
+ * @param layers - that the light reaches, as bits; 0 for all
+ * @param picture - size (pixels)
  */
 export function writeMask(
   table: DataTable,
@@ -82,7 +82,7 @@ export function writeMask(
   }
 }
 
-/** Writes the profile of a light, if the light has one that is in the atlas. @param shape of the image. @returns whether it has */
+/** Writes the profile of a light, if the light has one that is in the atlas. @param shape - of the image. @returns whether it has */
 function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: number, camera: Camera): boolean {
   const { profile, light } = slot;
   if (profile === null || profile.placement.region === null) return false;
@@ -96,7 +96,7 @@ function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: num
   return true;
 }
 
-/** What a light's mask does with its map. @param type of maps, as `WebGLRenderer.shadowMap.type` */
+/** What a light's mask does with its map. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
 export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: number): number {
   if (!hasShadow) return shadowLookups.none;
   if (softSizeOf(light) > 0) return shadowLookups.soft;
@@ -114,7 +114,7 @@ export function writeLayerMask(table: DataTable, record: number, layers: number)
   writeLayers(table, at, layers);
 }
 
-/** The whole number in `place`. @param border texels, a power of two, or 0 */
+/** The whole number in `place`. @param border - texels, a power of two, or 0 */
 export function packPlace(width: number, lookup: number, shape: number, isExtended: boolean, border: number): number {
   const { lookup: lookupBit, cookie, extended, border: borderBit } = PLACE_BITS;
   const power = 31 - Math.clz32(border | 1);

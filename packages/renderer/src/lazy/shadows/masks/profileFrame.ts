@@ -4,8 +4,8 @@ const position = new Vector3();
 
 /**
  * Finds the frame in which the angles of a light's photometric profile are measured, in world space, as `LightOptions.profile` says.
- * @param across becomes the unit vector of horizontal angle 0
- * @param down becomes the unit vector of vertical angle 0
+ * @param across - becomes the unit vector of horizontal angle 0
+ * @param down - becomes the unit vector of vertical angle 0
  */
 export function profileFrame(light: PointLight | SpotLight, across: Vector3, down: Vector3): void {
   const { matrixWorld } = light;

@@ -48,7 +48,7 @@ export class VisibleReceivers {
 
   /**
    * Finds the boxes for a frame.
-   * @param merged the merged casters, up to date
+   * @param merged - the merged casters, up to date
    */
   find({ list, count, receivers }: ShadowCasters, merged: MergedCasters | null, camera: Camera): void {
     this.used = this.groupsUsed = this.objectsUsed = 0;
@@ -192,7 +192,7 @@ export class VisibleReceivers {
 
   /**
    * Makes a group of the boxes from `first` on.
-   * @param round holds the box round them, from index `from` on
+   * @param round - holds the box round them, from index `from` on
    */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
@@ -202,7 +202,7 @@ export class VisibleReceivers {
     this.groupsUsed += GROUP;
   }
 
-  /** Makes a group of the groups from `first` on. @param round box round them */
+  /** Makes a group of the groups from `first` on. @param round - box round them */
   private addToObjects(round: Float64Array, first: number): void {
     if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
     copyBox(round, 0, this.objects, this.objectsUsed);

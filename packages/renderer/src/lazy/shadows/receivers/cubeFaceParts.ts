@@ -16,12 +16,12 @@ const ends = new Float64Array(6);
 
 /**
  * Widens the visible parts of a cube map's faces so that they hold all directions from the light to a box within range.
- * @param parts of the six faces: how far each reaches left, right, down and up, as parts of the axis, 4 numbers each;
+ * @param parts - of the six faces: how far each reaches left, right, down and up, as parts of the axis, 4 numbers each;
  * -Infinity for nothing, Infinity for all
- * @param boxes centre and half sizes (m), 6 numbers from index `at` on
- * @param reach of the map: the light's place and range
- * @param open faces whose part is not all of the face yet, as bits; others do not count
- * @param writes false to leave the parts as they are
+ * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
+ * @param reach - of the map: the light's place and range
+ * @param open - faces whose part is not all of the face yet, as bits; others do not count
+ * @param writes - false to leave the parts as they are
  * @returns 0 where the parts hold the box already, 1 where they are too small by no more than `SLACK`, else 2
  */
 export function cubeFaceParts(

@@ -57,7 +57,7 @@ export class ShadowBounds {
     this.left = BUDGET;
   }
 
-  /** Takes up a map that the frame does not draw. @param rested frames since something changed in the map */
+  /** Takes up a map that the frame does not draw. @param rested - frames since something changed in the map */
   keep(slot: ShadowSlot, rested: number): void {
     if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
     const { region } = slot.placement;

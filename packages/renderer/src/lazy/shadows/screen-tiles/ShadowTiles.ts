@@ -39,7 +39,7 @@ export class ShadowTiles {
 
   /**
    * Marks the tiles of a frame, once its G-buffer and light grid are there.
-   * @param bounds of the shadow maps
+   * @param bounds - of the shadow maps
    */
   render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
     const mask = frame.uniforms as unknown as MaskUniforms;

@@ -24,7 +24,7 @@ export class AreaShadowLight extends PointLight {
     this.shadow.camera.near = NEAR;
   }
 
-  /** That of an area light, where the light is now. @param range beyond which the light gives nothing (m), 0 for none */
+  /** That of an area light, where the light is now. @param range - beyond which the light gives nothing (m), 0 for none */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
     let stand = stands.get(light);
     if (stand === undefined) stands.set(light, (stand = new AreaShadowLight()));

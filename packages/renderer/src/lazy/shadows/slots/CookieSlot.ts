@@ -33,7 +33,7 @@ export class CookieSlot implements AtlasTenant {
   /** Version of the texture at the last `follow`. */
   private version = -1;
 
-  /** @param isProfile the texture is a photometric profile */
+  /** @param isProfile - the texture is a photometric profile */
   constructor(
     readonly texture: Texture | CubeTexture,
     readonly isProfile = false,
@@ -41,7 +41,7 @@ export class CookieSlot implements AtlasTenant {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
-  /** Follows the texture: the copy is stale when the image has changed. @param mostAnisotropy of the device */
+  /** Follows the texture: the copy is stale when the image has changed. @param mostAnisotropy - of the device */
   follow(mostAnisotropy: number): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as

@@ -37,7 +37,7 @@ export class LightSlots {
   readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
-  /** @param mostAnisotropy of the device. Default 1 */
+  /** @param mostAnisotropy - of the device. Default 1 */
   constructor(
     private readonly release: SlotRelease,
     private readonly mostAnisotropy = 1,
@@ -70,7 +70,7 @@ export class LightSlots {
 
   /**
    * Adds a light that casts shadows, throws an image or has a profile.
-   * @param cascades maps of a directional light, the whole one included; 1 for others
+   * @param cascades - maps of a directional light, the whole one included; 1 for others
    */
   add(
     light: ShadowLight,
@@ -97,7 +97,7 @@ export class LightSlots {
   /**
    * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long, or was
    * removed from its scene.
-   * @param inColours maps lie in the atlas of colours, as variance shadow maps do
+   * @param inColours - maps lie in the atlas of colours, as variance shadow maps do
    */
   sortOut(inColours: boolean): void {
     const { depths, colours, keptDepths, keptColours, frame, release } = this;

@@ -148,9 +148,9 @@ export function makeCubeFaces(): ShadowFace[] {
 
 /**
  * Turns the camera of one face of a cube map.
- * @param index of the face, 0 to 5
- * @param position of the light (world space, m)
- * @param widening tangent of half the camera's angle: 1 shows the face alone, more its border too
+ * @param index - of the face, 0 to 5
+ * @param position - of the light (world space, m)
+ * @param widening - tangent of half the camera's angle: 1 shows the face alone, more its border too
  */
 export function aimCubeFace(
   face: ShadowFace,

@@ -110,7 +110,7 @@ export class ShadowSlot implements AtlasTenant {
   /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);
 
-  /** @param cascades maps of a directional light, the whole one included */
+  /** @param cascades - maps of a directional light, the whole one included */
   constructor(
     readonly light: ShadowLight,
     cascades = 1,
@@ -158,8 +158,8 @@ export class ShadowSlot implements AtlasTenant {
 
   /**
    * Follows the light and its settings; the map is stale when what it shows has changed.
-   * @param camera that the picture is drawn for
-   * @param blurs the map is blurred once it is drawn, as variance shadow maps are. Default false
+   * @param camera - that the picture is drawn for
+   * @param blurs - the map is blurred once it is drawn, as variance shadow maps are. Default false
    */
   follow(reversedDepth: boolean, camera: Camera, blurs = false): void {
     const { radius, blurSamples } = this.shadow;

@@ -10,8 +10,8 @@ const MOST_GROWN = 4;
  * Chooses the level of detail of the lit lights' maps. A map that is too coarse for a camera is larger at once; one that is too
  * fine becomes smaller in time, and only when it is drawn anew anyway: nothing is drawn again and again as cameras move to and
  * fro, or take turns.
- * @param picture size (pixels)
- * @param isFull the atlas is full, and goes through all sizes by itself from time to time
+ * @param picture - size (pixels)
+ * @param isFull - the atlas is full, and goes through all sizes by itself from time to time
  */
 export function chooseDetail(
   slots: readonly ShadowSlot[],

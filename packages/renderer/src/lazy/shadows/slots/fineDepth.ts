@@ -6,11 +6,11 @@ const BIAS_STEPS = 16;
 /**
  * Whether a shadow map needs depths of 24 bits. 16 bits take two thirds of the time to clear. They do where a step, half way to
  * the far plane, is no more than half a texel's width, and no more than a sixteenth of the bias.
- * @param near plane of the map's camera (m)
- * @param far plane (m)
- * @param scale of the projection across: one over the tangent of half the angle, or over half the width (m) where orthographic
- * @param texels across
- * @param bias of the shadow, in depths from 0 to 1
+ * @param near - plane of the map's camera (m)
+ * @param far - plane (m)
+ * @param scale - of the projection across: one over the tangent of half the angle, or over half the width (m) where orthographic
+ * @param texels - across
+ * @param bias - of the shadow, in depths from 0 to 1
  */
 export function needsFineDepth(
   near: number,

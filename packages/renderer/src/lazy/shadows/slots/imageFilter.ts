@@ -14,7 +14,7 @@ export function imageLevels(texture: Texture, width: number, height: number, cop
   return Math.max(1, there - Math.round(Math.log2(width / copied)));
 }
 
-/** The filters, levels and anisotropy of a texture. @param most anisotropy of the device */
+/** The filters, levels and anisotropy of a texture. @param most - anisotropy of the device */
 export function imageFilter(texture: Texture, levels: number, most: number): number {
   const { minFilter, magFilter, anisotropy } = texture;
   const betweenLevels = minFilter === NearestMipmapLinearFilter || minFilter === LinearMipmapLinearFilter;

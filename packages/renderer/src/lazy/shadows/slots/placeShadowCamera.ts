@@ -8,8 +8,8 @@ const ahead = new Vector3();
 /**
  * Leaves the shadow of a light as three's WebGLShadowMap would: the shadow's camera where the map is drawn from (of a point light:
  * the last of six faces), its matrix and frustum.
- * @param proxy of the light's shadow, on which three's own `updateMatrices` has been run
- * @param far plane of the map (m)
+ * @param proxy - of the light's shadow, on which three's own `updateMatrices` has been run
+ * @param far - plane of the map (m)
  */
 export function placeShadowCamera(
   light: ShadowLight,

@@ -14,7 +14,7 @@ export function makeReach(x = 0, y = 0, z = 0, range = Infinity, widening = 1, w
   return new Float64Array([x, y, z, range, widening, wider]);
 }
 
-/** @param matrixWorld elements of the world matrix of a camera of the map */
+/** @param matrixWorld - elements of the world matrix of a camera of the map */
 export function setReach(
   reach: Reach,
   matrixWorld: readonly number[],

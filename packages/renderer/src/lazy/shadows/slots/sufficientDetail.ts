@@ -29,7 +29,7 @@ interface Projected {
 /**
  * How often a light's map could be halved before its texels measured more than `PIXELS` where the light matters, in eighths of
  * a halving (a fraction that is handed from function to function may be allocated).
- * @param picture size (pixels)
+ * @param picture - size (pixels)
  * @returns 0 for lights without a range, directional lights, and those near the camera
  */
 export function sufficientDetail(slot: Projected, camera: Camera, picture: PictureSize): number {

@@ -52,7 +52,7 @@ export class CasterGeometry {
 
   /**
    * Goes on with the work.
-   * @param budget triangles to visit, roughly
+   * @param budget - triangles to visit, roughly
    * @returns triangles visited
    */
   step(budget: number): number {

@@ -14,7 +14,7 @@ export class ClusterOrder {
   /** Pairs of first and last (exclusive) of the ranges still to be halved. */
   private readonly open: number[] = [];
 
-  /** @param centres of the triangles, 3 numbers each */
+  /** @param centres - of the triangles, 3 numbers each */
   constructor(private readonly centres: Float32Array) {
     const count = centres.length / 3;
     this.order = new Uint32Array(count);
@@ -28,7 +28,7 @@ export class ClusterOrder {
 
   /**
    * Goes on with the work.
-   * @param budget triangles to visit, roughly
+   * @param budget - triangles to visit, roughly
    * @returns triangles visited
    */
   step(budget: number): number {

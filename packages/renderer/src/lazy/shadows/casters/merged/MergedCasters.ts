@@ -125,9 +125,9 @@ export class MergedCasters {
 
   /**
    * Begins a frame in which maps may be drawn: merges some of the casters that wait.
-   * @param camera near which matrices count from
-   * @param casters of the scene
-   * @param loose gets the casters that are not merged
+   * @param camera - near which matrices count from
+   * @param casters - of the scene
+   * @param loose - gets the casters that are not merged
    */
   begin(camera: Camera, { list, count, walks, walked }: ShadowCasters, loose: Caster[]): void {
     this.moveOrigin(camera);

@@ -22,9 +22,9 @@ export class MergedMesh {
 
   /**
    * Adds triangles.
-   * @param positions 3 numbers a vertex (own space of the object, m)
-   * @param index three vertices a triangle
-   * @param object number of the object, written with each vertex
+   * @param positions - 3 numbers a vertex (own space of the object, m)
+   * @param index - three vertices a triangle
+   * @param object - number of the object, written with each vertex
    * @returns index of the first of the triangles' indices
    */
   add(positions: Float32Array, index: Uint32Array, object: number): number {

@@ -25,7 +25,7 @@ type Clusters = Pick<MergedCaster, 'boxes' | 'groups' | 'first' | 'page'> & {
 
 /**
  * Has each face of a cube map draw the clusters of a caster that it may show.
- * @param side of the triangles that is drawn
+ * @param side - of the triangles that is drawn
  */
 export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
@@ -59,8 +59,8 @@ export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Cluster
 
 /**
  * Adds the clusters of a group whose bits are set.
- * @param start first index of the group's first cluster
- * @param end index after the group's last cluster
+ * @param start - first index of the group's first cluster
+ * @param end - index after the group's last cluster
  */
 function addClusters(runs: TriangleRuns, clusters: number, start: number, end: number): void {
   let from = 0;
