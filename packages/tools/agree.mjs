@@ -42,7 +42,7 @@ try {
   process.exitCode = 1;
 }
 
-/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, json?: string, only?: string, chance?: string, seed?: string }} options - */
+/** @param {{ gpu?: boolean, workers?: string, models?: string, 'no-models'?: boolean, pack?: string, json?: string, only?: string, chance?: string, seed?: string }} options */
 async function agree(options) {
   const isPacked = existsSync(marker);
   if (isPacked) {
@@ -121,7 +121,7 @@ function linkTools() {
   symlinkSync(join(root, 'packages/tools'), link, 'junction');
 }
 
-/** @param {string} to - @param {string | null} models */
+/** @param {string} to @param {string | null} models */
 function pack(to, models) {
   rmSync(to, { recursive: true, force: true });
   mkdirSync(to, { recursive: true });

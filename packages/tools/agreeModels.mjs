@@ -49,7 +49,7 @@ export async function fetchModels(folder) {
   return folder;
 }
 
-/** The model that a script holds as a data URL. @param {string} script - */
+/** The model that a script holds as a data URL. @param {string} script */
 function modelOfScript(script) {
   const [, base64] = /base64,([^"'`]+)/.exec(script) ?? [];
   if (!base64) throw new Error('A model of @pmndrs/assets is no data URL any more: see its files.');

@@ -34,7 +34,7 @@ try {
   process.exitCode = 1;
 }
 
-/** @param {BenchOptions} options - @returns {Promise<number>} exit code: 0 when anything was measured */
+/** @param {BenchOptions} options @returns {Promise<number>} exit code: 0 when anything was measured */
 async function bench(options) {
   const builds = await prepareBuilds(options);
   if (options.buildOnly) return keepBuilds(builds, options.out);
@@ -79,7 +79,7 @@ async function prepareBuilds({ dist, against }) {
   return builds;
 }
 
-/** @param {Build[]} builds - @param {string} out */
+/** @param {Build[]} builds @param {string} out */
 function keepBuilds(builds, out) {
   builds.forEach(({ folder }, index) => {
     const to = join(out, index === 0 ? 'now' : 'against');
@@ -129,7 +129,7 @@ async function measureAll(options, { browser, builds, cases, urls }) {
   return measured;
 }
 
-/** @param {import('./benchBrowser.mjs').CaseResult} result - */
+/** @param {import('./benchBrowser.mjs').CaseResult} result */
 function progress({ measurement, error }) {
   if (!measurement) return `FAILED: ${error}`;
   const { gpu, cpu, frame, draws, programs, uploadBytes, firstMs } = measurement;

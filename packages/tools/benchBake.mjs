@@ -86,7 +86,7 @@ async function buildPage() {
   });
 }
 
-/** @param {string} to - */
+/** @param {string} to */
 function pack(to) {
   rmSync(to, { recursive: true, force: true });
   for (const path of ['package.json', 'packages/tools', 'node_modules/playwright-core', '.cache/bake-bench']) {
@@ -127,7 +127,7 @@ function readSettings(text, common) {
   });
 }
 
-/** @param {Record<string, string | boolean | undefined>} values - */
+/** @param {Record<string, string | boolean | undefined>} values */
 function readOptions(values) {
   const of = (/** @type {string} */ name, /** @type {number} */ usual, least = 1) =>
     number(name, /** @type {string | undefined} */ (values[name]), usual, least);
@@ -146,7 +146,7 @@ function readOptions(values) {
   };
 }
 
-/** @param {Record<string, string | boolean | undefined>} values - */
+/** @param {Record<string, string | boolean | undefined>} values */
 async function measure(values) {
   const options = readOptions(values);
   const server = await serveFolder(page, { isolated: true });
@@ -204,23 +204,23 @@ async function measure(values) {
   }
 }
 
-/** Another seed, so that nothing of its noise is that of the bake. @param {ReturnType<typeof readOptions>} options - */
+/** Another seed, so that nothing of its noise is that of the bake. @param {ReturnType<typeof readOptions>} options */
 function reference({ bake, reference: samples }) {
   return { ...bake, samples, seed: 2, denoise: false, indirectScale: 1 };
 }
 
-/** @param {import('playwright-core').Page} tab - @param {string} name @param {unknown[]} given - @returns {Promise<any>} */
+/** @param {import('playwright-core').Page} tab @param {string} name @param {unknown[]} given @returns {Promise<any>} */
 function run(tab, name, ...given) {
   return tab.evaluate(({ name, given }) => /** @type {any} */ (window).bakeBench[name](...given), { name, given });
 }
 
-/** @param {import('playwright-core').Page} tab - */
+/** @param {import('playwright-core').Page} tab */
 async function tellProgress(tab) {
   const progress = await tab.evaluate(() => /** @type {any} */ (window).bakeBench.progress).catch(() => '');
   if (progress) console.log(`  … ${progress}`);
 }
 
-/** @param {{ seconds: Record<string, number>, covered: number, texelsPerMetre: number, lightmaps: number, bytes: number, rays: number, warnings: string[] }} figures - */
+/** @param {{ seconds: Record<string, number>, covered: number, texelsPerMetre: number, lightmaps: number, bytes: number, rays: number, warnings: string[] }} figures */
 function printBake({ seconds, covered, texelsPerMetre, lightmaps, bytes, rays, warnings }) {
   const names = {
     ...{ unwrap: 'unwrap', merge: 'merge triangles', bvh: 'build BVH', tables: 'fill tables', trace: 'trace' },
@@ -254,7 +254,7 @@ function printDifference(name, { linear, coded, white, bias, texels }, samples) 
   );
 }
 
-/** @param {string} technique - @param {{ baked: number, unlit: number, ratio: number, lit: number }} figures @param {{ width: number, height: number }} size - */
+/** @param {string} technique @param {{ baked: number, unlit: number, ratio: number, lit: number }} figures @param {{ width: number, height: number }} size */
 function printFrames(technique, { baked, unlit, ratio, lit }, { width, height }) {
   console.log(
     `  ${technique}, ${width} × ${height}: baked ${baked.toFixed(2)} ms, without lights ${unlit.toFixed(2)} ms ` +

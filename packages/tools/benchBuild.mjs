@@ -56,7 +56,7 @@ export async function buildReference(ref, to, app) {
   return to;
 }
 
-/** Full name of a commit, or null when git, the repository or the commit is not there. @param {string} ref - */
+/** Full name of a commit, or null when git, the repository or the commit is not there. @param {string} ref */
 export function commitOf(ref) {
   try {
     return git('rev-parse', '--verify', '--quiet', '--end-of-options', `${ref}^{commit}`).trim();
@@ -65,15 +65,15 @@ export function commitOf(ref) {
   }
 }
 
-/** Whether a folder holds a built app. @param {string} folder - @param {string} [page] that is looked for */
+/** Whether a folder holds a built app. @param {string} folder @param {string} [page] that is looked for */
 export const isBuilt = (folder, page = 'index.html') => existsSync(join(folder, page));
 
-/** @param {string} commit - @param {MeasuredApp} app */
+/** @param {string} commit @param {MeasuredApp} app */
 function hasApp(commit, app) {
   return git('ls-tree', '--name-only', commit, `apps/${app}/package.json`).trim() !== '';
 }
 
-/** Links the installed packages, less the repository's own, which must be the worktree's. @param {string} worktree - */
+/** Links the installed packages, less the repository's own, which must be the worktree's. @param {string} worktree */
 function linkModules(worktree) {
   const own = '@farol';
   const from = join(root, 'node_modules');
@@ -93,14 +93,14 @@ function linkModules(worktree) {
   if (existsSync(join(root, sponza))) link(join(root, sponza), join(worktree, sponza));
 }
 
-/** @param {string} target - a folder @param {string} path - */
+/** @param {string} target - a folder @param {string} path */
 function link(target, path) {
   if (existsSync(path)) return;
   mkdirSync(join(path, '..'), { recursive: true });
   symlinkSync(target, path, 'junction');
 }
 
-/** @param {string[]} args - */
+/** @param {string[]} args */
 function git(...args) {
   return execFileSync('git', args, { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 }

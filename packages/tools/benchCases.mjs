@@ -56,12 +56,12 @@ export function benchCases(options, builds) {
   return cases;
 }
 
-/** The same in every build and every round: what a row of the table is about. @param {BenchCase} benchCase - */
+/** The same in every build and every round: what a row of the table is about. @param {BenchCase} benchCase */
 export function caseKey({ scene, technique, lights, size }) {
   return [scene, `${size.width}×${size.height}`, lights ?? '', technique].join(' ');
 }
 
-/** @param {SceneChoice} scene - */
+/** @param {SceneChoice} scene */
 function sceneLabel({ name, parameters }) {
   return [name, ...Object.entries(parameters).map(([key, value]) => `${key}=${value}`)].join(':');
 }
@@ -69,7 +69,7 @@ function sceneLabel({ name, parameters }) {
 /**
  * How a scene is told a number of lights: `lights`, or `m` lights along a side of a square; nothing where it has neither.
  *
- * @param {readonly string[]} fields - @param {number | null} lights
+ * @param {readonly string[]} fields @param {number | null} lights
  * @returns {Record<string, number>}
  */
 export function lightParameters(fields, lights) {
@@ -78,7 +78,7 @@ export function lightParameters(fields, lights) {
   return fields.includes('m') ? { m: Math.round(Math.sqrt(lights)) } : {};
 }
 
-/** @param {SceneChoice} scene - @param {Known[]} builds @param {number[]} lights - @returns {(number | null)[]} */
+/** @param {SceneChoice} scene @param {Known[]} builds @param {number[]} lights @returns {(number | null)[]} */
 function lightCounts(scene, builds, lights) {
   const fields = builds.find((build) => build.scenes[scene.name])?.scenes[scene.name] ?? [];
   const chosen = 'lights' in scene.parameters || 'm' in scene.parameters;
@@ -86,14 +86,14 @@ function lightCounts(scene, builds, lights) {
 }
 
 /**
- * @param {SceneChoice} scene - @param {string} technique @param {Size} size - @param {Record<string, number>} lights
+ * @param {SceneChoice} scene @param {string} technique @param {Size} size @param {Record<string, number>} lights
  */
 function viewerQuery(scene, technique, size, lights) {
   const entries = { scene: scene.name, technique, ...scene.parameters, ...lights, time: 0, ...size, dpr: 1, gui: 0 };
   return `?${new URLSearchParams(Object.entries(entries).map(([name, value]) => [name, String(value)]))}`;
 }
 
-/** @param {string} what - @param {string[]} asked @param {string[]} known - */
+/** @param {string} what @param {string[]} asked @param {string[]} known */
 function check(what, asked, known) {
   const unknown = asked.filter((name) => !known.includes(name));
   if (unknown.length === 0) return;

@@ -42,7 +42,7 @@ export function installCounters() {
     },
   };
   prototype.getExtension = /** @type {any} */ (
-    /** @this {WebGL2RenderingContext} @param {string} name - */ function (name) {
+    /** @this {WebGL2RenderingContext} @param {string} name */ function (name) {
       const extension = Reflect.apply(getExtension, this, [name]);
       if (name === 'WEBGL_multi_draw' && extension) multiDraw = Object.getPrototypeOf(extension);
       return extension;
@@ -67,7 +67,7 @@ export function installCounters() {
       Reflect.set(
         object,
         name,
-        /** @this {unknown} @param {unknown[]} args - */ function (...args) {
+        /** @this {unknown} @param {unknown[]} args */ function (...args) {
           rules[name](args);
           return method.apply(this, args);
         },
@@ -78,7 +78,7 @@ export function installCounters() {
     };
   }
 
-  /** @param {unknown} mode - @param {unknown} list of numbers of vertices @param {unknown} from - @param {unknown} length */
+  /** @param {unknown} mode @param {unknown} list of numbers of vertices @param {unknown} from @param {unknown} length */
   function drawMany(mode, list, from, length) {
     const runs = /** @type {ArrayLike<number>} */ (list);
     const before = counts.draws;
@@ -86,14 +86,14 @@ export function installCounters() {
     counts.draws = before + 1;
   }
 
-  /** @param {unknown} mode - @param {unknown} vertices @param {unknown} instances - */
+  /** @param {unknown} mode @param {unknown} vertices @param {unknown} instances */
   function draw(mode, vertices, instances) {
     const each = mode === 4 ? Number(vertices) / 3 : mode === 5 || mode === 6 ? Number(vertices) - 2 : 0;
     counts.draws++;
     counts.triangles += Math.max(0, each) * Number(instances);
   }
 
-  /** Texel size in bytes, by WebGL's numbers of format and type. @param {unknown} format - @param {unknown} type */
+  /** Texel size in bytes, by WebGL's numbers of format and type. @param {unknown} format @param {unknown} type */
   function texelBytes(format, type) {
     /** @type {Record<number, number>} */
     const channels = { 0x1903: 1, 0x8d94: 1, 0x1902: 1, 0x1906: 1, 0x1909: 1, 0x8227: 2, 0x8228: 2, 0x190a: 2 };
@@ -126,7 +126,7 @@ export function installCounters() {
     counts.uploadBytes += texels * texelBytes(args[format], args[format + 1]);
   }
 
-  /** @param {unknown} data - @param {unknown} [length] in elements */
+  /** @param {unknown} data @param {unknown} [length] in elements */
   function bytesOf(data, length) {
     if (ArrayBuffer.isView(data)) {
       const element = 'BYTES_PER_ELEMENT' in data ? Number(data.BYTES_PER_ELEMENT) : 1;

@@ -49,7 +49,7 @@ export async function benchLab(options) {
   }
 }
 
-/** @param {LabBench} options - @returns {Promise<Labs>} */
+/** @param {LabBench} options @returns {Promise<Labs>} */
 async function prepareLabs({ dist, against, rivals }) {
   let now;
   if (dist !== null) {
@@ -77,7 +77,7 @@ function hasRivals(lab) {
   return existsSync(path) && Object.keys(JSON.parse(readFileSync(path, 'utf8')).versions).length > 0;
 }
 
-/** @param {Labs} labs - @param {string} out */
+/** @param {Labs} labs @param {string} out */
 function keepLabs(labs, out) {
   for (const [name, folder] of Object.entries(labs)) {
     if (folder === null) continue;
@@ -90,7 +90,7 @@ function keepLabs(labs, out) {
 }
 
 /**
- * @param {LabBrowser} browser - @param {LabBench} options
+ * @param {LabBrowser} browser @param {LabBench} options
  * @returns {Promise<LabPlan>}
  */
 function planFor(browser, { fragment, lights, rivals, against, gpu }) {
@@ -119,13 +119,13 @@ function planFor(browser, { fragment, lights, rivals, against, gpu }) {
   );
 }
 
-/** @param {LabRun} run - */
+/** @param {LabRun} run */
 const remainingOf = (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.remaining(run);
 
 /**
  * The run that ended early, to go on with.
  *
- * @param {LabBrowser} browser - @param {LabPlan} plan @param {string} out
+ * @param {LabBrowser} browser @param {LabPlan} plan @param {string} out
  * @returns {Promise<LabRun | null>} null where there is none
  * @throws {Error} when it is a run of something else
  */
@@ -218,10 +218,10 @@ async function measure(browser, { plan, rest, before, options }) {
   return whole;
 }
 
-/** An argument as a shell takes it. @param {string} argument - */
+/** An argument as a shell takes it. @param {string} argument */
 const quoted = (argument) => (/^[\w./:=,@+-]+$/.test(argument) ? argument : `'${argument.replaceAll("'", "'\\''")}'`);
 
-/** Prints the cases that are over. @param {LabRun} run - @param {Set<string>} done @param {boolean} [isLast] - */
+/** Prints the cases that are over. @param {LabRun} run @param {Set<string>} done @param {boolean} [isLast] */
 function tellCases({ plan, rows }, done, isLast = false) {
   for (const series of plan.series) {
     series.cases.forEach((_, index) => {
@@ -234,17 +234,17 @@ function tellCases({ plan, rows }, done, isLast = false) {
   }
 }
 
-/** @param {LabRun} run - @param {LabBench} options */
+/** @param {LabRun} run @param {LabBench} options */
 function writeRun(run, { out, name, withoutPictures }) {
   mkdirSync(out, { recursive: true });
   const rows = withoutPictures ? run.rows.map(withoutPicture) : run.rows;
   writeFileSync(join(out, 'bench.json'), `${JSON.stringify({ ...run, name: name ?? run.name, rows })}\n`);
 }
 
-/** @param {import('./benchLabBrowser.mjs').LabRow} row - */
+/** @param {import('./benchLabBrowser.mjs').LabRow} row */
 const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.likeness, thumbnail: '' } });
 
-/** Tables, sentences and drawings of the whole run. @param {LabBrowser} browser - @param {LabRun} run @param {LabBench} options - */
+/** Tables, sentences and drawings of the whole run. @param {LabBrowser} browser @param {LabRun} run @param {LabBench} options */
 async function writeFiles(browser, run, options) {
   const { out } = options;
   writeRun(run, options);
@@ -262,7 +262,7 @@ async function writeFiles(browser, run, options) {
   );
 }
 
-/** @param {LabRun} run - @param {string} name */
+/** @param {LabRun} run @param {string} name */
 function keepReference(run, name) {
   const file = `apps/lab/reference/${name}.json`;
   const path = join(root, file);

@@ -21,7 +21,7 @@ export function runLine({ label, axis, values, cases }, index, rows) {
   return `${label}, ${name ?? `${values[index].toLocaleString('en')} ${unit}`}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
 }
 
-/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms - */
+/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */
 export function remainingMinutes(ms) {
   if (ms === null) return '';
   const seconds = Math.max(1, Math.round(ms / 1000));

@@ -59,7 +59,7 @@ export function installFirstFrame() {
   const pixel = new Uint8Array(4);
   const bench = {
     firstMs: /** @type {number | null} */ (null),
-    /** gl.finish() does not wait in Chrome; reading a pixel of the canvas does. @param {WebGL2RenderingContext} gl - */
+    /** gl.finish() does not wait in Chrome; reading a pixel of the canvas does. @param {WebGL2RenderingContext} gl */
     finish(gl) {
       const framebuffer = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
       const pack = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
@@ -120,7 +120,7 @@ export async function measureViewer({ frames, budget, onlyCounts }) {
     move();
     render();
   };
-  /** Calls `step` until the frames or the time are used up, but 3 times at least. @param {() => unknown} step - @param {number} most */
+  /** Calls `step` until the frames or the time are used up, but 3 times at least. @param {() => unknown} step @param {number} most */
   const repeat = async (step, most) => {
     const begin = now();
     for (let i = 0, rest = begin; i < most && (i < 3 || now() - begin < budget); i++) {
@@ -197,7 +197,7 @@ export async function measureViewer({ frames, budget, onlyCounts }) {
   /** @type {ThreeNode[]} */
   const points = [];
   scene.traverse((node) => node.isPointLight && points.push(node));
-  /** @param {() => void} change - @param {number} count @returns {LightChange} */
+  /** @param {() => void} change @param {number} count @returns {LightChange} */
   const afterChange = (change, count) => {
     const before = farolCounters.programs;
     farolBench.finish(gl);

@@ -189,24 +189,24 @@ function fragmentOf({ preset = 'thesis', link, techniques, size: asked, rounds, 
   return fragment.toString();
 }
 
-/** @param {string} text - */
+/** @param {string} text */
 const lightsOf = (text) => list('lights', text).map((each) => number('lights', each, { min: 0, integer: true }));
 
-/** @param {string} option - @param {string} text */
+/** @param {string} option @param {string} text */
 function list(option, text) {
   const parts = text.split(',').map((part) => part.trim());
   if (parts.includes('')) throw new Error(`--${option} ${text}: names or numbers with commas between are needed.`);
   return [...new Set(parts)];
 }
 
-/** @param {string} option - @param {string} text @param {{ min: number, integer?: boolean }} range - */
+/** @param {string} option @param {string} text @param {{ min: number, integer?: boolean }} range */
 function number(option, text, { min, integer = false }) {
   const value = text.trim() === '' ? Number.NaN : Number(text);
   if (Number.isFinite(value) && value >= min && (!integer || Number.isInteger(value))) return value;
   throw new Error(`--${option} ${text}: a ${integer ? 'whole ' : ''}number of ${min} or more is needed.`);
 }
 
-/** @param {string} text - @returns {Size} */
+/** @param {string} text @returns {Size} */
 function size(text) {
   const parts = /^(\d+)[x×](\d+)$/.exec(text);
   const [width, height] = parts ? [Number(parts[1]), Number(parts[2])] : [0, 0];
@@ -216,7 +216,7 @@ function size(text) {
   return { width, height };
 }
 
-/** @param {string} text - @returns {SceneChoice} */
+/** @param {string} text @returns {SceneChoice} */
 function sceneChoice(text) {
   const [name, ...settings] = text.split(':');
   const entries = settings.map((setting) => {

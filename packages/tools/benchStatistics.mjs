@@ -39,7 +39,7 @@ export function quantile(values, q) {
   return sorted[low] + (sorted[Math.ceil(at)] - sorted[low]) * (at - low);
 }
 
-/** @param {readonly number[]} values - */
+/** @param {readonly number[]} values */
 export const median = (values) => quantile(values, 0.5);
 
 /**
@@ -82,7 +82,7 @@ export function summarise(rounds) {
   };
 }
 
-/** @param {readonly Measurement[]} rounds - @param {'added' | 'removed'} which @returns {Change | null} */
+/** @param {readonly Measurement[]} rounds @param {'added' | 'removed'} which @returns {Change | null} */
 function change(rounds, which) {
   const there = rounds.flatMap((round) => {
     const changed = round[which];

@@ -30,7 +30,7 @@ const columns = [
   ['first ms', ({ firstMs }) => firstMs, 'ms'],
 ];
 
-/** A number with about three digits; a dash for none. @param {number | null | undefined} value - */
+/** A number with about three digits; a dash for none. @param {number | null | undefined} value */
 export function digits(value) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   const size = Math.abs(value);
@@ -70,10 +70,10 @@ export function benchTable({ date, builds, renderer, browser, rounds }, rows) {
   return `${lines.join('\n')}\n`;
 }
 
-/** @param {string[]} texts - */
+/** @param {string[]} texts */
 const line = (texts) => `| ${texts.join(' | ')} |`;
 
-/** @param {Row} row - */
+/** @param {Row} row */
 function cells({ benchCase, outcomes }) {
   const { lights, technique } = benchCase;
   const summaries = outcomes.map((outcome) => outcome?.summary ?? null);
@@ -102,7 +102,7 @@ function compared(values) {
   return `${values.map(digits).join(' / ')}${ratio}`;
 }
 
-/** @param {Change | null} change - */
+/** @param {Change | null} change */
 function changeText(change) {
   if (change === null) return '–';
   const times = change.ms === null ? '' : `${digits(change.ms)} ms, ×${digits(change.ratio)}, `;

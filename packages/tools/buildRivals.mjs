@@ -4,7 +4,7 @@ import { needsInstall } from './ensureInstalled.mjs';
 import { rivalPackages, rivalsDist, rivalsFolder } from './rivalsPaths.mjs';
 import { runNpm } from './runNpm.mjs';
 
-/** @param {string} path - */
+/** @param {string} path */
 const modified = (path) => statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? null;
 
 /**

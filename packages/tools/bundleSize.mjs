@@ -51,7 +51,7 @@ export function scriptSize(folder, page = 'index.html') {
   return bundleSize(folder, entry);
 }
 
-/** @param {string} file - */
+/** @param {string} file */
 function read(file) {
   try {
     return readFileSync(file, 'utf8');
@@ -60,7 +60,7 @@ function read(file) {
   }
 }
 
-/** @param {string} file - @param {string} source @returns {string[]} */
+/** @param {string} file @param {string} source @returns {string[]} */
 function importsOf(file, source) {
   const { module } = parseSync(file, source);
   return [

@@ -50,7 +50,7 @@ export function clocksIn(path, source) {
     for (const each of Object.values(node)) visit(each, inner);
   }
 
-  /** @param {Node} node - @param {string} within @returns {string | null} */
+  /** @param {Node} node @param {string} within @returns {string | null} */
   function timeOf(node, within) {
     if (node.type === 'CallExpression') {
       const callee = textOf(node.callee);
@@ -75,10 +75,10 @@ export function clocksIn(path, source) {
   return found.map(([at, name]) => `${path}:${source.slice(0, at).split('\n').length} ${name}`);
 }
 
-/** @param {Node} call - @param {(node: Node) => string} textOf */
+/** @param {Node} call @param {(node: Node) => string} textOf */
 const argumentsOf = (call, textOf) => call.arguments.map(textOf).join();
 
-/** Whether a node is a test, or a group of them, of verify alone. @param {Node} node - @param {(node: Node) => string} textOf */
+/** Whether a node is a test, or a group of them, of verify alone. @param {Node} node @param {(node: Node) => string} textOf */
 function isOfVerify(node, textOf) {
   if (node.type !== 'CallExpression' || !/^(test|it|describe)\b/.test(textOf(node.callee))) return false;
   const [title, details] = node.arguments;

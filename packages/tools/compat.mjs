@@ -77,7 +77,7 @@ async function draw(version) {
   return compatRow(version, readFileSync(file, 'utf8'), passed);
 }
 
-/** @param {string} version - @param {string} folder */
+/** @param {string} version @param {string} folder */
 function install(version, folder) {
   const types = typesOfThree[/** @type {keyof typeof typesOfThree} */ (version)] ?? version;
   const is = (/** @type {string} */ name, /** @type {string} */ asked) => {
@@ -97,7 +97,7 @@ function install(version, folder) {
   if (done.status !== 0) throw new Error(`npm install ${packages.join(' ')} failed: see its message above.`);
 }
 
-/** The viewer and the tests' pages, with the packages' own dist and the three of a folder. @param {string} folder - */
+/** The viewer and the tests' pages, with the packages' own dist and the three of a folder. @param {string} folder */
 async function build(folder) {
   const { build: bundle } = await import('vite');
   for (const [name, source] of [

@@ -42,7 +42,7 @@ export function compatRow(version, comparisons, { tests, units, types }) {
   };
 }
 
-/** @param {CompatRow[]} rows - @returns {string} a table in Markdown */
+/** @param {CompatRow[]} rows @returns {string} a table in Markdown */
 export function compatTable(rows) {
   const said = (/** @type {boolean} */ passed) => (passed ? 'pass' : 'FAIL');
   return [

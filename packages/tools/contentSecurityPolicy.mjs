@@ -24,7 +24,7 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
   ].join('; ');
 }
 
-/** A policy as an element for the head of a page. @param {string} policy - */
+/** A policy as an element for the head of a page. @param {string} policy */
 export const policyElement = (policy) => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
 
 /**

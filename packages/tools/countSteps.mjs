@@ -32,7 +32,7 @@ export function withSteps(code) {
   return text + code.slice(last);
 }
 
-/** @param {unknown} value - a node, a list of them, or anything else @param {(node: Node) => void} visit - */
+/** @param {unknown} value - a node, a list of them, or anything else @param {(node: Node) => void} visit */
 function walk(value, visit) {
   if (typeof value !== 'object' || value === null) return;
   if ('type' in value) visit(/** @type {Node} */ (value));

@@ -43,7 +43,7 @@ export function placeProblem(version, folder, mayWrite) {
   return null;
 }
 
-/** @param {string} path - */
+/** @param {string} path */
 function isWritable(path) {
   try {
     accessSync(path, constants.W_OK);
@@ -61,7 +61,7 @@ export function needsInstall(installedAt, lockedAt) {
   return installedAt === null || (lockedAt !== null && lockedAt > installedAt);
 }
 
-/** @param {string} path - */
+/** @param {string} path */
 function modified(path) {
   return statSync(join(root, path), { throwIfNoEntry: false })?.mtimeMs ?? null;
 }

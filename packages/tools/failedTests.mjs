@@ -9,7 +9,7 @@ import { relative } from 'node:path';
 export function failedPlaywrightTests(report) {
   /** @type {{ title: string, place: string }[]} */
   const failed = [];
-  /** @param {any} suite - @param {string[]} titles */
+  /** @param {any} suite @param {string[]} titles */
   const visit = (suite, titles) => {
     for (const { ok, title, file, line } of suite.specs ?? []) {
       if (!ok) failed.push({ title: [...titles, title].join(' > '), place: `${file}:${line}` });

@@ -60,7 +60,7 @@ export function findBrowser(world = thisMachine()) {
   return system ? { path: system, source: 'system' } : null;
 }
 
-/** @param {BrowserWorld} world - */
+/** @param {BrowserWorld} world */
 function systemPaths({ env, platform }) {
   if (platform === 'darwin') return macPaths;
   if (platform === 'win32') {

@@ -70,7 +70,7 @@ const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
 /**
  * Files of the set that a file imports.
  *
- * @param {string} path - @param {string} source @param {ReadonlyMap<string, string>} files
+ * @param {string} path @param {string} source @param {ReadonlyMap<string, string>} files
  * @returns {{ static: string[], fetched: string[] }}
  */
 function targetsOf(path, source, files) {
@@ -95,7 +95,7 @@ function targetsOf(path, source, files) {
   return { static: specifiers.flatMap(resolved), fetched: fetched.flatMap(resolved) };
 }
 
-/** Specifiers of `import('./X').T` used as a type. @param {unknown} node - @returns {string[]} */
+/** Specifiers of `import('./X').T` used as a type. @param {unknown} node @returns {string[]} */
 function importTypesOf(node) {
   if (Array.isArray(node)) return node.flatMap(importTypesOf);
   if (typeof node !== 'object' || node === null) return [];

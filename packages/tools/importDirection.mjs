@@ -203,7 +203,7 @@ function violation(path, specifier, kind, { from, may, not = [], types = [], fet
   return declared(name, path, manifests) ? null : `its workspace does not declare ${name}`;
 }
 
-/** @param {string} path - */
+/** @param {string} path */
 function isTest(path) {
   return /\.(test|bench)\.tsx?$|(^|\/)(\w+\.config|test\w+)\.ts$/.test(path);
 }
@@ -211,7 +211,7 @@ function isTest(path) {
 /**
  * What a file imports of three by name, '*' for all of it.
  *
- * @param {string} path - @param {string} source @returns {string[]}
+ * @param {string} path @param {string} source @returns {string[]}
  */
 function namesOfThree(path, source) {
   return parseSync(path, source)
@@ -231,7 +231,7 @@ function entriesOf(name, manifests) {
   return entries.flatMap(([entry, paths]) => (paths !== null && !entry.includes('*') ? name + entry.slice(1) : []));
 }
 
-/** @param {string} specifier - */
+/** @param {string} specifier */
 function packageOf(specifier) {
   return specifier
     .split('/')
@@ -240,7 +240,7 @@ function packageOf(specifier) {
 }
 
 /**
- * @param {string} name - @param {string} path
+ * @param {string} name @param {string} path
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
 function declared(name, path, manifests) {
@@ -256,7 +256,7 @@ function declared(name, path, manifests) {
 /**
  * All static and dynamic imports and re-exports of a TypeScript file.
  *
- * @param {string} path - @param {string} source @returns {{ specifier: string, kind: ImportKind }[]}
+ * @param {string} path @param {string} source @returns {{ specifier: string, kind: ImportKind }[]}
  */
 function importsOf(path, source) {
   const { module } = parseSync(path, source);

@@ -29,7 +29,7 @@ function describeCommit() {
   }
 }
 
-/** @param {string} path - @returns {{ version: string }} */
+/** @param {string} path @returns {{ version: string }} */
 function readJSON(path) {
   return JSON.parse(readFileSync(path, 'utf8'));
 }

@@ -12,7 +12,7 @@ function sceneLikeText() {
   return JSON.stringify(Array.from({ length: 8000 }, (_, i) => ({ id: `object-${i}`, components })));
 }
 
-/** What is made of a component. @param {{ type: string, values: Record<string, number> }} component - */
+/** What is made of a component. @param {{ type: string, values: Record<string, number> }} component */
 function partOf({ type, values }) {
   const matrix = Array.from({ length: 16 }, () => 0);
   return { type, matrix, values: { ...values }, byName: new Map(Object.entries(values)) };

@@ -54,7 +54,7 @@ function tightened(line) {
 /**
  * `a + +b` and `a - -b` need their blanks.
  *
- * @param {string} whole - @param {number} at @param {string} match
+ * @param {string} whole @param {number} at @param {string} match
  */
 function keepsBlank(whole, at, match) {
   return /[+-]/.test(match) && (/[+-]/.test(whole[at - 1] ?? '') || /[+-]/.test(whole[at + match.length] ?? ''));

@@ -29,7 +29,7 @@ export function publishedPackages(checkout = root) {
     .filter(({ manifest }) => !manifest.private);
 }
 
-/** @param {string} folder - @returns {Manifest & { private?: boolean }} its package.json */
+/** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
 export function readManifest(folder) {
   return JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
 }

@@ -69,7 +69,7 @@ function take() {
   }
 }
 
-/** @param {number} pid - */
+/** @param {number} pid */
 function isAlive(pid) {
   try {
     process.kill(pid, 0);

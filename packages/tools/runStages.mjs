@@ -26,15 +26,15 @@ export async function runStages(stages, { isSmall, onStart, onEnd }) {
   const running = new Map();
   /** @type {Record<string, Outcome>} */
   const outcomes = {};
-  /** @param {string} name - @param {Outcome} outcome */
+  /** @param {string} name @param {Outcome} outcome */
   const end = (name, outcome) => {
     outcomes[name] = outcome;
     running.delete(name);
     onEnd?.(name, outcome);
   };
-  /** @param {string} name - */
+  /** @param {string} name */
   const needsOf = (name) => (stages[name].needs ?? []).filter((need) => need in stages);
-  /** @param {string} name - */
+  /** @param {string} name */
   const hasRoom = (name) => {
     const busy = [...running.keys()].filter((other) => !stages[other].waits);
     if (!isSmall || stages[name].waits || busy.length === 0) return true;

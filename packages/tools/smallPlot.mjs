@@ -1,4 +1,4 @@
-/** A function that says what was left out. @param {string} name - */
+/** A function that says what was left out. @param {string} name */
 const missing = (name) =>
   `export function ${name}() { throw new Error('Built without ${name} of Observable Plot: see smallPlot.mjs'); }`;
 

@@ -63,12 +63,12 @@ async function soak() {
   }
 }
 
-/** @param {import('./soakReport.mjs').Sample} sample - */
+/** @param {import('./soakReport.mjs').Sample} sample */
 function sampleText({ minutes, heap, objects }) {
   return `${minutes.toFixed(1)} ${heap.toFixed(0)} ${objects}`;
 }
 
-/** @param {import('playwright-core').BrowserContext} context - @param {string} url @param {number} seed - */
+/** @param {import('playwright-core').BrowserContext} context @param {string} url @param {number} seed */
 async function soakRenderer(context, url, seed) {
   const minutes = Number(values.minutes);
   if (!(minutes > 0)) return 0;
@@ -91,7 +91,7 @@ minutes, heap in kB and GPU objects each ${EVERY} rounds: ${result.samples.map(s
   return faults.length;
 }
 
-/** @param {import('playwright-core').BrowserContext} context - @param {string} url @param {number} seed - */
+/** @param {import('playwright-core').BrowserContext} context @param {string} url @param {number} seed */
 async function soakEditor(context, url, seed) {
   let state = seed * 7919 + 1;
   const random = () => (state = (state * 48_271) % 2_147_483_647) / 2_147_483_647;

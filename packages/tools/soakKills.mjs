@@ -94,7 +94,7 @@ export async function killTab(context, { url, random, mode }) {
   };
 }
 
-/** @param {BrowserContext} context - @param {string} url */
+/** @param {BrowserContext} context @param {string} url */
 async function openEditor(context, url) {
   const page = await context.newPage();
   await page.goto(`${url}?scene=empty`);
@@ -103,12 +103,12 @@ async function openEditor(context, url) {
   return page;
 }
 
-/** A disk on which each write takes a while. @param {Page} page - */
+/** A disk on which each write takes a while. @param {Page} page */
 async function slowWrites(page) {
   const [worker] = page.workers();
   await worker.evaluate(() => {
     const { put } = IDBObjectStore.prototype;
-    /** @this {IDBObjectStore} @param {any[]} args - */
+    /** @this {IDBObjectStore} @param {any[]} args */
     const slowPut = function (...args) {
       for (const end = performance.now() + 40; performance.now() < end;);
       return put.apply(this, /** @type {any} */ (args));
@@ -117,13 +117,13 @@ async function slowWrites(page) {
   });
 }
 
-/** Edits on and on, in the page; each edit is told to the test with its time. @param {{ mode: string, step: number }} options - */
+/** Edits on and on, in the page; each edit is told to the test with its time. @param {{ mode: string, step: number }} options */
 function edit({ mode, step: pause }) {
   const page = /** @type {any} */ (window);
   const { commands, document } = page.editor;
   let n = 0;
   let last = performance.now();
-  /** @param {() => void} act - */
+  /** @param {() => void} act */
   const command = (act) => ({ label: `Edit ${n}`, isEmpty: false, do: act, undo: () => {} });
   const gesture = mode === 'drag' ? commands.begin() : null;
   const step = () => {

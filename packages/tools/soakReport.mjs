@@ -58,7 +58,7 @@ export function growthOf(samples) {
     warm.map((sample) => sample.objects),
   );
   const span = warm.length > 1 ? minutes[minutes.length - 1] - minutes[0] : 0;
-  /** @param {Slope} slope - @param {number} most */
+  /** @param {Slope} slope @param {number} most */
   const isGrowing = ({ slope, error }, most) => warm.length >= ENOUGH && slope > CERTAIN * error && slope * span > most;
   const grows = [];
   if (isGrowing(heap, noise.heap)) grows.push(`the heap grows by ${figure(heap)} kB a minute`);
@@ -66,5 +66,5 @@ export function growthOf(samples) {
   return { heap, objects, grows };
 }
 
-/** @param {Slope} slope - */
+/** @param {Slope} slope */
 export const figure = ({ slope, error }) => `${slope.toFixed(2)} ± ${error.toFixed(2)}`;

@@ -77,7 +77,7 @@ export async function soakRounds(page, { url, seed, isOver, every = 10, without 
   return result;
 }
 
-/** What is wrong with a run: a line each; empty when nothing is. @param {SoakResult} result - */
+/** What is wrong with a run: a line each; empty when nothing is. @param {SoakResult} result */
 export function soakFaults({ mismatches, messages, samples }) {
   return [...mismatches, ...messages, ...growthOf(samples).grows];
 }

@@ -34,7 +34,7 @@ try {
   process.exit(1);
 }
 
-/** Opens the desktop's browser where there is one; says nothing when it cannot. @param {string} url - */
+/** Opens the desktop's browser where there is one; says nothing when it cannot. @param {string} url */
 function openBrowser(url) {
   const desktop = process.platform !== 'linux' || process.env.DISPLAY || process.env.WAYLAND_DISPLAY;
   if (!process.stdout.isTTY || process.env.CI || !desktop) return;

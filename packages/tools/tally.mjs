@@ -24,8 +24,8 @@ export function playwrightTally({ stats, errors }) {
   return { passed: stats.expected, failed: stats.unexpected + stats.flaky + errors.length };
 }
 
-/** @param {Tally} a - @param {Tally} b @returns {Tally} */
+/** @param {Tally} a @param {Tally} b @returns {Tally} */
 export const addTallies = (a, b) => ({ passed: a.passed + b.passed, failed: a.failed + b.failed });
 
-/** @param {Tally} tally - */
+/** @param {Tally} tally */
 export const tallyLine = ({ passed, failed }) => `${passed} passed, ${failed} failed`;

@@ -30,7 +30,7 @@ export function textsOf(path, source) {
     for (const text of [...literalsOf(node), ...piecesOf(node)])
       if (hasWords(text)) fault(node, `'${text.trim()}' is shown without t()`);
   };
-  /** @param {any} node - @param {boolean} isLate whether a call evaluates it, not the beginning of the module */
+  /** @param {any} node @param {boolean} isLate whether a call evaluates it, not the beginning of the module */
   const visit = (node, isLate) => {
     if (Array.isArray(node)) {
       for (const each of node) visit(each, isLate);
@@ -55,7 +55,7 @@ export function textsOf(path, source) {
   return { texts, faults };
 }
 
-/** The texts that an expression may be, as far as they stand in it. @param {any} node - @returns {string[]} */
+/** The texts that an expression may be, as far as they stand in it. @param {any} node @returns {string[]} */
 function literalsOf(node) {
   switch (node?.type) {
     case 'Literal':
@@ -74,7 +74,7 @@ function literalsOf(node) {
   }
 }
 
-/** What stands around the values of a template. @param {any} node - @returns {string[]} */
+/** What stands around the values of a template. @param {any} node @returns {string[]} */
 function piecesOf(node) {
   if (node?.type === 'ConditionalExpression') return [...piecesOf(node.consequent), ...piecesOf(node.alternate)];
   if (node?.type === 'LogicalExpression') return [...piecesOf(node.left), ...piecesOf(node.right)];
@@ -93,7 +93,7 @@ function piecesOf(node) {
 export function propertyTexts(path, source, ...names) {
   /** @type {string[]} */
   const texts = [];
-  /** @param {any} node - */
+  /** @param {any} node */
   const visit = (node) => {
     if (Array.isArray(node)) node.forEach(visit);
     if (typeof node?.type !== 'string') return;
@@ -114,7 +114,7 @@ export function propertyTexts(path, source, ...names) {
 export function tableOf(path, source) {
   /** @type {Record<string, string>} */
   const table = {};
-  /** @param {any} node - */
+  /** @param {any} node */
   const visit = (node) => {
     if (Array.isArray(node)) node.forEach(visit);
     if (typeof node?.type !== 'string') return;

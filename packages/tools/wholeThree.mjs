@@ -4,7 +4,7 @@ import { root } from './root.mjs';
 const ID = 'virtual:whole-three';
 const sources = join(root, 'node_modules/three/src');
 
-/** As three's own build strips its shaders. @param {string} glsl - */
+/** As three's own build strips its shaders. @param {string} glsl */
 const stripGlsl = (glsl) =>
   glsl
     .trim()
@@ -24,7 +24,7 @@ export function wholeThree() {
   return {
     name: 'farol-whole-three',
     enforce: 'pre',
-    /** @param {{ command: string }} config - */
+    /** @param {{ command: string }} config */
     configResolved(config) {
       isServed = config.command === 'serve';
     },

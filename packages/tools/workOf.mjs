@@ -12,7 +12,7 @@ let elements = 0;
 /** Elements that a built-in function copies or compares in about the time of one step of ours. */
 const ELEMENTS = 64;
 
-/** @param {unknown} value - @returns {number} elements, or letters */
+/** @param {unknown} value @returns {number} elements, or letters */
 function sizeOf(value) {
   if (typeof value === 'string') return value.length;
   if (typeof value !== 'object' || value === null) return 0;
@@ -35,7 +35,7 @@ const ofSearch = (target, [, from = 0], result) =>
 const ofSplice = (target, [start = 0], result) =>
   Number(start) < 0 ? -Number(start) : sizeOf(target) + sizeOf(result) - Number(start);
 
-/** @param {Iterable<unknown>} list - @returns {Row} */
+/** @param {Iterable<unknown>} list @returns {Row} */
 function iteration(list) {
   return [Object.getPrototypeOf(list[Symbol.iterator]()), ['next'], () => 1];
 }
@@ -71,7 +71,7 @@ function countBuiltIns() {
       const described = Object.getOwnPropertyDescriptor(owner, name);
       if (!described) continue;
       const { value } = described;
-      /** @this {unknown} @param {unknown[]} args - */
+      /** @this {unknown} @param {unknown[]} args */
       const counting = function (...args) {
         const result = Reflect.apply(value, this, args);
         elements += size(this, args, result);
