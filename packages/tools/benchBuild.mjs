@@ -65,7 +65,7 @@ export function commitOf(ref) {
   }
 }
 
-/** Whether a folder holds a built app. @param {string} folder @param {string} [page] that is looked for */
+/** Whether a folder holds a built app. @param {string} folder @param {string} [page] - that is looked for */
 export const isBuilt = (folder, page = 'index.html') => existsSync(join(folder, page));
 
 /** @param {string} commit @param {MeasuredApp} app */

@@ -78,7 +78,7 @@ export function installCounters() {
     };
   }
 
-  /** @param {unknown} mode @param {unknown} list of numbers of vertices @param {unknown} from @param {unknown} length */
+  /** @param {unknown} mode @param {unknown} list - of numbers of vertices @param {unknown} from @param {unknown} length */
   function drawMany(mode, list, from, length) {
     const runs = /** @type {ArrayLike<number>} */ (list);
     const before = counts.draws;
@@ -126,7 +126,7 @@ export function installCounters() {
     counts.uploadBytes += texels * texelBytes(args[format], args[format + 1]);
   }
 
-  /** @param {unknown} data @param {unknown} [length] in elements */
+  /** @param {unknown} data @param {unknown} [length] - in elements */
   function bytesOf(data, length) {
     if (ArrayBuffer.isView(data)) {
       const element = 'BYTES_PER_ELEMENT' in data ? Number(data.BYTES_PER_ELEMENT) : 1;

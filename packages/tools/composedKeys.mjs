@@ -13,7 +13,7 @@ export function uncheckedKeys(path, source) {
   if (!TEXT_FIELD.test(source) || !KEYS.some((key) => source.includes(`'${key}'`))) return [];
   /** @type {Set<number>} */
   const found = new Set();
-  /** @param {any} node @param {{ start: number, end: number } | null} around the innermost function */
+  /** @param {any} node @param {{ start: number, end: number } | null} around - the innermost function */
   const visit = (node, around) => {
     if (Array.isArray(node)) for (const each of node) visit(each, around);
     if (!node || typeof node.type !== 'string') return;

@@ -30,7 +30,7 @@ export function textsOf(path, source) {
     for (const text of [...literalsOf(node), ...piecesOf(node)])
       if (hasWords(text)) fault(node, `'${text.trim()}' is shown without t()`);
   };
-  /** @param {any} node @param {boolean} isLate whether a call evaluates it, not the beginning of the module */
+  /** @param {any} node @param {boolean} isLate - whether a call evaluates it, not the beginning of the module */
   const visit = (node, isLate) => {
     if (Array.isArray(node)) {
       for (const each of node) visit(each, isLate);

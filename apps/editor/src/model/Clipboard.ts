@@ -1,29 +1,29 @@
 import { Signal } from '@farol/editing';
 import type { ClipboardFiles } from './ClipboardFiles';
 
-/** Where other tabs of the editor find what was copied. */
+/** Key of localStorage under which other tabs of the editor find the copied text. */
 const KEY = 'farol-clipboard';
 
 const NONE: ReadonlyMap<string, Blob> = new Map();
 
-/** Fetched with the first copy that has files, or the first paste that needs some from another tab. */
+/** Fetched with the first copy that has files, or the first paste that needs files of another tab. */
 const loadFiles = async (): Promise<ClipboardFiles> => import('./ClipboardFiles');
 
 /**
- * Copied objects and values as text, with the files that they need: of this tab, and of others of the same browser. It asks
- * for no permission.
+ * Copied objects and values as text, with the files they name; shared by all tabs of a browser. Asks for no permission,
+ * since the system's clipboard is not used.
  */
 export class Clipboard {
-  /** Emits when something was copied here. */
+  /** Emits when something was copied in this tab. */
   readonly changed = new Signal();
 
   private own: string | null = null;
   private files: ReadonlyMap<string, Blob> = NONE;
-  /** Whether files are being stored: until they are, other tabs have what was copied before. */
+  /** Whether files are being stored; until then other tabs still have the copy before this one. */
   private isStoring = false;
   private hasStored = false;
 
-  /** What was copied last; null when nothing was. */
+  /** Text of the last copy, of any tab; null when nothing was copied. */
   get text(): string | null {
     if (this.isStoring) return this.own;
     try {
@@ -37,7 +37,7 @@ export class Clipboard {
     this.put(text, NONE);
   }
 
-  /** @param files - what the text names as files, by its names for them */
+  /** @param files - files that the text names, by the names it has for them */
   put(text: string | null, files: ReadonlyMap<string, Blob>): void {
     this.own = text;
     this.files = files;
@@ -47,7 +47,7 @@ export class Clipboard {
     this.changed.emit();
   }
 
-  /** A file that what was copied names, from wherever it was copied; null when it is gone. */
+  /** A file that the copied text names, copied in this tab or another; null when it is gone. */
   async file(name: string): Promise<Blob | null> {
     const own = this.files.get(name);
     if (own) return own;
@@ -58,14 +58,14 @@ export class Clipboard {
     }
   }
 
-  /** Stores the files, then tells other tabs, so that they find the files once they find the text. */
+  /** Stores the files before the text, so that a tab that finds the text finds its files too. */
   private async store(text: string | null, files: ReadonlyMap<string, Blob>): Promise<void> {
     this.isStoring = true;
     try {
       await (await loadFiles()).writeFiles(files);
       this.hasStored = true;
     } catch {
-      // no storage, or not enough: another tab says which files it does not have
+      // storage is missing or full: the tab that pastes reports the files that are missing
     }
     if (this.files !== files) return;
     this.isStoring = false;
@@ -77,11 +77,11 @@ export class Clipboard {
       if (text === null) localStorage.removeItem(KEY);
       else localStorage.setItem(KEY, text);
     } catch {
-      // no storage, or not enough: what was there before must not come back in its place
+      // storage is missing or full: the copy before must not be pasted in place of this one
       try {
         localStorage.removeItem(KEY);
       } catch {
-        // no storage at all
+        // storage is missing
       }
     }
     if (!this.hasStored || this.files.size > 0) return;

@@ -1,8 +1,8 @@
-/** Files of the clipboard in IndexedDB, where other tabs find them: those of what was copied last. */
+/** The files of the last copy in IndexedDB, where other tabs find them. */
 
 const NAME = 'farol-clipboard';
 
-/** What `import` of this file gives. */
+/** Exports of this file, which is imported when first needed. */
 export interface ClipboardFiles {
   readFile(name: string): Promise<Blob | null>;
   writeFiles(files: ReadonlyMap<string, Blob>): Promise<void>;
@@ -28,7 +28,7 @@ async function open(): Promise<IDBDatabase> {
   return done(request);
 }
 
-/** @returns null when there is none of this name */
+/** @returns null when no stored file has this name */
 export async function readFile(name: string): Promise<Blob | null> {
   const database = await open();
   try {
@@ -39,7 +39,7 @@ export async function readFile(name: string): Promise<Blob | null> {
   }
 }
 
-/** Puts files in the place of those that were there; one that is there already, by its name, is not written again. */
+/** Replaces the stored files. A file whose name is stored already is not written again. */
 export async function writeFiles(files: ReadonlyMap<string, Blob>): Promise<void> {
   const database = await open();
   try {

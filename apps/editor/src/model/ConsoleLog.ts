@@ -4,7 +4,7 @@ import { readableText } from './readableText';
 
 export type ConsoleKind = 'error' | 'warning' | 'info';
 
-/** What a message is about. */
+/** Part of the editor that a message is about. */
 export type ConsoleSource =
   | 'editor'
   | 'shader'
@@ -16,7 +16,7 @@ export type ConsoleSource =
   | 'plugin'
   | 'page';
 
-/** A line (from 1) of a microshader or of a script, by its name. */
+/** A line (from 1) of a microshader or of a script, known by name. */
 export type ConsolePlace =
   | { readonly chunk: string; readonly line: number }
   | { readonly script: string; readonly line: number };
@@ -26,35 +26,35 @@ export interface ConsoleEntry {
   readonly kind: ConsoleKind;
   readonly source: ConsoleSource;
   readonly text: string;
-  /** How often the same was said. */
+  /** Times that this message was logged. */
   readonly count: number;
-  /** When it was said last (ms since 1970). */
+  /** Time of the last repetition (ms since 1970). */
   readonly time: number;
-  /** The microshader or the script that it is about, and the line (from 1). */
+  /** The microshader or script that the message is about, and the line (from 1). */
   readonly place?: ConsolePlace;
 }
 
-/** Messages that are kept; the oldest go first. */
+/** Messages kept; beyond this the oldest are dropped. */
 const LIMIT = 500;
 
-/** Everything that was said since the page was opened: the same once, with its count. */
+/** Messages logged since the page was opened. A repeated message is one entry with a count. */
 export class ConsoleLog {
   readonly changed = new Signal();
 
   private list: readonly ConsoleEntry[] = [];
   private ids = 0;
 
-  /** Oldest first; another array after each change. */
+  /** Entries, oldest first; a new array after each change. */
   get entries(): readonly ConsoleEntry[] {
     return this.list;
   }
 
-  /** How many entries of a kind there are. */
+  /** Number of entries of a kind. */
   count(kind: ConsoleKind): number {
     return this.list.reduce((sum, entry) => sum + (entry.kind === kind ? 1 : 0), 0);
   }
 
-  /** Says something. What was said before is said again at the end, and counted. */
+  /** Logs a message. A repeated one moves to the end, and its count grows. */
   add(kind: ConsoleKind, source: ConsoleSource, message: string, place?: ConsolePlace): void {
     const text = inShownLanguage(readableText(message));
     const isSame = (entry: ConsoleEntry): boolean =>

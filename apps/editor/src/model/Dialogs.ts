@@ -7,84 +7,84 @@ export interface ConfirmDialog {
   readonly kind: 'confirm';
   readonly title: string;
   readonly text: string;
-  /** What the button that agrees says. */
+  /** Label of the button that agrees. */
   readonly action: string;
-  /** A third answer: its button, and what is called before the dialog closes without agreement. */
+  /** A third answer: the label of its button, and the function called before the dialog closes without agreement. */
   readonly other?: { readonly label: string; choose(): void };
 }
 
-/** Everything that is wrong with a file. */
+/** Lists everything that is wrong with a file. */
 export interface ProblemsDialog {
   readonly kind: 'problems';
   readonly title: string;
   readonly text: string;
   readonly problems: readonly FileProblem[];
-  /** What the button that agrees says; there is none when absent. */
+  /** Label of the button that agrees; without it the dialog can only be closed. */
   readonly action?: string;
-  /** What the other button says then; 'Cancel' when absent. */
+  /** Label of the button that refuses beside `action`; 'Cancel' when absent. */
   readonly refusal?: string;
-  /** What the list is of, for those who hear it. */
+  /** Name of the list for screen readers. */
   readonly listLabel?: string;
 }
 
-/** Something that takes long; closing the dialog cancels it. */
+/** Progress of a long task; closing the dialog cancels the task. */
 export interface ProgressDialog {
   readonly kind: 'progress';
   readonly title: string;
 }
 
-/** The keys that there are. */
+/** Lists the keyboard shortcuts. */
 export interface KeysDialog {
   readonly kind: 'keys';
 }
 
-/** Everything that can be done, found by typing. */
+/** Palette of all actions, found by typing. */
 export interface PaletteDialog {
   readonly kind: 'palette';
 }
 
-/** Scenes that were not saved when their tab was closed. */
+/** Unsaved scenes of tabs that were closed. */
 export interface RecoveryOffer {
   readonly sessions: readonly SessionInfo[];
-  /** Opens what a session left. */
+  /** Opens the scene of a session. */
   recover(session: SessionInfo): Promise<unknown>;
-  /** Throws a session away. */
+  /** Deletes a session. */
   discard(session: SessionInfo): Promise<void>;
 }
 
-/** Scenes that were not saved when their tab was closed. */
+/** Offers unsaved scenes of tabs that were closed. */
 export interface RecoverDialog extends RecoveryOffer {
   readonly kind: 'recover';
 }
 
-/** Where one begins: samples, recent files, the tour. */
+/** Welcome page: samples, recent files, the tour. */
 export interface WelcomeDialog {
   readonly kind: 'welcome';
-  /** Null where there is nothing to recover. */
+  /** Null when no unsaved scene can be recovered. */
   readonly recovery: RecoveryOffer | null;
 }
 
-/** What the editor is. */
+/** Tells about the editor: version, licence. */
 export interface AboutDialog {
   readonly kind: 'about';
 }
 
-/** The ways to give a scene away. */
+/** Lists the formats that a scene can be exported to. */
 export interface ExportDialog {
   readonly kind: 'export';
 }
 
-/** A question whose answer is a line of text. */
+/** Asks for a line of text. */
 export interface TextDialog {
   readonly kind: 'text';
   readonly title: string;
-  /** What the field is called. */
+  /** Label of the text field. */
   readonly label: string;
-  /** What it begins with. */
+  /** Text in the field when the dialog opens. */
   readonly value: string;
-  /** What the button that agrees says. */
+  /** Label of the button that agrees. */
   readonly action: string;
-  /** Takes the text, without blanks at its ends; never an empty one. */
+  /** Called with the trimmed text, which is never empty. */
   accept(value: string): void;
 }
 
@@ -100,7 +100,7 @@ export type DialogRequest =
   | AboutDialog
   | ExportDialog;
 
-/** The dialog that is asked for, one at a time. */
+/** The open dialog; one at a time. */
 export class Dialogs {
   /** Emits when a dialog opens or closes. */
   readonly changed = new Signal();
@@ -112,7 +112,7 @@ export class Dialogs {
     return this.request;
   }
 
-  /** Shows a dialog, in place of one that is open. @returns whether the user agreed */
+  /** Shows a dialog in place of the open one. @returns whether the user agreed */
   show(request: DialogRequest): Promise<boolean> {
     this.close(false);
     this.request = request;
@@ -122,7 +122,7 @@ export class Dialogs {
     });
   }
 
-  /** Closes the dialog with an answer. */
+  /** Closes the dialog. @param agreed - the user's answer */
   close(agreed: boolean): void {
     if (!this.request) return;
     this.request = null;

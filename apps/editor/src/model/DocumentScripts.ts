@@ -9,24 +9,24 @@ import {
   type ScriptPlace,
 } from '@farol/engine/scripts';
 
-/** Something that a component of a script threw while the scene played. */
+/** An error thrown by a component of a script while the scene played. */
 export interface ScriptFailure extends ScriptPlace {
-  /** What was thrown, without the place. */
+  /** Message of the error, without its place. */
   readonly message: string;
-  /** Type of the component, and the name of its object. */
+  /** Type of the component that threw. */
   readonly component: string;
   readonly object: string;
 }
 
 /**
- * Why scripts are off: they came from elsewhere, the page hung when they ran last, the address says `?scripts=off`, or the
- * editor is in a frame of another page, which could lead the user's clicks.
+ * Why scripts are off: they came from elsewhere, the page hung when they last ran, the address says `?scripts=off`, or
+ * the editor is in a frame of another page, which could trick the user into clicking.
  */
 export type OffReason = 'foreign' | 'hung' | 'address' | 'framed';
 
 const NONE: ReadonlyMap<string, never> = new Map<string, never>();
 
-/** Modules that scripts can import, fetched when the first script comes. */
+/** Modules that scripts can import; fetched with the first script. */
 const loadModules = async (): Promise<SceneScriptsOptions> => ({
   modules: (await import('./scriptModules')).scriptModules,
   compile: compileScript,
@@ -34,14 +34,14 @@ const loadModules = async (): Promise<SceneScriptsOptions> => ({
 });
 
 /**
- * The scripts of the document's scene: whether they run, and what is wrong with them. Nothing is compiled, nor fetched for it,
- * before the scene has a script.
+ * The scripts of the document's scene: whether they run, and their errors. Nothing is compiled or fetched until the
+ * scene has a script.
  */
 export class DocumentScripts {
-  /** Emits when a script is compiled, fails or goes, when one throws, and when scripts are switched on or off. */
+  /** Emits when a script is compiled, fails or is removed, when one throws, and when scripts are switched on or off. */
   readonly changed = new Signal();
 
-  /** Why scripts are off, until the user has answered whether they shall run; null when nothing is to be asked. */
+  /** Why scripts are off, while the user has yet to decide whether they run; null when there is nothing to decide. */
   question: OffReason | null = null;
 
   private held: OffReason | null = null;
@@ -51,13 +51,13 @@ export class DocumentScripts {
   private isWanted = true;
   private failed: ReadonlyMap<string, ScriptFailure> = NONE;
   private endWatch: () => void = () => {};
-  /** While what scripts need is being fetched. */
+  /** Pending while the script compiler and modules are being fetched. */
   private starting: Promise<void> | null = null;
 
-  /** @param load - what scripts get and how they are run; the page's own when absent */
+  /** @param load - fetches the options for running scripts; the page's own when absent */
   constructor(private readonly load: () => Promise<SceneScriptsOptions> | SceneScriptsOptions = loadModules) {}
 
-  /** Whether scripts of the scene run. A scene of somebody else's has them off until the user says so. */
+  /** Whether the scene's scripts run. Those of a scene from elsewhere are off until the user allows them. */
   get isOn(): boolean {
     return this.isWanted;
   }
@@ -76,64 +76,70 @@ export class DocumentScripts {
     return (this.scene?.assets.fieldAssets('script').length ?? 0) > 0;
   }
 
-  /** Has scripts off in this scene and those that are opened next, until the user switches them on; framed ones for good. */
+  /**
+   * Switches scripts off, in this scene and those opened next, until the user switches them on; `framed` ones cannot
+   * be.
+   */
   hold(reason: OffReason): void {
     this.isOn = false;
     this.held = this.question = reason;
     this.changed.emit();
   }
 
-  /** Scripts come from elsewhere into this scene: all of its are off until the user has said whether they shall run. */
+  /**
+   * Switches all scripts off, because some came into this scene from elsewhere, until the user decides whether they
+   * run.
+   */
   ask(): void {
     if (!this.isWanted) return;
     this.question = 'foreign';
     this.isOn = false;
   }
 
-  /** The user wants scripts to stay off: it is not asked again for this scene. */
+  /** Leaves scripts off at the user's wish; the question is not asked again for this scene. */
   keepOff(): void {
     this.question = null;
     this.changed.emit();
   }
 
-  /** The types of a registry without those of scripts: scenes that are opened have scripts of their own. */
+  /** The types of a registry but those that scripts made: each opened scene gets the types of its own scripts. */
   withoutScripts(registry: ComponentRegistry): ComponentRegistry {
     const others = [...registry.types.values()].filter((type) => this.current?.scriptOf(type) == null);
     return new ComponentRegistry(others, { keepUnknown: registry.keepsUnknown });
   }
 
-  /** What cannot be compiled or run as a module, by the name of the script: syntax errors and others, with line and column. */
+  /** Scripts that do not compile or do not run as a module, by name: the error with its line and column. */
   get errors(): ReadonlyMap<string, ScriptError> {
     return this.current?.errors ?? NONE;
   }
 
-  /** What scripts threw last since the scene began to play, by the name of the script. */
+  /** The last error that each script threw since the scene began to play, by the script's name. */
   get failures(): ReadonlyMap<string, ScriptFailure> {
     return this.failed;
   }
 
-  /** The class of components that a script has made; null while there is none. */
+  /** The component class that a script defines; null when it defines none or has not compiled. */
   classOf(script: string): ComponentClass | null {
     return this.current?.classOf(script) ?? null;
   }
 
-  /** The script that a component is of; null for others. */
+  /** Name of the script that defines a component's class; null for other components. */
   scriptOf({ componentClass }: Component): string | null {
     return this.current?.scriptOf(componentClass) ?? null;
   }
 
-  /** Whether a script is being compiled, or what scripts need is being fetched. */
+  /** Whether a script is being compiled, or the compiler is being fetched. */
   get isCompiling(): boolean {
     return this.starting !== null || (this.current?.isCompiling ?? false);
   }
 
-  /** Fulfilled when what there is of scripts is compiled and runs. */
+  /** Fulfilled when all scripts are compiled and run. */
   async settled(): Promise<void> {
     await this.starting;
     await this.current?.settled();
   }
 
-  /** @internal Another scene came. @param isOn - whether its scripts run */
+  /** @internal Called when another scene was opened. @param isOn - whether its scripts run */
   open(scene: Scene, registry: ComponentRegistry, isOn: boolean): void {
     this.close();
     this.scene = scene;
@@ -143,14 +149,14 @@ export class DocumentScripts {
     this.endWatch = scene.assets.onChange((change) => {
       if ((change.kind !== 'registered' && change.kind !== 'removed') || change.type !== 'script') return;
       if (change.kind === 'registered') this.begin();
-      // what runs tells of it; while scripts are off, whether there are some may have changed
+      // running scripts emit this themselves; while they are off, a script may have been added or removed
       if (!this.isWanted) this.changed.emit();
     });
     this.begin();
     this.changed.emit();
   }
 
-  /** @internal Before the scene is disposed of. */
+  /** @internal Called before the scene is disposed of. */
   close(): void {
     this.endWatch();
     this.current?.dispose();
@@ -159,7 +165,7 @@ export class DocumentScripts {
     this.failed = NONE;
   }
 
-  /** @internal A component threw. @returns what is known of it when it is of a script */
+  /** @internal Called when a component threw. @returns the failure when the component is of a script */
   note(component: Component, error: unknown): ScriptFailure | null {
     const script = this.scriptOf(component);
     if (script === null) return null;
@@ -175,14 +181,14 @@ export class DocumentScripts {
     return failure;
   }
 
-  /** @internal The scene begins to play, or stops. */
+  /** @internal Called when the scene begins to play, or stops. */
   forgetFailures(): void {
     if (this.failed.size === 0) return;
     this.failed = NONE;
     this.changed.emit();
   }
 
-  /** Runs the scripts of the scene, once it has some. */
+  /** Runs the scene's scripts, once it has some. */
   private begin(): void {
     const { scene } = this;
     if (!scene || this.current || this.starting || !this.isWanted) return;

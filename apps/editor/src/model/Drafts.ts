@@ -1,14 +1,14 @@
 import { formatTime, Signal, t } from '@farol/editing';
 
-/** Whether changes are kept for a tab that is killed, as the user is told it. */
+/** Whether drafts of unsaved changes are kept, and the reason when they are not, for the user. */
 export class Drafts {
-  /** Emits when drafts are kept no longer, or again. */
+  /** Emits when drafts stop being kept, or are kept again. */
   readonly changed = new Signal();
 
   private reason: string | null = null;
   private lastKept: number | null = null;
 
-  /** Why drafts are not kept, since when, and what to do: whole sentences. Null while they are. */
+  /** Why drafts are not kept, since when, and the remedy, in whole sentences; null while they are kept. */
   get problem(): string | null {
     if (this.reason === null) return null;
     const { reason } = this;
@@ -20,15 +20,15 @@ export class Drafts {
         });
   }
 
-  /** When something was last kept, or should have been (ms since 1970); null where nothing ever can be. */
+  /** Time of the last draft, or when it should have been kept (ms since 1970); null when none can ever be kept. */
   get since(): number | null {
     return this.lastKept;
   }
 
   /**
-   * Drafts are not kept.
+   * Notes that drafts are not kept.
    * @param reason - a sentence, without a capital
-   * @param since - when something was last kept (ms since 1970); null where nothing ever can be
+   * @param since - time of the last draft, or when it should have been kept (ms since 1970); null when none can ever be
    */
   fail(reason: string, since: number | null = null): void {
     if (this.reason === reason && this.lastKept === since) return;
@@ -37,7 +37,7 @@ export class Drafts {
     this.changed.emit();
   }
 
-  /** Drafts are kept. */
+  /** Notes that drafts are kept. */
   work(): void {
     if (this.reason === null) return;
     this.reason = null;

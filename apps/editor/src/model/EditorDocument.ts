@@ -15,45 +15,47 @@ import { Selection } from './Selection';
 import { Simulation } from './Simulation';
 
 /**
- * What is edited: a scene with its history, its selection and its simulation. It knows nothing of React or of a canvas.
- * Every change of the scene goes through `commands`; simulation writes to the scene directly and is never history.
+ * The edited scene with its history, selection and simulation, free of React and canvas. Every edit goes through
+ * `commands`; simulation writes to the scene directly and never becomes history.
  */
 export class EditorDocument {
   readonly commands = new CommandStack((command, isDone) => this.applied(command, isDone));
   readonly selection = new Selection();
-  /** What was edited while the scene played. */
+  /** Edits made while the scene played. */
   readonly playEdits = new PlayEdits(this);
   readonly simulation = new Simulation(() => this.scene, this.playEdits);
   /** The scripts of the scene: whether they run, and what is wrong with them. */
   readonly scripts: DocumentScripts;
-  /** Emits after every edit, whatever it was, previews included. */
+  /** Emits after every edit of any kind, previews included. */
   readonly edited = new Signal();
-  /** Emits when objects or components come, go, move, or change their names or whether they are active. */
+  /** Emits when objects or components are added, removed, moved, renamed, or switched on or off. */
   readonly structure = new Signal();
   /** Emits when another scene was opened. */
   readonly opened = new Signal();
-  /** Emits when an asset of the scene's library comes, is loaded, fails or goes, and when another library comes. */
+  /**
+   * Emits when an asset of the scene's library is added, loaded, fails or is removed, and when the library is replaced.
+   */
   readonly assetsChanged = new Signal();
   /** Emits when a prefab of the scene changes, or an object becomes or ceases to be a copy of one. */
   readonly prefabs = new Signal();
-  /** Takes what went wrong while an asset was loaded. */
+  /** Called with the error when an asset fails to load. */
   onAssetFailed: (error: Error) => void = () => {};
-  /** Assets of which who loads them tells when they fail. */
+  /** Names of assets whose failure is reported by the code that loads them, not by `onAssetFailed`. */
   readonly toldElsewhere = new Set<string>();
-  /** Hears of every edit of the scene as it is made, previews included. */
+  /** Called with every edit of the scene as it is made, previews included. */
   onSceneChange: (change: SceneChange) => void = () => {};
 
   /** Emits when a field of a material of the library changes. */
   readonly materials = new Signal();
-  /** The assets that are selected, by name, or id of a prefab: the last one is what the inspector shows. */
+  /** Selected assets: names, or ids of prefabs. The inspector shows the last one. */
   readonly assetSelection = new AssetSelection<string>();
-  /** Emits when a view that is kept with the scene changes. */
+  /** Emits when a view stored with the scene changes. */
   readonly views = new Signal();
-  /** Emits when a preview of a clip, while the scene stands still, shows other values than before. */
+  /** Emits when a clip's preview, while the scene is stopped, shows other values. */
   readonly previewed = new Signal();
   /** Emits when a microshader of the scene changes. */
   readonly microShaders = new Signal();
-  /** Takes what a component throws while it is simulated. */
+  /** Called with what a component throws while it is simulated. */
   onComponentError: (component: Component, error: unknown) => void = () => {};
 
   private current: Scene;
@@ -62,8 +64,8 @@ export class EditorDocument {
   private readonly ownerSignals = new WeakMap<FieldOwner, Signal>();
 
   /**
-   * @param registry - types of components that every scene of the document shall know; each scene's own when absent
-   * @param scripts - how scripts run; in the page when absent
+   * @param registry - component types shared by every scene of the document; each scene's own when absent
+   * @param scripts - runs the scripts; in the page when absent
    */
   constructor(
     assets: AssetLibrary = new AssetLibrary(),
@@ -88,14 +90,14 @@ export class EditorDocument {
     return this.current.assets;
   }
 
-  /** The selected GameObjects, in the order of their choice. */
+  /** The selected GameObjects, in the order they were selected. */
   get selectedObjects(): GameObject[] {
     return this.selection.ids.flatMap((id) => this.scene.findById(id) ?? []);
   }
 
   /**
-   * Shows another scene, with an empty history. The one before is disposed.
-   * @param runsScripts - whether its scripts run; a scene of somebody else's has them off until the user says so
+   * Shows another scene, with an empty history. The scene before is disposed.
+   * @param runsScripts - whether its scripts run; those of a scene from elsewhere are off until the user allows them
    */
   open(scene: Scene, runsScripts = true): void {
     const before = this.current;
@@ -121,14 +123,16 @@ export class EditorDocument {
     this.edited.emit();
   }
 
-  /** Emits when a field of a component or of the scene's settings changes, or whether the component is enabled. */
+  /**
+   * Emits when a field of a component or of the scene's settings changes, or when the component is switched on or off.
+   */
   ownerSignal(owner: FieldOwner): Signal {
     let signal = this.ownerSignals.get(owner);
     if (!signal) this.ownerSignals.set(owner, (signal = new Signal()));
     return signal;
   }
 
-  /** The scene as text, in the format of files. */
+  /** The scene as JSON text, in the file format. */
   serialize(): string {
     return `${JSON.stringify(serialize(this.scene), null, 1)}\n`;
   }
@@ -162,7 +166,7 @@ export class EditorDocument {
 
   private openScripts(isOn: boolean): void {
     const { current: scene } = this;
-    // classes of scripts are those of one scene: they are in no registry that others share
+    // classes of scripts belong to one scene: they are not in a registry that scenes share
     if (!this.registry)
       scene.registry = new ComponentRegistry(scene.registry.types.values(), {
         keepUnknown: scene.registry.keepsUnknown,
@@ -175,20 +179,20 @@ export class EditorDocument {
     this.endAssets = this.assets.onChange((change) => {
       if (change.kind === 'failed' && change.error && !this.toldElsewhere.has(change.name))
         this.onAssetFailed(change.error);
-      // of a value of a material the scene tells
+      // a changed value of a material is reported by the scene
       if (change.kind !== 'changed') this.assetsChanged.emit();
       if (change.kind === 'removed') this.dropLostAssets();
     });
   }
 
-  /** Deselects assets that are gone. */
+  /** Deselects assets that were removed. */
   private dropLostAssets(): void {
     const { items } = this.assetSelection;
     const found = items.filter((name) => this.assets.has(name) || this.scene.prefabs.get(name));
     if (found.length < items.length) this.assetSelection.set(found);
   }
 
-  /** Deselects what is no longer in the scene. */
+  /** Deselects objects that were removed. */
   private dropLost(): void {
     const { ids } = this.selection;
     const found = ids.filter((id) => this.scene.findById(id));

@@ -7,31 +7,31 @@ export interface Notice {
   readonly id: number;
   readonly kind: 'info' | 'warning' | 'error';
   readonly text: string;
-  /** How often the same was said while it was on show. */
+  /** Times that this message was repeated while it was shown. */
   readonly count: number;
-  /** Whether it stays until it is removed, since what it says is so until then. */
+  /** Whether the message stays until removed, because it describes a lasting state. */
   readonly lasts: boolean;
 }
 
-/** Messages on show at a time, beside those that last. */
+/** Messages shown at a time, besides the lasting ones. */
 const MOST = 3;
 
-/** Short messages that the user should see and need not answer. They leave by themselves, and stay in the console. */
+/** Short messages that need no answer. They disappear by themselves, and stay in the console. */
 export class Notices {
   readonly changed = new Signal();
 
-  /** @param log - is told everything too */
+  /** @param log - every message is logged there too */
   constructor(private readonly log?: ConsoleLog) {}
 
   private list: readonly Notice[] = [];
   private ids = 0;
 
-  /** The messages on show, oldest first; another array after each change. */
+  /** The messages that are shown, oldest first; a new array after each change. */
   get current(): readonly Notice[] {
     return this.list;
   }
 
-  /** Shows a message; the same text is there once, with its count. @returns its id, for `remove` */
+  /** Shows a message; a repeated text is shown once, with a count. @returns its id, for `remove` */
   show(
     kind: Notice['kind'],
     message: string,
@@ -53,7 +53,7 @@ export class Notices {
     return notice.id;
   }
 
-  /** Takes a message away: it was read, or what it says is so no longer. */
+  /** Removes a message that was read or is no longer true. */
   remove(id: number): void {
     if (!this.list.some((notice) => notice.id === id)) return;
     this.list = this.list.filter((notice) => notice.id !== id);

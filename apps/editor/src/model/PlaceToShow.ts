@@ -1,13 +1,13 @@
 import { Signal } from '@farol/editing';
 
-/** A text, and a line of it (from 1; 0 for none) to go to. */
+/** A line (from 1; 0 for none) of a text to scroll to. */
 export interface TextPlace {
-  /** Of a microshader or of a script. */
+  /** Name of a microshader or of a script. */
   readonly name: string;
   readonly line: number;
 }
 
-/** What a panel of texts shall show. */
+/** The place that a panel of texts is asked to show. */
 export class PlaceToShow {
   private readonly changed = new Signal();
   private place: TextPlace | null = null;

@@ -13,14 +13,14 @@ import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { CommandList } from './commands/CommandList';
 import { Sequence } from './commands/Sequence';
 
-/** A value that was edited while the scene played. */
+/** A field value edited while the scene played. */
 export interface PlayChange {
   readonly owner: Component | SceneSettings | FieldAsset;
   /** Name of the field. */
   readonly name: string;
-  /** What it is, as before playing. */
+  /** Value before the scene began to play. */
   readonly from: FieldValue;
-  /** What it was when the scene was stopped. */
+  /** Value when the scene was stopped. */
   readonly to: FieldValue;
 }
 
@@ -28,25 +28,25 @@ const sameField = (a: { owner: FieldOwner; name: string }, b: { owner: FieldOwne
   a.owner === b.owner && a.name === b.name;
 
 /**
- * What becomes of edits that are made while the scene plays: stopping takes all of them back, and whatever components
- * wrote into fields too. Those of values can then be kept, one by one.
+ * Edits made while the scene plays. Stopping undoes all of them, and what components wrote into fields; edited values
+ * can then be kept one by one, or all edits together.
  */
 export class PlayEdits {
-  /** Emits when there is something to keep, or no longer. */
+  /** Emits when there is something to keep, or nothing any more. */
   readonly changed = new Signal();
 
   private values: readonly PlayChange[] = [];
-  /** All edits as they were done, while none of them was kept. */
+  /** All edits in the order they were made; empty once one of them was kept on its own. */
   private all: readonly Command[] = [];
   private last: Command | null = null;
-  /** Names of the assets that there were when the scene began to play. */
+  /** Names of the assets when the scene began to play. */
   private assetsBefore: ReadonlySet<string> = new Set();
 
   constructor(private readonly document: { readonly commands: CommandStack; readonly scene: Scene }) {}
 
   /**
-   * Values that can be kept: of fields that are there, since a script's text may have changed after the scene stopped, and no
-   * names of assets that are gone, since those that were made or renamed while it played are.
+   * Values that can be kept. Left out are fields that are gone (a script's text may have changed since) and names of
+   * assets that are gone (made or renamed while the scene played).
    */
   get changes(): readonly PlayChange[] {
     const { assets } = this.document.scene;
@@ -57,17 +57,17 @@ export class PlayEdits {
     });
   }
 
-  /** Labels of edits that are no values, such as an object that was added; they can be kept only with all others. */
+  /** Labels of edits that are not field values, such as an added object; they can only be kept with all others. */
   get others(): readonly string[] {
     return this.all.filter((command) => !(command instanceof SetFields)).map(({ label }) => label);
   }
 
-  /** Whether everything can be kept as it was done: while nothing else was edited. */
+  /** Whether all edits can be kept as they were made: nothing else was edited since. */
   get canKeepAll(): boolean {
     return this.all.length > 0 && this.document.commands.last === this.last;
   }
 
-  /** The scene begins to play. */
+  /** Called when the scene begins to play. */
   begin(): void {
     this.dismiss();
     const { scene } = this.document;
@@ -77,13 +77,13 @@ export class PlayEdits {
   }
 
   /**
-   * The scene stops: it is as it was when it began to play, but for scripts: what was typed of them meanwhile stays, as steps.
-   * @param reset - puts simulation back to time 0, and takes back what components changed
+   * Called when the scene stops: every edit is undone, except those of scripts, which stay as steps of the history.
+   * @param reset - sets the simulation to time 0, and undoes what components changed
    */
   end(reset: () => void): void {
     const { commands } = this.document;
     let isWhole = true;
-    // of what a component has removed a step cannot be undone; the scene takes back what is left of it
+    // a step on an object that a component removed cannot be undone; the scene restores what is left of the object
     const taken = commands.release(() => (isWhole = false));
     reset();
     this.takeAssets();
@@ -96,12 +96,12 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Another scene came. */
+  /** Called when another scene was opened. */
   abort(): void {
     this.dismiss();
   }
 
-  /** Keeps a value, as one step of history. @throws Error when its object is not in the scene: it was added while playing */
+  /** Keeps a value, as one step of history. @throws Error when its object, added while playing, is not in the scene */
   keep(change: PlayChange): void {
     const { owner, name, to } = change;
     this.check(change);
@@ -111,7 +111,7 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Keeps what is left, as one step of history. @throws Error as `keep` does; nothing is kept then */
+  /** Keeps all values that are left, as one step of history. @throws Error as `keep` does; then nothing is kept */
   keepAll(): void {
     if (this.canKeepAll) {
       this.document.commands.run(new CommandList(t('Kept the edits made while playing'), this.all));
@@ -124,18 +124,18 @@ export class PlayEdits {
     this.dismiss();
   }
 
-  /** Lets go of what was not kept. */
+  /** Forgets what was not kept. */
   dismiss(): void {
     this.dropAll();
     this.values = [];
     this.changed.emit();
   }
 
-  /** Takes out the assets that components and scripts have registered while the scene played; all steps are taken back. */
+  /** Removes the assets that components and scripts registered while the scene played; the edits are undone already. */
   private takeAssets(): void {
     const { assets } = this.document.scene;
     for (const name of assets.list()) {
-      // parts of a model go with it; of one that was loaded meanwhile they are new, and stay
+      // parts go with their model; those of a model that finished loading meanwhile are new, and stay
       if (this.assetsBefore.has(name) || assets.modelOf(name) !== null) continue;
       for (const each of withParts(assets.take(name))) each.value?.dispose();
     }
@@ -159,7 +159,7 @@ export class PlayEdits {
 
 const withParts = (taken: TakenAsset): TakenAsset[] => [taken, ...taken.parts.flatMap(withParts)];
 
-/** Whether a step makes, deletes or edits scripts, or texts of surfaces, alone. */
+/** Whether a step makes, deletes or edits only scripts or texts of surfaces. */
 function isOfScripts(command: Command): boolean {
   if (command instanceof Sequence) return command.parts.length > 0 && command.parts.every(isOfScripts);
   return command instanceof SetFields
@@ -167,11 +167,11 @@ function isOfScripts(command: Command): boolean {
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
 
-/** An edit of values that has not been done: texts of scripts that stay may give the fields other values to go back to. */
+/** The same edit, not done yet: scripts edited since may have changed the values to go back to. */
 const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 
-/** What a change is of, such as 'intensity of Lamp'. */
+/** Name of a changed value, such as 'intensity of Lamp'. */
 export function nameOf({ owner, name }: PlayChange): string {
   const field = labelOfField(name, owner.fields[name]).toLowerCase();
   return t('{field} of {name}', {
@@ -180,7 +180,7 @@ export function nameOf({ owner, name }: PlayChange): string {
   });
 }
 
-/** The values that commands, which are undone, have set, of fields that are there without them. */
+/** The values that undone commands had set, of fields that still exist. */
 function changesOf(commands: readonly Command[]): PlayChange[] {
   const changes: PlayChange[] = [];
   for (const command of commands) {
@@ -188,7 +188,7 @@ function changesOf(commands: readonly Command[]): PlayChange[] {
     for (const { owner, name, value } of command.edits) {
       const at = changes.findIndex((each) => sameField(each, { owner, name }));
       if (at >= 0) changes.splice(at, 1);
-      // a uniform of a surface that was worn, or typed, while it played
+      // the field is a uniform of a surface that was assigned or typed while the scene played
       if (!Object.hasOwn(owner.fields, name) || checkFieldValue(owner.fields[name], value) !== null) continue;
       const change = { owner: owner as PlayChange['owner'], name, from: owner.getAuthored(name), to: value };
       if (!sameValue(change.from, value)) changes.push(change);

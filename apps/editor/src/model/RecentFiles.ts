@@ -1,6 +1,6 @@
 import { Signal } from '@farol/editing';
 
-/** A file that was opened or saved here. */
+/** A file that was opened or saved in this browser. */
 export interface RecentFile {
   readonly id: string;
   /** Name of the file. */
@@ -9,21 +9,21 @@ export interface RecentFile {
   readonly scene: string;
   /** When it was last opened or saved (ms since 1970). */
   readonly time: number;
-  /** Where the browser lets us read it again; null where it does not. */
+  /** Handle to read the file again; null in browsers that give none. */
   readonly handle: FileSystemFileHandle | null;
-  /** The file as it was then, where there is no handle; null where it was too large to keep. */
+  /** Copy of the file, when there is no handle; null when it was too large to keep. */
   readonly copy: Blob | null;
-  /** A small picture of its scene; null until there is one. */
+  /** Thumbnail of its scene; null until it is made. */
   readonly picture: Blob | null;
 }
 
-/** The files that were last opened or saved in this browser, newest first. */
+/** The last files opened or saved in this browser, newest first. */
 export class RecentFiles {
   readonly changed = new Signal();
 
   private files: readonly RecentFile[] = [];
 
-  /** Another array after each change; empty until the browser's store has been read. */
+  /** Empty until the browser's store has been read; a new array after each change. */
   get list(): readonly RecentFile[] {
     return this.files;
   }

@@ -1,15 +1,15 @@
 import { Signal } from '@farol/editing';
 
-/** Things of one editor that are known by id, such as its actions or panels: those built in, and those of plugins. */
+/** Items of one editor known by id, such as its actions or panels: built-in ones, and those of plugins. */
 export class Registry<T extends { readonly id: string }> {
-  /** Emits when an item comes or goes. */
+  /** Emits when an item is added or removed. */
   readonly changed = new Signal();
 
   private items: readonly T[] = [];
 
   /**
-   * @param noun - what an item is called in messages, with its article: 'an action'
-   * @param items - those that are there at first
+   * @param noun - an item's name in messages, with its article: 'an action'
+   * @param items - items from the start
    * @throws Error when two of them have the same id
    */
   constructor(
@@ -19,7 +19,7 @@ export class Registry<T extends { readonly id: string }> {
     for (const item of items) this.add(item);
   }
 
-  /** All items, in the order in which they came. Another array after each change. */
+  /** All items, in the order they were added; a new array after each change. */
   get list(): readonly T[] {
     return this.items;
   }
@@ -28,7 +28,7 @@ export class Registry<T extends { readonly id: string }> {
     return this.items.find((item) => item.id === id);
   }
 
-  /** Adds an item. @returns a function that takes the item out again @throws Error when the id is taken */
+  /** Adds an item. @returns a function that removes the item @throws Error when the id is taken */
   add(item: T): () => void {
     if (this.get(item.id)) throw new Error(`There is ${this.noun} '${item.id}' already: choose another id.`);
     this.items = [...this.items, item];

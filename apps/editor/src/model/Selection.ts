@@ -1,11 +1,11 @@
 import { Selection as ItemSelection } from '@farol/editing';
 
-/** The selected GameObjects, by id, in the order in which they were chosen. */
+/** Ids of the selected GameObjects, in the order they were selected. */
 export class Selection extends ItemSelection<string> {
-  /** Called when something is selected, even what was selected before. */
+  /** Called at every selection, also when it selects the same objects again. */
   onSet: () => void = () => {};
 
-  /** Another array after each change. */
+  /** A new array after each change. */
   get ids(): readonly string[] {
     return this.items;
   }

@@ -1,19 +1,19 @@
-/** What is known of an autosave without reading it. */
+/** Summary of an autosave, known without reading it. */
 export interface SessionInfo {
   readonly id: string;
   /** Name of the scene. */
   readonly name: string;
-  /** The file that it was last saved to; null for none. */
+  /** The file that the scene was last saved to; null for none. */
   readonly fileName: string | null;
   readonly handle: FileSystemFileHandle | null;
-  /** Mark of the file's bytes, as the session knew them; absent where it did not. */
+  /** Hash of the file's bytes when the session last read or wrote it; absent when unknown. */
   readonly seen?: string;
-  /** When it was last written (ms since 1970). */
+  /** Time of the last write (ms since 1970). */
   readonly time: number;
-  /** How many GameObjects it has; absent in what versions before this one stored, as is the next. */
+  /** Number of GameObjects. This and `edit` are absent in autosaves of earlier versions. */
   readonly objects?: number;
-  /** Label of the last edit; null when that was undone or forgotten. */
+  /** Label of the last edit; null when it was undone or forgotten. */
   readonly edit?: string | null;
-  /** Whether it has changes that are in no file. */
+  /** Whether the scene has changes that are in no file. */
   readonly isDirty: boolean;
 }

@@ -3,13 +3,13 @@ import type { Scene } from '@farol/engine';
 
 export type SimulationState = 'stopped' | 'playing' | 'paused';
 
-/** Longest time that one frame may advance (s): after a pause of the page the scene does not leap. */
+/** Longest time step of a frame (s), so that the scene does not leap after a pause of the page. */
 const LONGEST_STEP = 0.1;
 
-/** What `step` advances by (s). */
+/** Time step of `step` (s). */
 const STEP = 1 / 60;
 
-/** Plays, pauses and stops a scene: stopping puts everything back to what it was when it began to play. */
+/** Plays, pauses and stops a scene. Stopping restores the scene as it was when it began to play. */
 export class Simulation {
   /** Emits when the state changes, and after each `step`. */
   readonly changed = new Signal();
@@ -17,8 +17,8 @@ export class Simulation {
   private current: SimulationState = 'stopped';
 
   /**
-   * @param getScene - the scene of the document
-   * @param edits - told when it begins to play, and to put the scene back to time 0 when it stops
+   * @param getScene - gives the scene of the document
+   * @param edits - told when the scene begins to play and stops; resets the scene to time 0
    */
   constructor(
     private readonly getScene: () => Scene,
@@ -38,14 +38,14 @@ export class Simulation {
     this.enter('playing');
   }
 
-  /** Holds the scene as it is at this moment. */
+  /** Freezes the scene at the current time. */
   pause(): void {
     if (!this.isPlaying) return;
     this.getScene().pause();
     this.enter('paused');
   }
 
-  /** Advances a scene that does not play by one sixtieth of a second. */
+  /** Advances a paused or stopped scene by one sixtieth of a second. */
   step(): void {
     if (this.isPlaying) return this.pause();
     if (this.current === 'stopped') this.edits.begin();
@@ -55,20 +55,20 @@ export class Simulation {
     this.changed.emit();
   }
 
-  /** Time 0, and the scene exactly as it was when it began to play. What was edited meanwhile: see `PlayEdits`. */
+  /** Sets time to 0 and the scene to what it was when it began to play. `PlayEdits` holds the edits made meanwhile. */
   stop(): void {
     if (this.current === 'stopped') return;
     this.edits.end(() => this.getScene().reset());
     this.enter('stopped');
   }
 
-  /** Another scene came: nothing plays. */
+  /** Called when another scene was opened: stops without restoring anything. */
   restart(): void {
     this.edits.abort();
     this.enter('stopped');
   }
 
-  /** Called each frame. @param deltaSeconds - time since the last one; no more than a tenth of a second counts */
+  /** Called each frame. @param deltaSeconds - time since the last frame; counts up to 0.1 s */
   advance(deltaSeconds: number): void {
     if (this.isPlaying) this.getScene().update(Math.min(Math.max(deltaSeconds, 0), LONGEST_STEP));
   }

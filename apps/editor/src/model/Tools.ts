@@ -1,14 +1,14 @@
 import { Signal } from '@farol/editing';
 
-/** Something that is open over the picture until it is done or left: one at a time. */
+/** A tool shown over the viewport until it is finished or left; one at a time. */
 export interface Tool {
-  /** What is shown for it: see panels/viewport/tools. */
+  /** Key of the tool's panel, see panels/viewport/tools. */
   readonly id: string;
-  /** Leaves it; what it has not finished is put back. Called once, also where something else takes its place. */
+  /** Ends the tool and undoes what is unfinished. Called once, also when another tool takes its place. */
   end(): void;
 }
 
-/** The tool that is open over the picture. */
+/** The tool that is open over the viewport. */
 export class Tools {
   /** Emits when a tool opens or ends. */
   readonly changed = new Signal();
@@ -19,14 +19,14 @@ export class Tools {
     return this.tool;
   }
 
-  /** Opens a tool in place of the one that is open. */
+  /** Opens a tool in place of the open one. */
   open(tool: Tool): void {
     this.end();
     this.tool = tool;
     this.changed.emit();
   }
 
-  /** Ends the tool that is open, or this one if it is. @returns whether there was one */
+  /** Ends the open tool, or does nothing when `tool` is another one. @returns whether a tool was ended */
   end(tool: Tool | null = this.tool): boolean {
     if (tool === null || tool !== this.tool) return false;
     this.tool = null;

@@ -1,12 +1,12 @@
 import { Signal } from '@farol/editing';
 
-/** Where the tour of the window is. */
+/** Current step of the tour of the window. */
 export class Tour {
   readonly changed = new Signal();
 
   private step: number | null = null;
 
-  /** Index of the step that is shown; null when none is. */
+  /** Index of the shown step; null when the tour is not running. */
   get current(): number | null {
     return this.step;
   }

@@ -1,22 +1,22 @@
 import type { GameObject } from '@farol/engine';
 
-/** What objects are named in: a scene, or a part of it. */
+/** A scene, or a part of one, in which names are unique. */
 interface Named {
   traverse(visit: (object: GameObject) => void): void;
 }
 
-/** Gives names that no object of a scene has: 'Box', then 'Box 2', 'Box 3'. */
+/** Makes names that no object of a scene has: 'Box', then 'Box 2', 'Box 3'. */
 export class UniqueNames {
   private readonly taken = new Set<string>();
-  /** By a numbered name that is taken: the number to try after it. */
+  /** Next number to try for each numbered name that is taken. */
   private readonly next = new Map<string, number>();
 
-  /** Knows the names that there are now. */
+  /** Collects the names that are taken. */
   constructor(scene: Named) {
     scene.traverse(({ name }) => this.taken.add(name));
   }
 
-  /** A name that is free, and is taken from now on: the one wanted, else with the first number that is free. */
+  /** Reserves and returns a free name: the given one, or with the first free number. */
   take(wanted: string): string {
     const name = this.taken.has(wanted) ? this.numbered(wanted) : wanted;
     this.taken.add(name);
@@ -31,13 +31,13 @@ export class UniqueNames {
       passed.push(name);
       number = this.next.get(name) ?? number + 1;
     }
-    // all up to the one that is given away are taken: nobody goes through them again
+    // all numbers up to this one are taken: skip them next time
     for (const name of passed) this.next.set(name, number + 1);
     return `${stem} ${number}`;
   }
 }
 
-/** Gives objects that come to a scene names that no other one there has; all below them keep theirs. */
+/** Gives objects that are added to a scene unique names; those below them keep theirs. */
 export function nameUniquely(scene: Named, objects: readonly GameObject[]): void {
   const names = new UniqueNames(scene);
   for (const object of objects) object.name = names.take(object.name);

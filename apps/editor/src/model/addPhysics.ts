@@ -10,7 +10,7 @@ import {
 } from '@farol/engine';
 import { PlaceComponents } from './commands/PlaceComponents';
 
-/** What objects are made for the physics. */
+/** Body type of an object in the physics simulation. */
 export type PhysicsKind = 'dynamic' | 'kinematic' | 'fixed' | 'character';
 
 const shapes: Readonly<Record<string, Collider['shape']>> = {
@@ -21,7 +21,7 @@ const shapes: Readonly<Record<string, Collider['shape']>> = {
   cylinder: 'cylinder',
 };
 
-/** The shape that comes nearest to a mesh: meshes stand still, others are hulls. */
+/** The collider shape closest to an object's mesh: the mesh itself for fixed bodies, a hull for others. */
 function shapeFor(object: GameObject, kind: PhysicsKind): Collider['shape'] {
   const mesh = object.getComponent(ObjectRenderer)?.mesh;
   const isDrawn = mesh !== undefined || object.getComponent('ModelRenderer') !== null;
@@ -50,7 +50,7 @@ function componentsFor(object: GameObject, kind: PhysicsKind): Component[] {
   return made;
 }
 
-/** Gives objects what makes them bodies: a RigidBody, and a collider that is fitted to their mesh, where they have none. */
+/** Makes objects physics bodies: adds a RigidBody, and a collider fitted to the mesh, where they are missing. */
 export function addPhysics(scene: Scene, objects: readonly GameObject[], kind: PhysicsKind): Command {
   const places = objects.flatMap((object) =>
     componentsFor(object, kind).map((component, i) => ({ component, object, index: object.components.length + i })),

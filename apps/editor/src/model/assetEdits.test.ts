@@ -24,7 +24,7 @@ import { unpackModels, whatStaysLinked } from './unpackModels';
 const state = (scene: Scene): string =>
   JSON.stringify([serialize(scene), scene.assets.list().toSorted(), scene.assets.folders]);
 
-/** Runs a command, and undoes and redoes it, which must lead to the very same. */
+/** Runs a command, then undoes and redoes it: the state must come back exactly. */
 function run(document: EditorDocument, command: Parameters<CommandStack['run']>[0]): void {
   const before = state(document.scene);
   document.commands.run(command);
@@ -116,7 +116,7 @@ describe('a material', () => {
     const other = new EditorDocument();
     run(other, pasteObjects(other.scene, clip, other.scene, []));
     expect(other.assets.materialAsset('Wall')!.get('roughness')).toBe(0.9);
-    // the same one is used, one that differs gets a name of its own
+    // an equal asset is shared, a different one of that name is renamed
     run(other, pasteObjects(other.scene, clip, other.scene, []));
     expect(other.assets.materialAssets).toHaveLength(1);
     other.assets.materialAsset('Wall')!.set('roughness', 0.1);

@@ -16,11 +16,11 @@ import { SetFolder } from './commands/SetFolder';
 import { SetPrefab } from './commands/SetPrefab';
 import { setSources, sourcesAfterRename } from './scriptImports';
 
-/** Commands for what a user does with assets. Each captures what the scene is like when it is made. */
+/** Commands for edits of assets. Each captures the scene as it is when the command is made. */
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** A new asset that is made of fields, not in the library yet. */
+/** A new asset made of fields, not in the library yet. */
 export function newFieldAsset(assets: AssetLibrary, type: FieldAssetType, name: string, values: Values): TakenAsset {
   const free = freeAssetName(assets, name);
   assets.addFieldAsset(type, free, values);
@@ -48,7 +48,7 @@ export function addMaterial(
   return { command, name: made.name };
 }
 
-/** The values of a material of the library that looks as that of an object, which is made of the object's own fields. */
+/** Values of a library material that looks like an object's own material, which is made of the object's fields. */
 export function valuesOfOwnMaterial(renderer: ObjectRenderer): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, field] of Object.entries(materialAssetFields)) {
@@ -65,7 +65,7 @@ export function valuesOfOwnMaterial(renderer: ObjectRenderer): Record<string, Fi
   return values;
 }
 
-/** A copy of a material, in the same folder. @throws AssetError when its fields cannot be read */
+/** Copies a material, in the same folder. @throws AssetError when its fields cannot be read */
 export function duplicateMaterial(scene: Scene, name: string): { command: Command; name: string } {
   const material = scene.assets.materialAsset(name);
   if (!material) throw new AssetError(name, t('is not made of fields: make a new material.'));
@@ -75,7 +75,7 @@ export function duplicateMaterial(scene: Scene, name: string): { command: Comman
 
 const withLabel = (label: string, command: Command): Command => new Sequence(label, [() => command]);
 
-/** A name without blanks at its ends. @throws AssetError for one that is no name */
+/** Trims a name. @throws AssetError when the name is not allowed */
 function checkedName(assets: AssetLibrary, from: string, to: string): string {
   const name = to
     .split('/')
@@ -87,7 +87,10 @@ function checkedName(assets: AssetLibrary, from: string, to: string): string {
   return isFile && ending !== '' && !name.toLowerCase().endsWith(ending.toLowerCase()) ? name + ending : name;
 }
 
-/** Gives an asset another name, its folder in it; a file keeps its ending. @throws AssetError when the name is taken */
+/**
+ * Renames an asset; the name includes its folder, and a file keeps its extension. @throws AssetError when the name is
+ * taken
+ */
 export function renameAsset(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, from, to);
@@ -100,14 +103,14 @@ export function renameAsset(scene: Scene, from: string, to: string): Command {
   return new RenameAsset(label, scene, from, name);
 }
 
-/** The name that tells the folder of an asset, or of a prefab by its id. */
+/** Name with the folder of an asset, or of a prefab given by its id. */
 const placedName = (scene: Scene, name: string): string => scene.prefabs.get(name)?.name ?? name;
 
-/** Whether an asset, or a prefab by its id, can be put into a folder. */
+/** Whether an asset, or a prefab given by its id, can be put into a folder. */
 export const canMove = (scene: Scene, name: string): boolean =>
   scene.prefabs.get(name) !== null || canRename(scene.assets, name);
 
-/** Puts assets, and prefabs by their ids, into a folder, '' for none. A name of an asset that is taken there gets a number. */
+/** Puts assets, and prefabs given by their ids, into a folder, '' for none. A name taken there gets a number. */
 export function moveAssets(scene: Scene, names: readonly string[], folder: string): Command {
   const moved = names.filter((name) => splitName(placedName(scene, name)).folder !== folder);
   const label = tCount(moved.length, 'Move {count} asset to {folder}', 'Move {count} assets to {folder}', {
@@ -126,7 +129,7 @@ export function moveAssets(scene: Scene, names: readonly string[], folder: strin
   return renameAll(scene, label, renames);
 }
 
-/** Gives assets, and prefabs by their ids, other names, which are free; imports of scripts lead where they did. */
+/** Renames assets, and prefabs given by their ids, to free names; imports in scripts are adapted. */
 function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, string>): Command {
   const ofAssets = new Map([...renames].filter(([name]) => !scene.prefabs.get(name)));
   const ofPrefabs = [...renames].filter(([name]) => scene.prefabs.get(name));
@@ -136,7 +139,7 @@ function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, str
         () =>
           new RenameAsset(label, scene, from, to),
     ),
-    // read when its turn has come: it may name an asset that got another name
+    // read when its turn comes: the prefab may name an asset that was just renamed
     ...ofPrefabs.map(
       ([id, name]) =>
         () =>
@@ -146,7 +149,7 @@ function renameAll(scene: Scene, label: string, renames: ReadonlyMap<string, str
   ]);
 }
 
-/** Every folder: those of assets and prefabs, those that were made, and those above them. */
+/** Every folder: those of assets and prefabs, empty ones that were added, and their parents. */
 export function foldersOf({ assets, prefabs }: Scene): string[] {
   const folders = new Set<string>();
   const add = (path: string): void => {
@@ -158,13 +161,13 @@ export function foldersOf({ assets, prefabs }: Scene): string[] {
   return [...folders].toSorted();
 }
 
-/** The assets in a folder, and in those below it; prefabs by their ids. */
+/** The assets in a folder and its subfolders; prefabs as ids. */
 export const assetsBelow = ({ assets, prefabs }: Scene, folder: string): string[] => [
   ...assets.list().filter((name) => name.startsWith(`${folder}/`) && canRename(assets, name)),
   ...prefabs.list.filter(({ name }) => name.startsWith(`${folder}/`)).map(({ id }) => id),
 ];
 
-/** @throws AssetError for a path that is none, or that is there */
+/** Adds an empty folder. @throws AssetError for a path that is not allowed or exists */
 export function addFolder(scene: Scene, path: string): Command {
   const { assets } = scene;
   const name = checkedName(assets, path, path);
@@ -173,7 +176,7 @@ export function addFolder(scene: Scene, path: string): Command {
   return new SetFolder(t('Made folder {name}', { name }), assets, name, true);
 }
 
-/** Gives a folder another path, with all in it. @throws AssetError when there is one of that path */
+/** Renames a folder with everything in it. @throws AssetError when the path exists */
 export function renameFolder(scene: Scene, from: string, to: string): Command {
   const { assets } = scene;
   const path = checkedName(assets, from, to);
@@ -193,7 +196,7 @@ export function renameFolder(scene: Scene, from: string, to: string): Command {
   ]);
 }
 
-/** Takes an empty folder out, with those below it. @throws AssetError when something is in it */
+/** Removes an empty folder and its subfolders. @throws AssetError when something is in it */
 export function removeFolder(scene: Scene, path: string): Command {
   const { assets } = scene;
   const count = assetsBelow(scene, path).length;
@@ -211,7 +214,7 @@ export function removeFolder(scene: Scene, path: string): Command {
   );
 }
 
-/** Gives objects a material of the library. */
+/** Assigns a library material to objects. */
 export function giveMaterial(renderers: readonly ObjectRenderer[], name: string, label: string): Command {
   return new SetFields(
     label,

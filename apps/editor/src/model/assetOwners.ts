@@ -2,16 +2,16 @@ import { t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { FieldOwner } from '@farol/engine/fields';
 
-/** Something whose fields may name assets. */
+/** An object with fields that may name assets. */
 export interface AssetOwner {
   readonly owner: FieldOwner;
-  /** What it is of: 'Robot', 'Scene', the name of a material. */
+  /** Name of the owner for the user: 'Robot', 'Scene', or a material's name. */
   readonly place: string;
-  /** Of a component: the id of its object. */
+  /** Id of the object when the owner is a component. */
   readonly object?: string;
 }
 
-/** All of a scene whose fields may name assets: its settings, components and assets made of fields. */
+/** Everything in a scene whose fields may name assets: settings, components and assets made of fields. */
 export function assetOwners(scene: Scene): AssetOwner[] {
   const owners: AssetOwner[] = [{ owner: scene.settings, place: t('Scene') }];
   for (const asset of scene.assets.fieldAssets()) owners.push({ owner: asset, place: asset.name });

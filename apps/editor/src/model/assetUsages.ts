@@ -10,11 +10,11 @@ import { componentTypeOf } from './scriptNames';
 
 /** A place that names an asset. */
 export interface AssetUsage {
-  /** Where: 'Robot', 'Scene', 'Lamp (prefab)'. */
+  /** Owner: 'Robot', 'Scene', 'Lamp (prefab)'. */
   readonly place: string;
-  /** What: 'ModelRenderer.model'. */
+  /** Component and field: 'ModelRenderer.model'. */
   readonly field: string;
-  /** Of an object: its id. */
+  /** Id of the object when an object uses the asset. */
   readonly object?: string;
 }
 
@@ -36,7 +36,7 @@ const assetFields = (fields: FieldTable): [string, AssetType][] =>
     ([name, field]) => (field.kind === 'asset' ? [[name, field.assetType] as const] : []) as [string, AssetType][],
   );
 
-/** A prefab without the assets, and where it named them. */
+/** A prefab with the names of assets removed, and the places that named them. */
 function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { next: Prefab; usages: AssetUsage[] } {
   const usages: AssetUsage[] = [];
   const objects = prefab.objects.map((object) => ({
@@ -59,7 +59,7 @@ function without(scene: Scene, prefab: Prefab, names: ReadonlySet<string>): { ne
 
 const withParts = (scene: Scene, asset: string): Set<string> => new Set([asset, ...scene.assets.partsOf(asset)]);
 
-/** Where components of a script are. */
+/** Places that have a component of a script. */
 function usagesOfScript(scene: Scene, script: string, source: string): AssetUsage[] {
   const type = componentTypeOf(script, source);
   const usages: AssetUsage[] = [];
@@ -76,7 +76,7 @@ function usagesOfScript(scene: Scene, script: string, source: string): AssetUsag
   return usages;
 }
 
-/** Every place that names an asset, or a part of it, or has a component of it. */
+/** Every place that names an asset or a part of it, or has a component of it. */
 export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   const script = scene.assets.fieldAsset(asset);
   if (script?.type === 'script') return usagesOfScript(scene, asset, script.get('source') as string);
@@ -91,7 +91,7 @@ export function usagesOf(scene: Scene, asset: string): AssetUsage[] {
   ];
 }
 
-/** Deletes an asset; what used it is left without one. */
+/** Deletes an asset; fields that named it become empty. */
 export function deleteAsset(scene: Scene, asset: string): Command {
   const names = withParts(scene, asset);
   const edits = editsOf(scene, names);

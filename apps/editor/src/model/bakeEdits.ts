@@ -3,33 +3,33 @@ import { type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene, type
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
-/** Components that move nothing. */
+/** Component types that never move their object. */
 const still: ReadonlySet<string> = new Set([
   ...['Transform', 'ObjectRenderer', 'ModelRenderer', 'Light', 'Camera', 'Decal', 'Collider', 'Wall', 'Room'],
   ...['AudioSource', 'AudioListener', 'EventTrigger'],
 ]);
 
-/** Whether nothing of an object, or above it, may move it. */
+/** Whether no component of an object, or of those above it, may move it. */
 function staysInPlace(object: GameObject): boolean {
   for (let each: GameObject | null = object; each; each = each.parent)
     if (each.components.some(({ typeName }) => !still.has(typeName))) return false;
   return true;
 }
 
-/** Objects that are drawn, and that nothing moves. */
+/** Rendered objects that nothing moves. */
 export function objectsInPlace(scene: Scene): GameObject[] {
   const renderers = [...scene.componentsOf(ObjectRenderer), ...scene.componentsOf(ModelRenderer)];
   const objects = new Set(renderers.filter(({ isActive }) => isActive).map(({ gameObject }) => gameObject));
   return [...objects].filter((object) => !object.isStatic && staysInPlace(object));
 }
 
-/** Lights that nothing moves and that are drawn in realtime. */
+/** Realtime lights that nothing moves. */
 export const lightsInPlace = (scene: Scene): Light[] =>
   scene
     .componentsOf(Light)
     .filter((light) => light.isActive && light.mode === 'realtime' && staysInPlace(light.gameObject));
 
-/** Has lights baked. */
+/** Marks lights as baked. */
 export const bakeLights = (lights: readonly Light[]): Command =>
   new SetFields(
     countLabel(
@@ -42,14 +42,14 @@ export const bakeLights = (lights: readonly Light[]): Command =>
 const showing = (scene: Scene, name: string | null): Command =>
   new SetFields('Show baked light', [{ owner: scene.settings, name: 'bakedLight', value: name }]);
 
-/** Takes out the baked light that is shown, where there is some. */
+/** Removes the baked light in use, if any. */
 function removing(scene: Scene): (() => Command)[] {
   const { bakedLight } = scene.settings;
   if (bakedLight === null) return [];
   return [() => showing(scene, null), () => new RemoveAsset(scene.assets, bakedLight)];
 }
 
-/** Lights the scene by baked light, in place of what there was. @param baked - out of the library */
+/** Lights the scene by new baked light, replacing the old. @param baked - not in the library yet */
 export const showBakedLight = (scene: Scene, baked: TakenAsset): Command =>
   new Sequence(t('Baked the light'), [
     ...removing(scene),
@@ -57,5 +57,5 @@ export const showBakedLight = (scene: Scene, baked: TakenAsset): Command =>
     () => showing(scene, baked.name),
   ]);
 
-/** Lights the scene as before it was baked, and takes the baked light out of the library. */
+/** Lights the scene in realtime again, and removes the baked light from the library. */
 export const clearBakedLight = (scene: Scene): Command => new Sequence(t('Cleared the baked light'), removing(scene));

@@ -7,26 +7,29 @@ import { sourceWithImports } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName, sourceForType } from './scriptNames';
 
 /**
- * A file or an address of a clip that was read for a scene: ready to be added under the name it has there, or the name of the
- * very same that the scene has; null for what could not be read.
+ * A file or address of a clip read for a scene: the asset, ready to be added under its name; or the name of an equal
+ * asset of the scene; null when it could not be read.
  */
 export type ReadAsset = TakenAsset | string | null;
 
-/** Assets that come to a scene with objects. */
+/** Assets that come to a scene with pasted objects. */
 export interface BroughtAssets {
-  /** Ready to be added: what the scene does not have yet. */
+  /** Assets to add, which the scene does not have yet. */
   readonly taken: readonly TakenAsset[];
-  /** What the scene calls each, by the name that it had: one that the scene has is used, another one of that name stays. */
+  /**
+   * Name in the scene of each asset, by its name in the clip: an equal asset of the scene is shared, a different one of
+   * that name stays.
+   */
   readonly names: ReadonlyMap<string, string>;
-  /** Types of components of scripts that have another name, by the one they had. */
+  /** Renamed component types of scripts, by their old names. */
   readonly types: ReadonlyMap<string, string>;
-  /** Names of assets that could not be read: nothing may name them. */
+  /** Names of assets that could not be read; references to them are removed. */
   readonly missing: ReadonlySet<string>;
 }
 
 /**
- * Makes the assets of a clip ready for a scene.
- * @param list - each after those that it needs
+ * Prepares the assets of a clip for a scene.
+ * @param list - each after the assets that it uses
  * @param read - files and addresses that were read, by their names in the clip
  */
 export function bringAssets(
@@ -39,7 +42,7 @@ export function bringAssets(
   return bringing;
 }
 
-/** The name in a scene of the very file or address that a clip has; null where the scene does not have it. */
+/** Name in a scene of the file or address that a clip has; null when the scene does not have it. */
 export function nameInScene({ assets }: Scene, { name, type, file, url }: FileAsset): string | null {
   if (url !== undefined) return assets.urlOf(name) === url ? name : null;
   if (file === undefined) return null;
@@ -56,7 +59,7 @@ class Bringing implements BroughtAssets {
   readonly types = new Map<string, string>();
   readonly missing = new Set<string>();
   private readonly scripts: ReadonlySet<string>;
-  /** Names, and types of components, that others of the clip have taken. */
+  /** Names of assets and component types that other assets of the clip got. */
   private readonly takenNames = new Set<string>();
   private readonly takenTypes = new Set<string>();
 
@@ -145,7 +148,7 @@ class Bringing implements BroughtAssets {
   }
 }
 
-/** What a scene calls an asset, or a part of a model, of a clip; null for one that could not be read. */
+/** Name in the scene of a clip's asset, or of a part of a model; null for one that could not be read. */
 function assetNameIn(name: string, { names, missing }: Pick<BroughtAssets, 'names' | 'missing'>): string | null {
   for (let end = name.length; end > 0; end = name.lastIndexOf('/', end - 1)) {
     const whole = name.slice(0, end);
@@ -156,7 +159,7 @@ function assetNameIn(name: string, { names, missing }: Pick<BroughtAssets, 'name
   return name;
 }
 
-/** Values with the names that the scene has; without those of assets that could not be read. */
+/** Values with assets renamed as in the scene, and without those that could not be read. */
 function renamedValues(
   values: Readonly<Record<string, FieldValue>>,
   fields: readonly string[],
@@ -173,7 +176,7 @@ function renamedValues(
   return renamed;
 }
 
-/** Objects of a clip with the names that assets and types of components have in the scene. */
+/** Objects of a clip with assets and component types renamed as in the scene. */
 export function renamedObjects(
   scene: Scene,
   objects: readonly FileObject[],

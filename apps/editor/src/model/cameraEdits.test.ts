@@ -17,7 +17,7 @@ function someView(size: number | null): CameraView {
   };
 }
 
-/** A camera below two turned, evenly scaled objects. */
+/** A camera below two rotated, evenly scaled objects. */
 function cameraBelow(scale: readonly [number, number, number] = [2, 2, 2]): { scene: Scene; camera: Camera } {
   const scene = new Scene();
   const [above, parent, object] = ['Above', 'Parent', 'Camera'].map((name) => new GameObject(name));

@@ -4,22 +4,22 @@ import type { FieldValue } from '@farol/engine/fields';
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { addObject } from './edits';
 
-/** How far the lengths of a parent's axes, and the cosines between them, may differ: rounding. */
+/** Tolerance for rounding of a parent's axes: relative difference of lengths, and cosines between them. */
 const EVEN = 1e-4;
 
-/** Place and rotation in the world. */
+/** World position and rotation. */
 export interface WorldPose {
   readonly position: Vector3;
   readonly quaternion: Quaternion;
 }
 
-/** What is seen from a place, as a camera of the scene would see it. */
+/** Pose and lens of a view that a camera of the scene is to show. */
 export interface CameraView extends WorldPose {
   /** Vertical field of view (rad). */
   readonly fov: number;
-  /** Height of what is seen without perspective (m); null in perspective. */
+  /** Height of an orthographic view (m); null for perspective. */
   readonly size: number | null;
-  /** How far must be seen (m). */
+  /** Least far distance (m). */
   readonly far: number;
 }
 
@@ -30,7 +30,7 @@ const turn = new Quaternion();
 const place = new Vector3();
 const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
 
-/** Whether what is below an object keeps its angles: the object, with all above it, is scaled evenly and not mirrored. */
+/** Whether the world matrix of an object keeps angles: uniform scale, no mirroring, no shear. */
 export function isEvenlyScaled(object: GameObject): boolean {
   object.object3D.updateWorldMatrix(true, false);
   const { matrixWorld } = object.object3D;
@@ -43,7 +43,7 @@ export function isEvenlyScaled(object: GameObject): boolean {
   return isEven && skew <= EVEN && matrixWorld.determinant() > 0;
 }
 
-/** Why the pose of a camera cannot be changed, in a sentence with the mend; null where it can. */
+/** Why a camera cannot be moved, in a sentence with the remedy; null when it can. */
 export function poseProblem({ gameObject }: Camera): string | null {
   const { name, parent } = gameObject;
   if (gameObject.lockedInHierarchy) return t('{name} is locked: unlock it to move it.', { name });
@@ -55,7 +55,7 @@ export function poseProblem({ gameObject }: Camera): string | null {
   return null;
 }
 
-/** What brings an object to a place and a rotation in the world. Its parents are scaled evenly. */
+/** Edits that give an object a world pose. Its parents must be scaled uniformly. */
 export function poseEdits({ transform, object3D }: GameObject, { position, quaternion }: WorldPose): FieldEdit[] {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);
@@ -68,7 +68,7 @@ export function poseEdits({ transform, object3D }: GameObject, { position, quate
   ];
 }
 
-/** The lens that shows a view: what differs in kind is taken over, a field of view in perspective stays the camera's own. */
+/** Lens values for a view: the projection's kind is taken over; a perspective camera keeps its own field of view. */
 function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldValue> {
   const far = Math.max((camera?.getAuthored('far') as number | undefined) ?? 200, Math.ceil(view.far));
   if (view.size !== null) return { projection: 'orthographic', size: view.size, far };
@@ -77,7 +77,7 @@ function lensOf(view: CameraView, camera: Camera | null): Record<string, FieldVa
 }
 
 /**
- * Brings a camera to where something is seen from, with its kind of projection.
+ * Moves a camera to show a view, with its kind of projection.
  * @throws Error saying why it cannot be moved
  */
 export function alignCamera(camera: Camera, view: CameraView): Command {
@@ -88,7 +88,7 @@ export function alignCamera(camera: Camera, view: CameraView): Command {
   return new SetFields(t('Aligned {name} to the view', { name: camera.gameObject.name }), edits);
 }
 
-/** Adds a camera that sees what is seen now, and selects it. @param selected - what is selected now */
+/** Adds a camera that shows the current view, and selects it. @param selected - ids selected now */
 export function addCameraAt(scene: Scene, name: string, view: CameraView, selected: readonly string[]): Command {
   const object = new GameObject(name);
   object.addComponent(Camera, lensOf(view, null));

@@ -24,18 +24,18 @@ import { cloneTogether } from './cloneTogether';
 import { copiedAssets, type NamingFields } from './copiedAssets';
 import { nameUniquely } from './UniqueNames';
 
-/** Copied GameObjects as JSON data: what the clipboard holds. */
+/** Copied GameObjects as JSON: content of the clipboard. */
 export interface Clip {
   readonly format: 'farol-objects';
-  /** In tree order; those that were copied have no parent. */
+  /** Objects in tree order; the copied roots have no parent. */
   readonly objects: readonly FileObject[];
-  /** Each after those that it needs; a file is one of the clipboard. */
+  /** Assets, each after those that it uses; files are named as in the clipboard. */
   readonly assets: readonly FileAsset[];
-  /** Of types of components that scripts make: which of their fields name assets and objects. */
+  /** For component types defined by scripts: their fields that name assets and objects. */
   readonly naming: Readonly<Record<string, NamingFields>>;
-  /** Those that objects are copies of, and those within them; none when absent. */
+  /** Prefabs of the objects, and prefabs within these; none when absent. */
   readonly prefabs?: readonly Prefab[];
-  /** Where each of those without a parent was in the world: 16 numbers, column by column. */
+  /** World matrices of the copied roots: 16 numbers, column-major. */
   readonly worlds: readonly (readonly number[])[];
 }
 
@@ -44,22 +44,22 @@ const position = new Vector3();
 const rotation = new Quaternion();
 const scale = new Vector3();
 
-/** Copied objects as text, and the files that it names. */
+/** Copied objects as text, and the files that the text names. */
 export interface CopiedObjects {
   readonly text: string;
   readonly files: ReadonlyMap<string, Blob>;
 }
 
-/** The prefabs of a scene that objects are copies of, and those within them. */
+/** Prefabs of a scene that objects are instances of, and prefabs within these. */
 function prefabsOf({ prefabs }: Scene, objects: readonly FileObject[]): Prefab[] {
   const linked = (list: readonly FileObject[]): string[] => list.flatMap(({ prefab }) => prefab?.prefab ?? []);
   const ids = new Set(linked(objects));
-  // a Set that grows is walked to its end
+  // a Set that grows during the loop is iterated to its end
   for (const id of ids) for (const inner of linked(prefabs.get(id)?.objects ?? [])) ids.add(inner);
   return prefabs.list.filter(({ id }) => ids.has(id));
 }
 
-/** Copies objects with all below them, as they are authored, their prefabs, and the assets that all of these use. */
+/** Copies objects and everything below them with authored values, their prefabs, and the assets these use. */
 export function copyObjects(scene: Scene, objects: readonly GameObject[]): CopiedObjects {
   const tops = topmost(objects, scene);
   const list: FileObject[] = [];
@@ -77,11 +77,11 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): Copie
   return { text, files };
 }
 
-/** Whether a text may be copied GameObjects. */
+/** Whether a text looks like copied GameObjects; it is not checked further. */
 export const isClip = (text: string | null): text is string =>
   text !== null && text.startsWith('{"format":"farol-objects"');
 
-/** References to objects that are not among those copied, which are taken out: object, component, field and value. */
+/** Removes references to objects that were not copied. Each is returned as object, component, field and value. */
 function takeOuterReferences(
   objects: FileObject[],
   scene: Scene,
@@ -92,7 +92,7 @@ function takeOuterReferences(
   for (const { id, components } of objects) {
     components.forEach((component, i) => {
       const { type, values } = (component ?? {}) as Partial<typeof component>;
-      // what is broken is told once all is checked
+      // malformed data is reported when the whole text is checked
       if (typeof type !== 'string' || typeof values !== 'object' || values === null) return;
       const fields = scene.registry.types.get(type)?.fields ?? {};
       for (const [name, value] of Object.entries(values)) {
@@ -106,7 +106,7 @@ function takeOuterReferences(
   return taken;
 }
 
-/** The prefabs of copied objects that a scene does not have; what links to others is no copy of them any more. */
+/** Prefabs of copied objects that a scene lacks; instances of prefabs that cannot be used become plain objects. */
 function newPrefabs({ prefabs }: Scene, { prefabs: copied, objects }: ReturnType<typeof readClip>): Prefab[] {
   const known = new Set(prefabs.list.map(({ id }) => id));
   const list = Array.isArray(copied) ? (copied as Prefab[]).filter((each) => !known.has(each?.id)) : [];
@@ -117,7 +117,7 @@ function newPrefabs({ prefabs }: Scene, { prefabs: copied, objects }: ReturnType
   return list;
 }
 
-/** Gives an object the place in the world that it had, as seen from a parent. */
+/** Gives an object a world matrix, below a given parent. */
 function placeInWorld(object: GameObject, world: readonly number[], parent: Container): void {
   matrix.fromArray(world);
   if (parent instanceof GameObject) matrix.premultiply(parent.transform.modelMatrix.invert());
@@ -127,13 +127,13 @@ function placeInWorld(object: GameObject, world: readonly number[], parent: Cont
   object.transform.scale = scale.toArray();
 }
 
-/** Copied objects that were read from text, not checked yet. */
+/** Copied objects read from text, not yet checked. */
 type RawClip = { -readonly [K in keyof Clip]?: Clip[K] };
 
 const isTexts = (value: unknown): value is string[] =>
   Array.isArray(value) && value.every((each) => typeof each === 'string');
 
-/** Which fields name assets and objects, of the types for which the text says so rightly; by names of its own alone. */
+/** Fields that name assets and objects, for each type with well-formed data; only own property names count. */
 function readNaming(given: unknown): Record<string, NamingFields> {
   const naming = Object.create(null) as Record<string, NamingFields>;
   for (const [type, each] of Object.entries(given ?? {})) {
@@ -156,7 +156,9 @@ function readClip(text: string): RawClip & { objects: FileObject[] } {
   }
 }
 
-/** The assets that come with copied objects, each after those that it needs. @throws FileError for what is no such text */
+/**
+ * The assets that come with copied objects, each after those that it uses. @throws FileError for text of another kind
+ */
 export const assetsOfClip = (text: string): readonly FileAsset[] =>
   checked({ ...readClip(text), objects: [] }, { registry: new ComponentRegistry() }).assets;
 
@@ -170,20 +172,20 @@ const checked = (
     options,
   );
 
-/** What a paste may be told besides. */
+/** Options of a paste. */
 export interface PasteOptions {
-  /** Moves the copies, which are in no scene yet, to another place. */
+  /** Moves the copies, which are not in the scene yet. */
   readonly place?: (copies: readonly GameObject[]) => void;
-  /** Files and addresses that were read for the scene, by their names in the clip; those that the scene has may be left out. */
+  /** Files and addresses read for the scene, by their names in the clip; those that the scene has may be left out. */
   readonly read?: ReadonlyMap<string, ReadAsset>;
 }
 
 const NOTHING_READ: ReadonlyMap<string, ReadAsset> = new Map();
 
 /**
- * Puts copied objects below a parent, where they were in the world, with ids and names of their own, and selects them. Assets
- * and prefabs that they use, and the scene does not have, come along in the same step. All of the text is checked first.
- * @param parent - for objects whose parent is still the same, their authored values stay to the last digit
+ * Adds copied objects below a parent, with unchanged world poses and new ids and names, and selects them. Assets and
+ * prefabs that the scene lacks are added in the same step. The whole text is checked first.
+ * @param parent - objects that had this parent keep their authored values exactly
  * @throws FileError listing what is wrong with the text; nothing has changed then
  */
 export function pasteObjects(

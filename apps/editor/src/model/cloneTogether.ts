@@ -1,7 +1,7 @@
 import type { GameObject } from '@farol/engine';
 import { UnknownComponent } from '@farol/engine/files';
 
-/** Copies of objects, none of which is below another: what names one of them, or what is below it, names its copy. */
+/** Clones of objects, none below another; references among the originals become references among the clones. */
 export function cloneTogether(objects: readonly GameObject[]): GameObject[] {
   const copies = objects.map((object) => object.clone());
   if (copies.length < 2) return copies;

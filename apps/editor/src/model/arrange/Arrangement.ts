@@ -2,67 +2,67 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 
 export type ArrangementKind = 'line' | 'ring' | 'grid' | 'scatter';
 
-/** How the lights of copies get their colours: as the original's, of any hue, or of all hues in turn. */
+/** Colours of the copies' lights: the original's, random hues, or the hues in turn. */
 export type LightColours = 'same' | 'random' | 'rainbow';
 
-/** How many copies there shall be, where, and how they differ. The originals are the first of them. */
+/** Settings of an arrangement: number and places of copies, and how they vary. The originals are the first of them. */
 export interface Arrangement {
   readonly kind: ArrangementKind;
-  /** How many there are in the end, the original included: of a line, a ring, a surface; 1 to 20,000. */
+  /** Number of objects of a line, ring or surface, originals included; 1 to 20,000. */
   readonly count: number;
-  /** Line: from each to the next (m). */
+  /** Line: offset from each to the next (m). */
   readonly offset: Vector3Tuple;
-  /** Ring: its radius (m), and how far round it goes (rad). */
+  /** Ring: its radius (m), and the angle that it covers (rad). */
   readonly radius: number;
   readonly arc: number;
-  /** Ring: whether each is turned as far as it is round the ring. */
+  /** Ring: whether each object is turned by its angle on the ring. */
   readonly turns: boolean;
-  /** Grid: how many along x, y and z, and how far apart (m). */
+  /** Grid: number of objects along x, y and z, and the distance between them (m). */
   readonly counts: Vector3Tuple;
   readonly spacing: Vector3Tuple;
-  /** Surface: how close two may be (m); 0 for as close as it comes. */
+  /** Surface: least distance between two objects (m); 0 for as dense as needed. */
   readonly minimumDistance: number;
-  /** Surface: whether only what faces up counts, where there is such. */
+  /** Surface: whether only faces that point up are used, if there are any. */
   readonly upwards: boolean;
-  /** Surface: whether each stands along the normal, not upright. */
+  /** Surface: whether objects stand along the normal rather than upright. */
   readonly aligns: boolean;
-  /** Surface: whether each is turned about its own axis at random, and by what part the sizes differ (0 to 1). */
+  /** Surface: whether objects are turned at random about their own axis, and by what share sizes vary (0 to 1). */
   readonly randomTurn: boolean;
   readonly sizeVariation: number;
-  /** Line, ring and grid: whether each goes down to the surface below it. */
+  /** Line, ring and grid: whether objects are dropped on the surface below them. */
   readonly follows: boolean;
-  /** How far from the surface, along its normal or upwards (m). */
+  /** Height above the surface, along its normal or upwards (m). */
   readonly height: number;
-  /** Of all that is random. */
+  /** Seed of everything random. */
   readonly seed: number;
   readonly colours: LightColours;
-  /** Whether all lights together are as bright as the original; null for: where there are many. */
+  /** Whether the lights together are as bright as the original; null decides by their number (`MANY_LIGHTS`). */
   readonly sharesLight: boolean | null;
-  /** By what part the intensities and ranges of lights differ (0 to 1). */
+  /** Share by which intensities and ranges of lights vary (0 to 1). */
   readonly intensityVariation: number;
   readonly rangeVariation: number;
-  /** Whether all are put below a new object. */
+  /** Whether all are children of a new object. */
   readonly grouped: boolean;
 }
 
-/** So many lights share the brightness of the original unless it is said that they do not. */
+/** From this number of lights on, they share the brightness of the original by default. */
 const MANY_LIGHTS = 20;
 
-/** Whether the lights of an arrangement share the brightness of the original. @param total - how many there are */
+/** Whether the lights of an arrangement share the brightness of the original. @param total - number of objects */
 export const sharesLight = ({ sharesLight: shares }: Arrangement, total: number): boolean =>
   shares ?? total >= MANY_LIGHTS;
 
-/** The most that one arrangement makes. */
+/** Most objects that one arrangement makes. */
 export const MOST_COPIES = 20_000;
 
-/** Where one of an arrangement is. */
+/** Pose of one object of an arrangement. */
 export interface ArrangedPlace {
-  /** Which of the originals it is, or is a copy of. */
+  /** Index of the original that the object is, or is a copy of. */
   readonly source: number;
-  /** In the world (m). */
+  /** World position (m). */
   readonly position: Vector3Tuple;
-  /** Turn in the world on top of the original's: a unit quaternion; none when absent. */
+  /** World rotation applied after the original's, as a unit quaternion; none when absent. */
   readonly turn?: readonly [number, number, number, number];
-  /** Factor of the original's size; 1 when absent. */
+  /** Scale relative to the original; 1 when absent. */
   readonly scale?: number;
 }

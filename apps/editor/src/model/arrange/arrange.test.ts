@@ -20,7 +20,7 @@ function lamp(parent: Scene | GameObject, name = 'Lamp'): GameObject {
   return object;
 }
 
-/** A document with a lamp, and the ways to arrange it. */
+/** A document with a lamp, and a function that arranges it. */
 function lampDocument(): { document: EditorDocument; lamps: GameObject; run(settings: object): void } {
   const document = new EditorDocument();
   const scene = new Scene({ assets: document.assets });

@@ -18,7 +18,7 @@ const turn = new Quaternion();
 const scale = new Vector3();
 const euler = new Euler();
 
-/** Without the digits that come of the arithmetic: to a micrometre. */
+/** Rounds to a micrometre, to drop rounding errors of the matrix arithmetic. */
 const tidy = (value: number): number => Number(value.toFixed(6)) + 0;
 
 interface Own {
@@ -36,9 +36,10 @@ const ownOf = ({ transform }: GameObject): Own => ({
 });
 
 /**
- * The pose in a parent of what is placed in the world.
- * @param source - matrix of the original in the world
- * @param own - of the original, where the parent is turned and sized as its own is: what is neither stays to the last digit
+ * Pose of a placed object in the space of its parent.
+ * @param source - world matrix of the original
+ * @param own - authored rotation and scale of the original, when the parent has the same orientation and size; used
+ *   exactly where the place does not change them
  */
 function poseAt(place: ArrangedPlace, source: Matrix4, parentInverse: Matrix4 | null, own: Own | null): Pose {
   source.decompose(position, rotation, scale);
@@ -62,7 +63,7 @@ const poseEdits = ({ transform }: GameObject, pose: Pose): FieldEdit[] =>
 const inverseOf = (parent: Container): Matrix4 | null =>
   parent instanceof GameObject ? parent.transform.modelMatrix.invert() : null;
 
-/** The middle of places (m in the world). */
+/** Centroid of places (m, world). */
 function middleOf(places: readonly ArrangedPlace[]): Vector3 {
   const middle = new Vector3();
   for (const place of places) middle.add(position.fromArray(place.position));
@@ -70,10 +71,10 @@ function middleOf(places: readonly ArrangedPlace[]): Vector3 {
 }
 
 /**
- * Copies objects to places, the first place of each being its own, and lets the copies' lights differ, as one step. The
- * copies come after their original in the tree, or all below a new object in their middle; what is new is selected.
- * @param objects - at least one; none of them counts that is below another
- * @param places - each original in at least one; at most `MOST_COPIES`
+ * Copies objects to places, the first place of each being its own, and varies the copies' lights, as one step. Copies
+ * follow their original in the tree, or all are below a new object at their centroid; new objects are selected.
+ * @param objects - at least one; those below another are ignored
+ * @param places - at least one for each original; at most `MOST_COPIES`
  */
 export function arrangeObjects(
   scene: Scene,
@@ -122,7 +123,7 @@ export function arrangeObjects(
     after.set(original, number);
     return [{ object: copy, parent, original, number }];
   });
-  /** Within one parent in the order of the tree: after each original its copies. */
+  /** Placements in the order of the tree: within each parent, every original and then its copies. */
   const inTree = (): { object: GameObject; parent: Container; index: number }[] => {
     if (group) return placements.map(({ object }, i) => ({ object, parent: group, index: tops.length + i }));
     const shifts = new Map<Container, number>();

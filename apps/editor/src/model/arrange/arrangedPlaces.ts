@@ -3,7 +3,7 @@ import { type ArrangedPlace, type Arrangement, MOST_COPIES } from './Arrangement
 
 const whole = (count: number): number => Math.min(MOST_COPIES, Math.max(1, Math.round(count)));
 
-/** Each original, and copies of it one after another. @param origins - where the originals are (m) */
+/** Each original, followed by its copies. @param origins - world positions of the originals (m) */
 function linePlaces({ count, offset }: Arrangement, origins: readonly Vector3Tuple[]): ArrangedPlace[] {
   const places: ArrangedPlace[] = [];
   const steps = Math.max(1, Math.floor(whole(count * origins.length) / origins.length));
@@ -31,7 +31,7 @@ function ringPlaces(
   });
 }
 
-/** Rows along x, then z, then y, round a centre in x and z, upwards from it. */
+/** Rows along x, then z, then y; centred in x and z, growing upwards. */
 function gridPlaces({ counts, spacing }: Arrangement, [x, y, z]: Vector3Tuple, sources: number): ArrangedPlace[] {
   const [across, up, along] = counts.map(whole);
   const places: ArrangedPlace[] = [];
@@ -53,7 +53,7 @@ function gridPlaces({ counts, spacing }: Arrangement, [x, y, z]: Vector3Tuple, s
 
 /**
  * The places of a line, a ring or a grid.
- * @param origins - where the originals are in the world (m), at least one; rings and grids are round their middle
+ * @param origins - world positions of the originals (m), at least one; rings and grids are centred on their centroid
  */
 export function arrangedPlaces(arrangement: Arrangement, origins: readonly Vector3Tuple[]): ArrangedPlace[] {
   if (arrangement.kind === 'line') return linePlaces(arrangement, origins);

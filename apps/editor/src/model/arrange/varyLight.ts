@@ -4,14 +4,14 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 import { Color } from 'three';
 import { type Arrangement, sharesLight } from './Arrangement';
 
-/** Far apart in the generator's states, so that neighbours have nothing in common. */
+/** Spreads the generator's seeds, so that those of neighbours are unrelated. */
 const STRIDE = 2654435761;
 
-/** Random numbers of the `index`th copy of an arrangement: those of one do not depend on how many there are. */
+/** Random generator of the `index`th copy: independent of the number of copies. */
 export const randomOf = (seed: number, index: number): (() => number) =>
   createRandom(Math.imul(seed, STRIDE) + Math.imul(index + 1, 7919));
 
-/** A bright linear colour of a hue (0 to 1) with the brightness of another colour. */
+/** A saturated linear colour of a hue (0 to 1), as bright as another colour. */
 function colourOf(hue: number, like: Vector3Tuple): Vector3Tuple {
   const colour = new Color().setHSL(hue, 1, 0.6);
   const brightest = Math.max(colour.r, colour.g, colour.b);
@@ -21,10 +21,10 @@ function colourOf(hue: number, like: Vector3Tuple): Vector3Tuple {
 }
 
 /**
- * What makes the lights of one copy differ: colour, intensity and range of each Light, and the colour of bulbs, which are
- * shapes without shading beside a light.
+ * Edits that vary the lights of one copy: colour, intensity and range of each Light, and the colour of bulbs, which are
+ * unlit meshes beside a light.
  * @param object - the copy, or an original; it is only read
- * @param index - which one it is @param total - of so many
+ * @param index - index of the copy @param total - number of copies
  */
 export function lightEdits(object: GameObject, arrangement: Arrangement, index: number, total: number): FieldEdit[] {
   const { colours, intensityVariation, rangeVariation, seed } = arrangement;

@@ -6,7 +6,7 @@ const labelOf = (assets: readonly TakenAsset[]): string =>
     ? t('Imported {name}', { name: assets[0].name })
     : t('Imported {count} assets', { count: assets.length });
 
-/** Puts loaded assets into the library. */
+/** Adds loaded assets to the library. */
 export class AddAssets implements Command {
   readonly label: string;
   private taken: readonly TakenAsset[];
@@ -36,7 +36,7 @@ export class AddAssets implements Command {
   }
 }
 
-/** Takes an asset, with its parts, out of the library. Nothing may use it any more. */
+/** Removes an asset and its parts from the library. Nothing may use it any more. */
 export class RemoveAsset implements Command {
   readonly label: string;
   readonly isOfScripts: boolean;

@@ -1,6 +1,6 @@
 import type { Command } from '@farol/editing';
 
-/** Several commands as one step. They are done in their order, and undone in the other. */
+/** Several commands as one step: done in order, undone in reverse. */
 export class CommandList implements Command {
   constructor(
     readonly label: string,
@@ -11,7 +11,7 @@ export class CommandList implements Command {
     return this.commands.length === 0;
   }
 
-  /** @throws what one of them throws; those before it are undone then */
+  /** @throws what a command throws, after undoing those before it */
   do(): void {
     let count = 0;
     try {

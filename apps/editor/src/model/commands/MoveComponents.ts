@@ -7,13 +7,13 @@ interface Move {
   readonly to: number;
 }
 
-/** Moves components to another place among those of their object. */
+/** Moves components up or down among those of their object. */
 export class MoveComponents implements Command {
   private readonly moves: readonly Move[];
 
   /**
    * @param components - one of each object, none of them a Transform
-   * @param by - places: -1 for up, 1 for down
+   * @param by - number of places: -1 for up, 1 for down
    */
   constructor(
     readonly label: string,

@@ -3,7 +3,9 @@ import type { GameObject, Scene } from '@farol/engine';
 import { type Container, type Placement, placementOf } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
 
-/** Moves a GameObject to the end of another parent; its own transform stays, so that it moves in the world. */
+/**
+ * Moves a GameObject to the end of another parent with its local transform unchanged, so that its world pose changes.
+ */
 export class MoveLocal extends StructuralCommand {
   private from: Placement | null = null;
 

@@ -8,7 +8,7 @@ type Values = Readonly<Record<string, FieldValue>>;
 interface Move {
   readonly from: Placement;
   readonly to: Placement;
-  /** Authored values of the Transform. */
+  /** Authored values of the Transform before the move. */
   readonly before: Values;
   readonly after: Values;
 }
@@ -18,14 +18,14 @@ function place({ object, parent, index }: Placement, values: Values): void {
   for (const name of Object.keys(values)) object.transform.set(name, values[name]);
 }
 
-/** Moves GameObjects to another place in the tree; with a new parent they stay where they are in the world. */
+/** Moves GameObjects in the tree; their world poses stay when the parent changes. */
 export class MoveObjects extends StructuralCommand {
   private moves: readonly Move[] | null = null;
 
   /**
    * @param objects - none below another one of them
    * @param parent - none of the objects, and not below one
-   * @param before - the child of `parent`, not among the objects, that they come before; at the end when null
+   * @param before - child of `parent`, not among the objects, that they are put before; null for the end
    */
   constructor(
     label: string,
@@ -37,7 +37,7 @@ export class MoveObjects extends StructuralCommand {
     super(label, scene);
   }
 
-  /** Whether they are all in their places already. */
+  /** Whether all objects are in place already. */
   get isEmpty(): boolean {
     if (this.moves) return false;
     const siblings = childrenOf(this.parent);
@@ -46,7 +46,7 @@ export class MoveObjects extends StructuralCommand {
     return this.objects.every((object, i) => siblings[first + i] === object);
   }
 
-  /** @throws Error when the new parent is one of the objects or below it; nothing has changed then */
+  /** @throws Error when the new parent is one of the objects or below one; nothing has changed then */
   protected override apply(): void {
     if (this.moves) for (const { to, after } of this.moves) place(to, after);
     else this.moves = this.moveFirst();

@@ -1,11 +1,11 @@
 import type { Component, GameObject, Scene } from '@farol/engine';
 import { StructuralCommand } from './StructuralCommand';
 
-/** Puts components on GameObjects, or takes them off: one is the other backwards. */
+/** Adds components to GameObjects, or removes them; undoing one is doing the other. */
 export class PlaceComponents extends StructuralCommand {
   /**
    * @param kind - whether `do` adds or removes
-   * @param places - component, its object, its place in the object's list, and the id that a new one gets
+   * @param places - component, its object, its index in the object's list, and the id for a new one
    */
   constructor(
     label: string,

@@ -3,11 +3,11 @@ import type { Scene } from '@farol/engine';
 import type { Placement } from './Placement';
 import { StructuralCommand } from './StructuralCommand';
 
-/** Adds GameObjects, with all below them, or takes them out: one is the other backwards. */
+/** Adds GameObjects with everything below them, or removes them; undoing one is doing the other. */
 export class PlaceObjects extends StructuralCommand {
   /**
    * @param kind - whether `do` adds or removes
-   * @param placements - in the order in which they are added, which is the tree's where they share a parent
+   * @param placements - in the order to add them: tree order where they share a parent
    */
   constructor(
     label: string,

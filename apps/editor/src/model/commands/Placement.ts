@@ -1,6 +1,6 @@
 import type { GameObject, Scene } from '@farol/engine';
 
-/** What GameObjects can be in. */
+/** Parent of GameObjects: another one, or the scene. */
 export type Container = GameObject | Scene;
 
 /** A place in the tree: `index` among the children of `parent`. */
@@ -10,23 +10,23 @@ export interface Placement {
   readonly index: number;
 }
 
-/** What is directly in a scene or a GameObject. */
+/** Direct children of a scene or a GameObject. */
 export function childrenOf(container: Container): readonly GameObject[] {
   return 'roots' in container ? container.roots : container.children;
 }
 
-/** What a GameObject of a scene is directly in. */
+/** The parent of a GameObject, or the scene for a root. */
 export function containerOf(object: GameObject, scene: Scene): Container {
   return object.parent ?? scene;
 }
 
-/** Where a GameObject of a scene is now. */
+/** Current place of a GameObject in its scene. */
 export function placementOf(object: GameObject, scene: Scene): Placement {
   const parent = containerOf(object, scene);
   return { object, parent, index: childrenOf(parent).indexOf(object) };
 }
 
-/** Those of a list that are not below another one of it, in tree order, each once. */
+/** The objects of a list that are not below another of the list, in tree order, each once. */
 export function topmost(objects: readonly GameObject[], scene: Scene): GameObject[] {
   const wanted = new Set(objects);
   const found: GameObject[] = [];

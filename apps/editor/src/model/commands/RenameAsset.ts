@@ -4,7 +4,7 @@ import type { FieldOwner } from '@farol/engine/fields';
 import type { Prefab } from '@farol/engine/prefabs';
 import { assetOwners } from '../assetOwners';
 
-/** Gives an asset another name, with its parts, and the new name to all that name it. */
+/** Renames an asset and its parts, and updates everything that names them. */
 export class RenameAsset implements Command {
   constructor(
     readonly label: string,
@@ -45,7 +45,7 @@ function renameIn(owner: FieldOwner, names: ReadonlyMap<string, string>): void {
   }
 }
 
-/** A prefab with the new names; null when it names none of them. */
+/** A prefab with renamed assets; null when it names none of them. */
 function renamedPrefab(scene: Scene, prefab: Prefab, names: ReadonlyMap<string, string>): Prefab | null {
   let isChanged = false;
   const objects = prefab.objects.map((object) => ({

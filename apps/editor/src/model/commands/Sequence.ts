@@ -1,12 +1,14 @@
 import type { Command, CommandSelection } from '@farol/editing';
 
-/** Several commands as one step: done in order, undone backwards. Each may build on what those before it have done. */
+/**
+ * Several commands as one step: done in order, undone in reverse. Each may depend on the effects of those before it.
+ */
 export class Sequence implements Command {
   private commands: readonly Command[] | null = null;
 
   /**
-   * @param make - makes the commands one by one, each to be done before the next is asked for
-   * @param selection - what to select afterwards
+   * @param make - makes the commands; each is called after the command before was done
+   * @param selection - ids to select afterwards
    */
   constructor(
     readonly label: string,
@@ -14,7 +16,7 @@ export class Sequence implements Command {
     readonly selection?: CommandSelection,
   ) {}
 
-  /** The commands that were made so far, by doing it. */
+  /** The commands, once `do` has made them. */
   get parts(): readonly Command[] {
     return this.commands ?? [];
   }

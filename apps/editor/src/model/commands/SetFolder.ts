@@ -1,9 +1,9 @@
 import type { Command } from '@farol/editing';
 import type { AssetLibrary } from '@farol/engine';
 
-/** Adds a folder of assets, or takes an empty one out. */
+/** Adds a folder of assets, or removes an empty one. */
 export class SetFolder implements Command {
-  /** Whether it was there before the first `do`; null until then. */
+  /** Whether the folder existed before the first `do`; null until then. */
   private wasThere: boolean | null = null;
 
   constructor(

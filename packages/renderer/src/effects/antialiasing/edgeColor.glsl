@@ -11,11 +11,11 @@ const float FAROL_SHOWN = 8.0;
 
 /**
  * Whether the picture shows the surface.
- * @param slope of its depth from pixel to pixel
- * @param fit how far off it may be: part of the slope
- * @param nearby whether to look at the pixels round its own too
- * @param color the picture's; of its own pixel, where it does not show the surface
- * @param shown FAROL_SHOWN if it is what its own pixel shows, else 0
+ * @param slope - of its depth from pixel to pixel
+ * @param fit - how far off it may be: part of the slope
+ * @param nearby - whether to look at the pixels round its own too
+ * @param color - the picture's; of its own pixel, where it does not show the surface
+ * @param shown - FAROL_SHOWN if it is what its own pixel shows, else 0
  */
 bool farol_edgeColor(
   const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool nearby,

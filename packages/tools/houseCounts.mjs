@@ -1,0 +1,124 @@
+import { dirname } from 'node:path/posix';
+
+/**
+ * Most of each count that the repository may have. A limit only falls: whoever lowers a count lowers it.
+ * `lines` are of product code: TypeScript, GLSL, CSS and scripts of packages and apps, without tests.
+ */
+export const houseLimits = {
+  riddles: 1372,
+  parametersWithoutDash: 0,
+  tinyFiles: 39,
+  macrosAcrossFiles: 45,
+  lines: 158_500,
+};
+
+/** Files that may have more than {@link MOST_LINES} lines, to become none. */
+export const longFiles = [
+  'apps/editor/src/model/timeline/Timeline.ts',
+  'apps/editor/src/panels/timeline/TimelinePointer.ts',
+  'apps/editor/src/style/controls.css',
+  'apps/editor/src/viewport/Viewport.ts',
+  'apps/viewer/src/Viewer.ts',
+  'packages/engine/src/assets/AssetLibrary.ts',
+  'packages/engine/src/core/Scene.ts',
+  'packages/engine/src/core/SceneGraph.ts',
+  'packages/renderer/src/FarolRenderer.ts',
+  'packages/renderer/src/frame/Frame.ts',
+  'packages/renderer/src/lazy/shadows/ShadowMaps.ts',
+];
+
+/** First words by which a docblock hides its noun. */
+const RIDDLE = /^(What|Where|Of|Has|The same)\b/;
+
+/** Lines that a file may have. */
+export const MOST_LINES = 400;
+
+/** Lines from which on a file is a thought of its own, whoever imports it. */
+const FEWEST_LINES = 15;
+
+/**
+ * Docblocks that begin with What, Where, Of, Has or The same.
+ *
+ * @param {string} path - named in the result
+ * @param {string} source
+ * @returns {string[]} one line each: file, line and first words
+ */
+export function riddles(path, source) {
+  return docblocks(source)
+    .filter(({ text }) => RIDDLE.test(text))
+    .map(({ line, text }) => `${path}:${line} ${text.split('\n')[0].trim().slice(0, 60)}`);
+}
+
+/**
+ * Parameters in docblocks that are described without a dash: the form is `@param name - text`.
+ *
+ * @param {string} path - named in the result
+ * @param {string} source
+ * @returns {string[]} one line each
+ */
+export function parametersWithoutDash(path, source) {
+  const described = /@param (?:\{(?:[^{}]|\{[^{}]*\})*\} )?(?:\[[^\]]*\]|[\w.$]+) (?!-\s)[^\s@*]/;
+  return docblocks(source)
+    .filter(({ text }) => described.test(text))
+    .map(({ line }) => `${path}:${line}`);
+}
+
+/**
+ * Files of under 15 lines that one other file imports, which lies in the same folder: they read better within it.
+ *
+ * @param {ReadonlyMap<string, string>} files - source by path, with `/`; no tests
+ * @param {import('./importCircles.mjs').ImportGraph} imports
+ * @returns {string[]} paths
+ */
+export function tinyFiles(files, imports) {
+  /** @type {Map<string, string[]>} */
+  const importers = new Map();
+  for (const [path, targets] of imports) {
+    for (const target of new Set([...targets.static, ...targets.fetched]))
+      importers.set(target, [...(importers.get(target) ?? []), path]);
+  }
+  return [...files.keys()].filter((path) => {
+    const lines = files.get(path)?.trimEnd().split('\n').length ?? 0;
+    const by = importers.get(path) ?? [];
+    return !path.endsWith('/index.ts') && lines < FEWEST_LINES && by.length === 1 && dirname(by[0]) === dirname(path);
+  });
+}
+
+/**
+ * Macros of our shaders (`FAROL_…`) that one file defines and another reads.
+ *
+ * @param {ReadonlyMap<string, string>} files - GLSL and TypeScript by path
+ * @returns {string[]} names in alphabetical order
+ */
+export function macrosAcrossFiles(files) {
+  /** @type {Map<string, Set<string>>} */
+  const definers = new Map();
+  /** @type {Map<string, Set<string>>} */
+  const readers = new Map();
+  /** @type {(map: Map<string, Set<string>>, name: string, path: string) => void} */
+  const add = (map, name, path) => void map.set(name, (map.get(name) ?? new Set()).add(path));
+  for (const [path, source] of files) {
+    if (path.endsWith('.glsl')) {
+      for (const [, name] of source.matchAll(/^\s*#\s*define\s+(\w+)/gm)) add(definers, name, path);
+      for (const [, line] of source.matchAll(/^\s*#\s*(?:el)?if(?:n?def)?\s+(.*)/gm))
+        for (const [name] of line.matchAll(/\b[A-Z]\w*\b/g)) add(readers, name, path);
+    } else {
+      for (const [, name] of source.matchAll(/\b([A-Z][A-Z\d]*(?:_[A-Z\d]+)+)\b/g)) add(definers, name, path);
+    }
+  }
+  return [...readers]
+    .filter(
+      ([name, by]) =>
+        name.startsWith('FAROL_') && [...(definers.get(name) ?? [])].some((path) => !by.has(path) || by.size > 1),
+    )
+    .map(([name]) => name)
+    .toSorted();
+}
+
+/** @param {string} source */
+function docblocks(source) {
+  return [...source.matchAll(/\/\*\*([\s\S]*?)\*\//g)].map((match) => ({
+    line: source.slice(0, match.index).split('\n').length,
+    text: match[1].replace(/^[\s*]+/, '').replace(/\n\s*\* ?/g, '\n'),
+  }));
+}
