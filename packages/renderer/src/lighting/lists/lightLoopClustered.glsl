@@ -59,7 +59,7 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_END_LISTED }}
 
 // where lights have masks, or areas, there may be no plain one; elsewhere the question costs more than it saves (0.3 ms
-// in docs/performance.md: "no loop over plain lights where there are none")
+// in docs/attempts/shadow-lookups.md: "no loop over plain lights where there are none")
 bool farol_mayHavePlain() {
 #if defined( FAROL_HAS_MASKS ) || defined( FAROL_AREA_LIGHTS )
   return FAROL_PLAIN_LIGHTS > 0;
