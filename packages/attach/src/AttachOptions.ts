@@ -4,7 +4,7 @@ import type { AttachLanguage } from './language/languages';
 export interface AttachOptions {
   /** The FarolRenderer that the page draws with, if it does; its technique, view and figures are shown then. */
   farol?: FarolRenderer;
-  /** What the panels are put into. Default the page's body; they lie over it, at the right edge of the window. */
+  /** Parent element of the panels. Default the page's body: the panels lie over it at the right edge of the window. */
   container?: HTMLElement;
   /** The element that the page's own controls listen on. Default the canvas. */
   domElement?: HTMLElement;

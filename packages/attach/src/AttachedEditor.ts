@@ -22,7 +22,7 @@ const attached = new WeakSet<WebGLRenderer>();
 
 /** An editor over a running page, as made by `attachEditor`. */
 export class AttachedEditor {
-  /** What was put into the page; the panels are in its shadow root, where styles of the page do not reach. */
+  /** The editor's one element in the page; the panels are in its shadow root, where styles of the page do not reach. */
   readonly element: HTMLElement;
   private readonly root: ShadowRoot;
   private readonly session: Session;
@@ -98,7 +98,7 @@ export class AttachedEditor {
     this.session.selection.set(objects);
   }
 
-  /** What the page looks through. */
+  /** The camera that the page renders with. */
   get camera(): Camera {
     return this.session.camera;
   }
@@ -130,7 +130,7 @@ export class AttachedEditor {
   }
 
   /**
-   * Has the page drawn by a technique of Farol's, or by three's own renderer again, from the next frame on.
+   * Draws the page by a technique of Farol's, or by three's own renderer again, from the next frame on.
    * @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; what drew goes on
    */
   drawWith(drawer: Drawer): Promise<void> {

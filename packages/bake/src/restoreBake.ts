@@ -2,7 +2,7 @@ import { DataTexture, HalfFloatType, type Light, LinearFilter, RGBAFormat, type 
 import { AppliedBake } from './apply/AppliedBake';
 import type { Bake, BakedLightmap } from './Bake';
 
-/** What of a bake is kept in a file, with the meshes found again. */
+/** A bake as it was read from a file, with its meshes found in the scene again. */
 export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
   /** Halves, as they were baked; or textures of irradiance, such as compressed ones: the bake disposes of them. */
   readonly lightmaps: readonly (BakedLightmap | Texture)[];

@@ -1,6 +1,6 @@
 import { t } from './language/translate';
 
-/** What objects are called together: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
+/** Common name of objects: 'chest', or '3 objects'. @param objects - at least one; one without a name goes by its type */
 export function namesOf(objects: readonly { readonly name: string; readonly type?: string }[]): string {
   if (objects.length !== 1) return t('{count} objects', { count: objects.length });
   const [{ name, type = t('object') }] = objects;

@@ -4,7 +4,7 @@ import { declare } from './declare';
 
 const project = (target: object) => (target as PerspectiveCamera).updateProjectionMatrix();
 
-/** Of cameras; a camera has those that three gives its kind. */
+/** Properties of cameras; a camera shows those that it has in three. */
 export const cameraProperties = [
   declare(
     'fov',

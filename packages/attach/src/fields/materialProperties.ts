@@ -2,13 +2,13 @@ import { boolean, colour, number } from '@farol/editing/fields';
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
 import { declare, declareConstant } from './declare';
 
-/** What is part of the program: three compiles, or finds, another one. */
+/** After a property that is part of the program changed: three compiles, or finds, another program. */
 const recompile = (target: object) => void ((target as Material).needsUpdate = true);
 
 const share = (help: string) => number(0, { min: 0, max: 1, step: 0.01, help });
 const tint = (help: string, label?: string) => colour([1, 1, 1], { help, label });
 
-/** Of materials; a material has those that three gives its kind. */
+/** Properties of materials; a material shows those that it has in three. */
 export const materialProperties = [
   declare('color', tint('Colour of the surface; of metals, of its reflections.', 'Colour')),
   declare('emissive', tint('Light of its own.')),

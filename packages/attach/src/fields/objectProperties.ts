@@ -8,14 +8,14 @@ const place = (target: object) => {
   if (!object.matrixAutoUpdate) object.updateMatrix();
 };
 
-/** Of every object. */
+/** Position, rotation and scale of any object, in its parent. */
 export const transformProperties = [
   declare('position', vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place in its parent.' }), place),
   declare('rotation', euler([0, 0, 0], { help: 'Turn about x, y and z in its parent.' }), place),
   declare('scale', vector3([1, 1, 1], { step: 0.1, help: 'Size along x, y and z.' }), place),
 ];
 
-/** Of every object. */
+/** Name and flags of any object. */
 export const objectProperties = [
   declare('name', string('', { help: 'What the tree calls it.' })),
   declare('visible', boolean(true, { help: 'Drawn, with all that is below it.' })),

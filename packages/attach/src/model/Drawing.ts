@@ -8,7 +8,7 @@ export type Drawer = TechniqueName | 'three';
 
 type Renderer = typeof import('@farol/renderer');
 
-/** Has the scene drawn by Farol, or by three again. Farol's code is loaded when it is first asked for. */
+/** Switches the page between Farol and three. Farol's code is fetched when it is first asked for. */
 export class Drawing {
   /** Emits when who draws changes. */
   readonly changed = new Signal();
@@ -26,7 +26,7 @@ export class Drawing {
     if (given) void this.load();
   }
 
-  /** What draws by Farol at present; null while three draws. */
+  /** Renderer that draws the page at present; null while three draws. */
   get farol(): FarolRenderer | null {
     return this.given ?? this.hook.farol;
   }

@@ -1,14 +1,14 @@
 import type { Command, CommandSelection } from '@farol/editing';
 import type { Object3D } from 'three';
 
-/** Where an object hangs: `index` among the children of `parent`, from 0. */
+/** An object's place in the tree: `index` among the children of `parent`, from 0. */
 export interface Placement {
   readonly object: Object3D;
   readonly parent: Object3D;
   readonly index: number;
 }
 
-/** Where an object is now. @param object - with a parent */
+/** Present place of an object in the tree. @param object - with a parent */
 export function placementOf(object: Object3D): Placement {
   const parent = object.parent!;
   return { object, parent, index: parent.children.indexOf(object) };

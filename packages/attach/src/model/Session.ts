@@ -1,7 +1,7 @@
 import { CommandStack, Selection, Signal } from '@farol/editing';
 import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 
-/** What the parts of an attached editor share: the page's scene, camera and renderer, the selection and the history. */
+/** State that the parts of an attached editor share: the page's scene, camera and renderer, the selection and the history. */
 export class Session {
   /** In the order of their choice. */
   readonly selection = new Selection<Object3D>();

@@ -9,7 +9,7 @@ import type { Gizmo } from '../viewport/Gizmo';
 /** The keys of the gizmo while the focus is in the panels: those of Farol's own editor. */
 const modeKeys: Readonly<Record<string, TransformMode>> = { w: 'translate', e: 'rotate', r: 'scale' };
 
-/** What a key does to the gizmo; null for a key of something else. @param key - in small letters */
+/** The gizmo's action for a key; null where the gizmo has none. @param key - in small letters */
 export function gizmoKey(gizmo: Gizmo, key: string): (() => void) | null {
   const mode = modeKeys[key];
   if (mode) return () => (gizmo.mode = mode);

@@ -10,7 +10,7 @@ import { FramePanel } from './FramePanel';
 import { Inspector } from './Inspector';
 import { Tree } from './Tree';
 
-/** What the panels are made over. */
+/** Parts of the attached editor that the panels show and change. */
 export interface PanelsOptions {
   readonly session: Session;
   readonly gizmo: Gizmo;
@@ -25,7 +25,7 @@ export interface PanelsOptions {
 export class Panels {
   readonly element: HTMLElement;
   readonly inspector: Inspector;
-  /** Where the language is chosen. */
+  /** Menu of languages. */
   readonly language = element('select', { 'aria-label': t('Language'), title: t('Language') });
   private readonly tree: Tree;
   private readonly frame: FramePanel;

@@ -37,10 +37,10 @@ export class Tree {
   private readonly spacer = element('div', { className: 'spacer', role: 'presentation' });
   private readonly open = new Set<Object3D>();
   private rows: Row[] = [];
-  /** Of the rows that are seen, by the id of their object. */
+  /** Elements of the rows in sight, by the id of their object. */
   private readonly elements = new Map<number, HTMLElement>();
   private drawn = '';
-  /** Where a range begins. */
+  /** Object at which a selection with Shift begins. */
   private anchor: Object3D | null = null;
   private readonly end: () => void;
   private readonly sizes: ResizeObserver;

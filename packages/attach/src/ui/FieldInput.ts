@@ -94,7 +94,7 @@ export class FieldInput {
     this.refresh();
   }
 
-  /** What was typed counts; what is no number stays, marked, with the reason, and is not taken. */
+  /** Commits the typed text when it is a number; otherwise the text stays, marked with the reason, and the value as it was. */
   private takeOver(part: FieldPart): void {
     const problem = part.unfinished?.() ?? null;
     if (problem === null) {

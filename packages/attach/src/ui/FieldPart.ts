@@ -32,14 +32,14 @@ export interface FieldPart {
   readonly control: HTMLInputElement | HTMLSelectElement;
   /** Shows the values of all owners, unless the control has shown the same before: then what is typed stays. */
   show(values: readonly FieldValue[]): void;
-  /** Has the next `show` write to the control in any case. */
+  /** Makes the next `show` write to the control even if the value is equal. */
   forget(): void;
   /**
-   * What the control says: null where it is empty, undefined for the beginning of a number.
+   * Value of the control: null where it is empty, undefined for the beginning of a number.
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
-  /** Of a number alone: what a drag of its label makes of it. @param steps - so far */
+  /** Change of a number by a drag of its label; absent for other kinds. @param steps - so far */
   readonly scrubbed?: (steps: number) => (before: number) => number;
   /** Why what is in the control cannot be taken over as it is; null when it can. */
   readonly unfinished?: () => string | null;

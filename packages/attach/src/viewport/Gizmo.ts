@@ -133,7 +133,7 @@ export class Gizmo {
   }
 }
 
-/** What a drag led to, as somebody would type it, with the angles that are nearest to those before. */
+/** Pose after a drag in rounded numbers, with the angles nearest to those before. */
 function rounded({ rotation: { order } }: Object3D, before: AngledPose, pose: Partial<Pose>): Partial<AngledPose> {
   const start = { position: before.position.toArray(), rotation: before.angles, scale: before.scale.toArray() };
   const { position, rotation, scale } = roundPose(start, pose, order);

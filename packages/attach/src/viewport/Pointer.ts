@@ -84,7 +84,7 @@ export class Pointer {
     return Math.max(Math.abs(this.at.x), Math.abs(this.at.y)) <= 1;
   }
 
-  /** Where the pointer is in normalised device coordinates. */
+  /** Sets `at` to the pointer's place in normalised device coordinates. */
   private locate(event: PointerEvent): void {
     locate(this.session.webgl.domElement, this.session.view, event, this.at);
   }

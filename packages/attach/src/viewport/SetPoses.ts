@@ -53,7 +53,7 @@ export class SetPoses implements Command<Object3D> {
   }
 }
 
-/** Where an object is in its parent: by its matrix, where the page sets that one by hand. */
+/** Pose of an object in its parent: from its matrix where `matrixAutoUpdate` is off. */
 export function poseOf({ position, quaternion, rotation, scale, matrix, matrixAutoUpdate }: Object3D): AngledPose {
   const pose = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
   if (!matrixAutoUpdate) matrix.decompose(pose.position, pose.quaternion, pose.scale);

@@ -8,7 +8,7 @@ interface Dressed {
   readonly baked: BakedMesh;
   readonly geometry: BufferGeometry;
   readonly material: Material | Material[];
-  /** What the mesh had. */
+  /** Geometry and material of the mesh before the bake; null once they are put back. */
   before: { geometry: BufferGeometry; material: Material | Material[] } | null;
 }
 

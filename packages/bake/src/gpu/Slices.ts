@@ -2,7 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { Rows } from './FullscreenPass';
 import { keepState } from './keepState';
 
-/** What is drawn in slices: all rows of a target, once for each batch. */
+/** Work drawn in slices: all rows of a target, once for each batch. */
 export interface SlicedWork {
   readonly height: number;
   readonly batches: number;

@@ -23,7 +23,7 @@ export interface LightmapFiltersOptions {
   readonly denoise: boolean;
 }
 
-/** What becomes of the sums of a stage: means without noise, which are shown, and which the next stage sees reflected. */
+/** Turns the sums of a stage into means without noise, which are shown and which the next stage reflects. */
 export class LightmapFilters {
   private readonly passes: Record<string, FullscreenPass> = {};
 

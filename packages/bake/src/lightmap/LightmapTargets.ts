@@ -10,9 +10,9 @@ import { type Grid, gridTargets } from './grid';
 import { layersTarget, maskTarget, pictureTarget, texelTarget } from './targets';
 
 export interface LightmapTargetsOptions {
-  /** Of each lightmap: texels along a side. */
+  /** Texels along a side of each lightmap. */
   readonly size: number;
-  /** Of the coarse grid, in texels of the lightmap: 1, 2 or 4. */
+  /** Size of a texel of the coarse grid in texels of the lightmap: 1, 2 or 4. */
   readonly block: number;
   /** Lightmaps. */
   readonly layers: number;
@@ -22,11 +22,11 @@ export interface LightmapTargetsOptions {
 }
 
 /**
- * What lightmaps are traced into. One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where
+ * Render targets into which lightmaps are traced. One set of targets serves all lightmaps in turn; each keeps its sums, its picture, where
  * its texels were moved to and two layers of radiance.
  */
 export class LightmapTargets {
-  /** What materials may show while light is traced, one a lightmap. */
+  /** Lightmaps so far, which materials may show while light is traced. */
   readonly pictures: WebGLRenderTarget[];
   readonly totals: WebGLRenderTarget[];
   /** Light of the coarser grid so far, with its variance; none where all is gathered at the fine one. */
@@ -38,7 +38,7 @@ export class LightmapTargets {
   readonly coarse: Grid;
   readonly albedo: WebGLRenderTarget;
   readonly emission;
-  /** What gathers see, and what the next one will. */
+  /** Radiance that this gather reads, and radiance for the next one. */
   radiance;
   nextRadiance;
   /** Radiance of all that is reflected once less than may be, for probes. */
@@ -60,7 +60,7 @@ export class LightmapTargets {
     this.reflected = hasProbes ? layersTarget(size, layers) : null;
   }
 
-  /** What the next gather was to see, this one sees. @returns its texture */
+  /** Swaps the two: radiance written for the next gather is read by this one. @returns its texture */
   swapRadiance(): Texture {
     [this.radiance, this.nextRadiance] = [this.nextRadiance, this.radiance];
     return this.radiance.texture;

@@ -33,7 +33,7 @@ export interface LightmapTracerOptions {
   onSlice(share: number, samples: number): void;
 }
 
-/** What it costs to settle a texel, in samples: eight rays or more, and four short ones. */
+/** Cost of settling a texel, in samples: eight rays or more, and four short ones. */
 const SETTLE_COST = 10;
 /** Milliseconds between two pictures of what is there so far. */
 const PREVIEW_MILLISECONDS = 250;
@@ -46,7 +46,7 @@ const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFac
  * has found. That is smooth, and is gathered at the texels of a coarser grid.
  */
 export class LightmapTracer {
-  /** What materials may show while it runs. */
+  /** Lightmaps so far, which materials may show while the tracer runs. */
   readonly pictures: readonly Texture[];
   private readonly targets: LightmapTargets;
   private readonly filters: LightmapFilters;

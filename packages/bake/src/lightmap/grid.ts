@@ -9,13 +9,13 @@ export interface Grid {
   readonly places: WebGLRenderTarget;
   /** Positions as settle.glsl has moved them, where those are apart. */
   readonly settled: WebGLRenderTarget | null;
-  /** Of all light, and of the luminance of that which lights have not given. */
+  /** Sums over all light, and sums of the luminance of light that does not come straight from lights. */
   readonly sums: WebGLRenderTarget;
   /** A filter reads the first and writes the second. */
   readonly light: WebGLRenderTarget[];
 }
 
-/** What a grid of so many texels along a side needs, but for `settled`. */
+/** Targets of a grid of `size` texels along a side, without `settled`. */
 export const gridTargets = (size: number): Omit<Grid, 'settled'> => ({
   size,
   places: placeTarget(size),

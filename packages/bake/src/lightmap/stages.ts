@@ -22,7 +22,7 @@ export interface Stage {
   readonly perDraw: number;
   /** After so many, texels that they agree on take no more; 0: all take all. */
   readonly firstSamples: number;
-  /** Of the whole work, in samples of a texel of the lightmap. */
+  /** Cost of the whole work, in samples of a texel of the lightmap. */
   readonly cost: number;
   /** Irradiance by the mean of the samples. */
   readonly scale: number;
@@ -34,7 +34,7 @@ export interface Stage {
   readonly isGather: boolean;
 }
 
-/** What stages are made of. */
+/** Numbers from which the stages of a bake are planned. */
 export interface StageSource {
   readonly samples: number;
   readonly bounces: number;
@@ -64,7 +64,7 @@ const softSamples = (samples: number): number =>
 const gatherSamples = (samples: number, index: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
 
-/** What lights give directly: those that are baked, and those of which reflections alone are. */
+/** Direct light: of lights that are baked whole, and of lights of which only reflections are baked. */
 export function directStages(source: StageSource, tables: readonly [LightTable, LightTable]): Stage[] {
   const { samples, bounces, fine } = source;
   return tables.flatMap((table, i) => {
@@ -88,7 +88,7 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
 }
 
 /**
- * What is gathered after that. Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by
+ * Gathers that follow the direct light. Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by
  * the first gather, which it takes beside: the last one then is of that alone.
  */
 export function gathersOf(source: StageSource, skies: readonly [SkySource, SkySource]): Gather[] {

@@ -13,9 +13,9 @@ export interface StaticMesh {
   readonly mesh: Mesh;
   /** How the mesh is called in sentences. */
   readonly name: string;
-  /** Of the mesh, as its bones have it. */
+  /** Geometry of the mesh, skinned in its present pose. */
   readonly geometry: BufferGeometry;
-  /** Where its copies stand in the world: one, but for instanced meshes. */
+  /** World matrices of its copies: one, more for instanced meshes. */
   readonly placements: readonly Matrix4[];
   /** Three a triangle: of a geometry without one, its vertices in turn. */
   readonly index: Uint32Array;

@@ -17,13 +17,13 @@ type Attenuation =
   | { readonly kind: 'near-far'; readonly near: number; readonly far: number }
   | { kind: 'polynomial'; constant: number; linear: number; quadratic: number; range: number };
 
-/** What `light.userData.farol` may hold of a light that is baked. */
+/** Options in `light.userData.farol` that a bake reads. */
 export interface BakedLightData {
-  /** Of a point or spot light: radius of the ball that shines (m), for soft shadows. Default 0. */
+  /** Radius (m) of the glowing sphere of a point or spot light, for soft shadows. Default 0. */
   radius?: number;
-  /** Of a directional light: angle that the sun covers (rad), for soft shadows. Default 0. */
+  /** Angle (rad) that a directional light's sun covers in the sky, for soft shadows. Default 0. */
   angle?: number;
-  /** Of a RectAreaLight. Default 'rectangle'. */
+  /** Shape of a RectAreaLight. Default 'rectangle'. */
   shape?: 'rectangle' | 'disc' | 'tube';
   ambient?: readonly [number, number, number];
   spotExponent?: number;

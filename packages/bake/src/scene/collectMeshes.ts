@@ -93,7 +93,7 @@ function isReadable(mesh: Mesh): boolean {
   return all.every((each) => !each || each.count === 0 || ('array' in each && each.array?.length > 0));
 }
 
-/** What a mesh is as its bones stand, without normals: those are of the faces. */
+/** Geometry of a mesh skinned in its present pose, without normals: face normals are used. */
 function posedGeometry(mesh: Mesh): BufferGeometry {
   const { attributes, index, groups, drawRange } = mesh.geometry;
   const posed = new BufferGeometry();

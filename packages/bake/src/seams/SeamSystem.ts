@@ -69,7 +69,7 @@ export class SeamSystem {
   }
 }
 
-/** What is added to values so that samples of both sides are equal. */
+/** Changes to add to `values` so that samples of both sides are equal. */
 function solveChange(places: Int32Array, weights: Float32Array, values: Float32Array): Float32Array {
   const count = values.length;
   const samples = places.length / 8;

@@ -50,7 +50,7 @@ function bake({ positions }: SurfaceToUnwrap, { uv1, index, sourceVertex }: Unwr
   return data;
 }
 
-/** What bilinear filtering gives. */
+/** Value of `data` at a place by bilinear filtering. */
 function sample(data: Float32Array, u: number, v: number): number {
   const [x, y] = [u * SIZE - 0.5, v * SIZE - 0.5];
   const [column, row] = [Math.floor(x), Math.floor(y)];

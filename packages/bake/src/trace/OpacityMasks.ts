@@ -15,7 +15,7 @@ import mask from './opacityMask.glsl?raw';
 /** Texels along a side of a mask. */
 const SIZE = 512;
 
-/** What rays need of a material with cut-outs or glass. */
+/** Opacity of a material with cut-outs or glass, as rays read it. */
 export interface Opacity {
   /** Layer of the masks, -1 for none. */
   readonly layer: number;

@@ -76,7 +76,7 @@ export class ChartPacker {
     return true;
   }
 
-  /** Where the vertices of a mesh lie, 0 to 1. */
+  /** Second UVs of the vertices of a mesh, 0 to 1. */
   uv1Of(mesh: number): Float32Array {
     const { uvs } = this.surfaces[mesh];
     const uv1 = new Float32Array(uvs.length);

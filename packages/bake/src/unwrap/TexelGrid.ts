@@ -3,8 +3,8 @@ import type { Footprint } from './footprint';
 /** Which texels of a square lightmap are taken. */
 export class TexelGrid {
   /**
-   * Of each texel, and one more a row that counts as taken: how many texels are free from it on to the right, or, taken,
-   * how many at least are taken, as a negative number.
+   * For each texel, and one more a row that counts as taken: the number of free texels from it on to the right, or, where
+   * it is taken, minus a number of taken texels (at least).
    */
   private readonly free: Int16Array;
   private readonly stride: number;

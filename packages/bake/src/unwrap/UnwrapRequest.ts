@@ -18,14 +18,14 @@ export interface PackOptions {
   readonly texelsPerMetre: number | null;
 }
 
-/** What is unwrapped. */
+/** Meshes to unwrap into lightmaps. */
 export interface UnwrapRequest extends PackOptions {
   readonly surfaces: readonly SurfaceToUnwrap[];
   /** Index of the surface of each mesh. */
   readonly meshes: readonly number[];
 }
 
-/** Where a mesh lies: see BakedMesh. Equal meshes may share arrays. */
+/** A mesh's place in a lightmap: see BakedMesh. Equal meshes may share arrays. */
 export interface UnwrappedMesh {
   readonly lightmap: number;
   readonly uv1: Float32Array;

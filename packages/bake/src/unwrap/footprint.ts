@@ -15,7 +15,7 @@ export interface Footprint {
   readonly scaleV: number;
   /** Texels that it touches, the longest run first. */
   readonly touched: Runs;
-  /** The same and what is within the padding: from negative rows and columns on. */
+  /** Touched texels and those within the padding; rows and columns may be negative. */
   readonly padded: Runs;
   /** Texels that it needs: what it touches, and half of the padding round that. */
   readonly need: number;

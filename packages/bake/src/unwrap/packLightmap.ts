@@ -12,7 +12,7 @@ export interface Packed {
 
 /** Share of a lightmap that charts need when packing goes well, half of the padding round them included. */
 const NEED = 0.93;
-/** The same above which it is in vain: padding of charts overlaps. */
+/** Need (share of the lightmap's texels) above which packing is not tried: padding of charts would overlap. */
 const MOST_NEED = 1.25;
 /** Steps of the search for how finely meshes can lie in a lightmap. */
 const STEP = 1.04;

@@ -4,7 +4,7 @@ import { type Charts, cutCharts } from '../unwrap/cutCharts';
 import { packMeshes } from '../unwrap/packMeshes';
 import type { PackOptions, SurfaceToUnwrap, Unwrapped } from '../unwrap/UnwrapRequest';
 
-/** What a worker is asked for. */
+/** A request to the bake worker. */
 export type BakeQuestion =
   | { readonly kind: 'cut'; readonly surface: SurfaceToUnwrap }
   | {
@@ -15,14 +15,14 @@ export type BakeQuestion =
     }
   | { readonly kind: 'stitch'; readonly request: StitchRequest };
 
-/** What it answers, by the kind of the question. */
+/** Result of a request, by its kind. */
 export interface BakeResults {
   readonly cut: Charts;
   readonly pack: Unwrapped;
   readonly stitch: Float32Array;
 }
 
-/** What a worker tells. */
+/** A message from the bake worker. */
 export type BakeAnswer =
   | { readonly kind: 'progress'; readonly share: number }
   | { readonly kind: 'failed'; readonly message: string }

@@ -65,7 +65,7 @@ export interface NumberField extends FieldBase {
   readonly min?: number;
   /** Largest value allowed. */
   readonly max?: number;
-  /** What one notch of a number scrub adds. */
+  /** Step of one notch when a number is scrubbed. */
   readonly step?: number;
   readonly integer?: boolean;
 }
@@ -90,7 +90,7 @@ export interface StringField extends FieldBase {
   readonly default: string;
   /** Name of a property of the owner that lists the texts to choose from, '' for none; any text when absent. */
   readonly choices?: string;
-  /** What is typed: 'key' is the code of a key (KeyboardEvent.code), which editors take by having it pressed; any text when absent. */
+  /** Kind of text: 'key' is the code of a key (KeyboardEvent.code), entered by pressing it; any text when absent. */
   readonly input?: 'key';
 }
 
@@ -98,7 +98,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
   readonly options: readonly Option[];
-  /** What options are shown as, where that is not their name. */
+  /** Labels of options that are not shown by their name. */
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
@@ -169,7 +169,7 @@ export interface AssetField extends FieldBase {
 export interface ObjectField extends FieldBase {
   readonly kind: 'object';
   readonly default: string | null;
-  /** What null is shown as; 'No object' when absent. */
+  /** Label of null; 'No object' when absent. */
   readonly noneLabel?: string;
 }
 
@@ -177,7 +177,7 @@ export interface ObjectField extends FieldBase {
 export interface FieldType {
   /** By which editors find a control for its fields. */
   readonly name: string;
-  /** What it allows, as the end of "must be …". */
+  /** Allowed values in words, as the end of "must be …". */
   readonly allows: string;
   /** Whether it allows a value. NaN and infinities are no values in any case. */
   check(value: FieldValue): boolean;

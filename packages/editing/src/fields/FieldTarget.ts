@@ -1,6 +1,6 @@
 import type { FieldValue } from './Field';
 
-/** What an editor reads of a field's declaration; the fields of @farol/engine have this shape. */
+/** A field's declaration as editors read it; the fields of @farol/engine have this shape. */
 export interface FieldDescription {
   /** 'number', 'angle' (radians), 'vector3', 'euler' (radians), 'colour' (linear), 'boolean', … */
   readonly kind: string;
@@ -16,7 +16,7 @@ export interface FieldDescription {
   readonly min?: number;
   /** Largest value allowed. */
   readonly max?: number;
-  /** What an arrow key adds. */
+  /** Step of an arrow key. */
   readonly step?: number;
   /** Whether only whole numbers are allowed. */
   readonly integer?: boolean;

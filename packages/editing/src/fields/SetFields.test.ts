@@ -3,7 +3,7 @@ import type { FieldValue } from './Field';
 import type { FieldTarget } from './FieldTarget';
 import { SetFields } from './SetFields';
 
-/** Has the field `size` as long as `kind` is 'box'. */
+/** A shape whose field `size` exists while `kind` is 'box'. */
 class Shape {
   readonly fields = { kind: {}, size: {} };
   readonly values = new Map<string, FieldValue>([

@@ -17,8 +17,8 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
 });
 
 /**
- * What undoes an edit: what holds the value as a whole where the field views a part of it. The holder may have a value that
- * the field does not allow, and shows as its default.
+ * The edit that undoes another one: of the field that holds the whole value, where the edited field views a part of it. The
+ * holder may have a value that the field does not allow and shows as its default.
  */
 const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
   authored({ owner, name: owner.fields[name]?.viewOf ?? name, value: null });
@@ -38,7 +38,7 @@ function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void
 export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
   /** Values before the first `do`; null until then. */
   private before: readonly FieldEdit<Owner>[] | null = null;
-  /** What `undo` sets, in the same order. */
+  /** Edits that `undo` makes, in the order of `edits`. */
   private undoes: readonly FieldEdit<Owner>[] = [];
 
   /** @param edits - each field of each owner at most once */

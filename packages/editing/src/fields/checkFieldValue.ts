@@ -31,7 +31,7 @@ function describeRange(field: { min?: number; max?: number; unit?: string }): st
   return field.unit ? ` (${field.unit})` : '';
 }
 
-/** What a field allows, as the end of "must be …". */
+/** Allowed values of a field in words, as the end of "must be …". */
 function allowedBy(field: Field): string {
   switch (field.kind) {
     case 'number':

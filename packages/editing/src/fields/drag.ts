@@ -4,7 +4,7 @@ import { roundToStep } from './roundToStep';
 /** A range of numbers as they are shown, and what they go by. */
 export type SteppedRange = NumberRange & { readonly step: number };
 
-/** Of a range with more steps a slider would be too coarse. */
+/** Most steps of a range that has a slider; with more, a slider would be too coarse. */
 const STEPS = 2048;
 
 /** Whether a slider stands for a range: it has two ends, and not too many steps between them. */
@@ -24,7 +24,7 @@ export function valueOnSlider(part: number, range: { min: number; max: number; s
   return Math.min(Math.max(roundToStep(Math.round(at / by) * by, by), min), max);
 }
 
-/** What a drag of a number's label, or an arrow key, makes of a number: it stays in the range, without digits of rounding. */
+/** A number after a drag of its label or an arrow key: within the range, rounded to the step. */
 export function addToNumber(before: number, amount: number, { min, max, step }: SteppedRange): number {
   const next = roundToStep(before + amount, Math.min(step, Math.abs(amount) || step));
   return Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity);

@@ -20,7 +20,7 @@ import type {
   Vector3Tuple,
 } from './Field';
 
-/** What is said of a field beside its value; a line of help should be among it. */
+/** Options of a field beside its default; `help` should be among them. */
 type Options<F> = Omit<F, 'kind' | 'default' | 'options' | 'assetType' | 'help'> & { readonly help?: string };
 type WithoutUnit<F> = Omit<F, 'unit'>;
 

@@ -55,7 +55,7 @@ export const gradientAt = (gradient: Gradient, time: number): { colour: Vector3T
   opacity: curveAt(opacityKeys(gradient), time),
 });
 
-/** The same gradient with colour and opacity in each key. */
+/** A gradient with both colour and opacity in each of its keys. */
 export function fullKeys(gradient: Gradient): (readonly [time: number, colour: Vector3Tuple, opacity: number])[] {
   const colours = colourKeys(gradient);
   const opacities = opacityKeys(gradient);

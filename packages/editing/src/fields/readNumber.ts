@@ -20,9 +20,9 @@ export interface NumberEdit {
   valueFor(before: number): number;
 }
 
-/** What a field allows, as it is shown. */
+/** Range and unit of a number as the editor shows it. */
 export interface NumberRange {
-  /** Of the numbers that are typed without one. */
+  /** Unit of numbers that are typed without one. */
   readonly unit?: string;
   readonly min?: number;
   readonly max?: number;

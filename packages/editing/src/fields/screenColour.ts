@@ -59,7 +59,7 @@ export function withIntensity(intensity: number): (before: Vector3Tuple) => Vect
   };
 }
 
-/** What several colours have in common: a part that differs is null. @param colours - at least one */
+/** Colour and intensity that several colours share; null where they differ. @param colours - at least one */
 export function sharedColour(colours: readonly Vector3Tuple[]): { hex: string | null; intensity: number | null } {
   const [first, ...others] = colours.map(splitColour);
   return {

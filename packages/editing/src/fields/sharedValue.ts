@@ -1,7 +1,7 @@
 import type { FieldValue, Vector3Tuple } from './Field';
 import { isTriple, sameValue } from './sameValue';
 
-/** What several owners have in common in one field. */
+/** Value of one field over several owners. */
 export interface SharedValue {
   /** Null where the values differ. */
   readonly value: FieldValue;

@@ -44,7 +44,7 @@ function apply(object: Object3D, { position, quaternion, scale }: Partial<Pose>)
 
 const rounded = (vector: Vector3): number[] => vector.toArray().map((each) => Number(each.toFixed(6)) + 0);
 const placeOf = (object: Object3D): number[] => rounded(object.getWorldPosition(new Vector3()));
-/** Where the object's x axis points in the world. */
+/** World direction of the object's x axis. */
 const axisOf = (object: Object3D): number[] =>
   rounded(new Vector3(1, 0, 0).applyQuaternion(object.getWorldQuaternion(new Quaternion())));
 

@@ -6,7 +6,7 @@ import type { TransformDrag, TransformMode } from './TransformDrag';
 const short = (value: number): string => String(Number(value.toFixed(3)) + 0);
 
 /**
- * What a drag has done, for the history: 'Moved Lantern 3 by 0, 1.2, 0 m', 'Rotated 3 objects by 45°'.
+ * Label of a drag in the history: 'Moved Lantern 3 by 0, 1.2, 0 m', 'Rotated 3 objects by 45°'.
  * @param objects - that are dragged; at least one
  */
 export function dragLabel(

@@ -1,4 +1,4 @@
-/** What shall be selected once a command is done, or undone: ids of GameObjects, or objects of three's. */
+/** Selection after a command is done, and after it is undone: ids of GameObjects, or objects of three's. */
 export interface CommandSelection<Item = string> {
   readonly done: readonly Item[];
   readonly undone: readonly Item[];
@@ -9,7 +9,7 @@ export interface CommandSelection<Item = string> {
  * was after the same call before. A call that throws has changed nothing.
  */
 export interface Command<Item = string> {
-  /** What the menus call it, as in 'Undo move'. */
+  /** Name in menus, as in 'Undo move'. */
   readonly label: string;
   /** True when nothing differs before and after; such a command is not kept. */
   readonly isEmpty?: boolean;
