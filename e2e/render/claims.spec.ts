@@ -6,7 +6,7 @@ import { expect, test } from '../support/benchTest';
  * Evaluates the claims of microshaders (`//? left == right`) on the GPU, a pixel each. Floats must agree to within 1e-5
  * of the greater of 1 and the right side, since drivers may round divisions and square roots; all else exactly.
  */
-const texts = ['gbuffer', 'gpu', 'lighting', 'output', 'lazy/area-lights', 'effects'].flatMap((subject) => {
+const texts = ['gbuffer', 'gpu', 'lighting', 'passes', 'techniques', 'effects'].flatMap((subject) => {
   const folder = new URL(`../../packages/renderer/src/${subject}/`, import.meta.url);
   return readdirSync(folder, { recursive: true, encoding: 'utf8' })
     .filter((path) => path.endsWith('.glsl'))

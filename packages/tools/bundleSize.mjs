@@ -4,8 +4,8 @@ import { gzipSync } from 'node:zlib';
 import { parseSync } from 'vite';
 
 /**
- * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What packages/renderer/src/lazy
- * fetches when a scene or setting first asks for it is not counted.
+ * Bytes that the core of @farol/renderer may take: minified, gzipped, three left out. What renderer/lazyCode.ts fetches
+ * when a scene or setting first asks for it is not counted.
  */
 export const rendererLimit = 46_000;
 

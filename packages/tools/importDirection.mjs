@@ -1,11 +1,12 @@
 import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
+import { importsOf } from './importsOf.mjs';
 
-const lazyFolder = 'packages/renderer/src/lazy';
-/** Folders that are entries of their own. */
+/** The effects of the renderer, entries of their own; the option `antialias` draws by one of them. */
+const effects = 'packages/renderer/src/effects';
+/** Folders of the renderer that are entries of their own, which its core does not know at all. */
 const aroundTheCore = [
   'packages/renderer/src/adapters',
-  'packages/renderer/src/effects',
   'packages/renderer/src/authoring',
   'packages/renderer/src/light-options',
   'packages/renderer/src/light-profiles',
@@ -47,8 +48,8 @@ const editorRules = editorFolders.map((folder, i) => ({
  * renderer; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
  * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
- * optional effects, or serve authors: its core knows none of them. Of lazy/ the core knows types, and frame/lazyCode.ts
- * alone fetches it. The engine's core and assets know no component, file or demo scene; their tests may.
+ * optional effects, or serve authors: its core knows none of them. That what is fetched late is not in the core is held by
+ * `coreViolations`. The engine's core and assets know no component, file or demo scene; their tests may.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
@@ -58,13 +59,7 @@ export const importRules = [
     may: ['packages/renderer/src/lights', 'three'],
     ofThree: /^((Ambient|Directional|Hemisphere|Point|RectArea|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
   },
-  {
-    // the option `antialias` draws by the effect SMAA
-    from: 'packages/renderer/src/lazy/antialiasing',
-    may: ['packages/renderer/src', 'three'],
-  },
-  { from: 'packages/renderer/src/lazy', may: ['packages/renderer', 'three'], not: aroundTheCore },
-  { from: 'packages/renderer/src/effects', may: ['packages/renderer', 'three'], types: [lazyFolder] },
+  { from: effects, may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/light-profiles', may: ['packages/renderer/src/light-profiles', 'three'] },
@@ -78,12 +73,12 @@ export const importRules = [
     may: ['packages/renderer', 'three', 'react', '@react-three/fiber', '@react-three/postprocessing'],
   },
   {
-    from: 'packages/renderer/src/frame/lazyCode.ts',
+    from: 'packages/renderer/src/renderer/lazyCode.ts',
     may: ['packages/renderer', 'three'],
     not: aroundTheCore,
-    fetches: [lazyFolder],
+    fetches: [effects],
   },
-  { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [lazyFolder] },
+  { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [effects] },
   {
     from: 'packages/engine/src/core',
     may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'],
@@ -159,10 +154,7 @@ export function importViolations(files, manifests) {
   return violations;
 }
 
-/**
- * How a module is imported: its values, its types alone, or at run time by `import()`.
- * @typedef {'value' | 'type' | 'fetched'} ImportKind
- */
+/** @typedef {import('./importsOf.mjs').ImportKind} ImportKind */
 
 /**
  * @param {string} path
@@ -251,30 +243,4 @@ function declared(name, path, manifests) {
   // an app is built, not published
   const isBuilt = path.startsWith('apps/') || takenIn.includes(name);
   return name in { ...own?.dependencies, ...own?.peerDependencies, ...(isBuilt ? own?.devDependencies : {}) };
-}
-
-/**
- * All static and dynamic imports and re-exports of a TypeScript file.
- *
- * @param {string} path @param {string} source @returns {{ specifier: string, kind: ImportKind }[]}
- */
-function importsOf(path, source) {
-  const { module } = parseSync(path, source);
-  const text = (/** @type {{ start: number, end: number }} */ { start, end }) => source.slice(start, end);
-  /** @returns {{ specifier: string, kind: ImportKind }} */
-  const found = (/** @type {string} */ specifier, /** @type {ImportKind} */ kind) => ({ specifier, kind });
-  return [
-    ...module.staticImports.map(({ moduleRequest, entries }) =>
-      found(moduleRequest.value, entries.length > 0 && entries.every(({ isType }) => isType) ? 'type' : 'value'),
-    ),
-    ...module.staticExports.flatMap(({ entries }) =>
-      entries.flatMap(({ moduleRequest, isType }) =>
-        moduleRequest ? [found(moduleRequest.value, isType ? 'type' : 'value')] : [],
-      ),
-    ),
-    ...module.dynamicImports.flatMap(({ moduleRequest }) => {
-      const specifier = /^['"](.*)['"]$/.exec(text(moduleRequest))?.[1];
-      return specifier === undefined ? [] : [found(specifier, 'fetched')];
-    }),
-  ];
 }

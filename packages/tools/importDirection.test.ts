@@ -49,13 +49,12 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/lights/X.ts', "import * as THREE from 'three';", /imports \* of three/],
     ['packages/engine/src/X.ts', "const lazy = () => import('react');", /may import/],
     ['packages/renderer/src/index.ts', "export * from './adapters/r3f/Farol';", /does not know what plugs it in/],
-    ['packages/renderer/src/gbuffer/X.ts', "import { W } from '../lazy/warm-up/W';", /types only/],
-    ['packages/renderer/src/gbuffer/X.ts', "import { type W, w } from '../lazy/warm-up/W';", /types only/],
-    ['packages/renderer/src/gbuffer/X.ts', "export { w } from '../lazy/warm-up/W';", /types only/],
-    ['packages/renderer/src/gbuffer/X.ts', "const w = () => import('../lazy/warm-up/W');", /types only/],
-    ['packages/renderer/src/effects/x/X.ts', "import '../../lazy/warm-up/W';", /types only/],
-    ['packages/renderer/src/frame/lazyCode.ts', "import { w } from '../lazy/warm-up';", /by import\(\) only/],
-    ['packages/renderer/src/lazy/views/X.ts', "import { e } from '../../effects/E';", /does not know what plugs it in/],
+    ['packages/renderer/src/gbuffer/X.ts', "import { E } from '../effects/x/E';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "import { type W, w } from '../effects/x/W';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "export { w } from '../effects/x/W';", /types only/],
+    ['packages/renderer/src/gbuffer/X.ts', "const w = () => import('../effects/x/W');", /types only/],
+    ['packages/renderer/src/renderer/lazyCode.ts', "import { w } from '../effects/x/W';", /by import\(\) only/],
+    ['packages/renderer/src/views/X.ts', "import { A } from '../authoring';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
     ['packages/engine/src/core/X.ts', "import { Light } from '../components/Light';", /does not know what plugs it in/],
     ['packages/engine/src/assets/X.ts', "import('../scenes/temple/temple')", /does not know what plugs it in/],
@@ -90,14 +89,14 @@ describe('the direction of imports', () => {
   });
 
   it.each([
-    ['packages/renderer/src/output/X.ts', "import text from './x.glsl?raw'; import 'three';"],
+    ['packages/renderer/src/passes/X.ts', "import text from './x.glsl?raw'; import 'three';"],
     ['packages/renderer/src/lights/X.ts', "import { type SpotLight, Vector3 } from 'three'; import './Y';"],
     ['packages/renderer/src/lights/X.test.ts', "import { Texture } from 'three';"],
     ['packages/engine/src/core/X.test.ts', "import { Light } from '../components/Light';"],
     ['packages/engine/src/X.test.ts', "import { it } from 'vitest'; import { Scene } from './Scene';"],
     [
       'packages/renderer/src/adapters/r3f/X.ts',
-      "import { useRef } from 'react'; import { F } from '../../FarolRenderer';",
+      "import { useRef } from 'react'; import { F } from '../../renderer/FarolRenderer';",
     ],
     ['apps/viewer/src/X.ts', "import { FarolPass } from '@farol/renderer/three-pass';"],
     [
@@ -109,13 +108,15 @@ describe('the direction of imports', () => {
     ['packages/engine/src/X.ts', "// import 'react'\nconst text = \"import 'react'\";"],
     ['apps/viewer/src/X.ts', "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"],
     ['e2e/pages/x.ts', "import { techniques } from '@farol/renderer';"],
-    ['packages/renderer/src/gbuffer/X.ts', "import type { W } from '../lazy/w'; export type { V } from '../lazy/w';"],
-    ['packages/renderer/src/gbuffer/X.ts', "import { type W, type V } from '../lazy/w';"],
     [
-      'packages/renderer/src/frame/lazyCode.ts',
-      "const w = () => import('../lazy/w'); import type { W } from '../lazy/w';",
+      'packages/renderer/src/gbuffer/X.ts',
+      "import type { W } from '../effects/w'; export type { V } from '../effects/w';",
     ],
-    ['packages/renderer/src/lazy/views/X.ts', "import { g } from '../../gbuffer/g'; import { w } from '../warm-up/w';"],
+    ['packages/renderer/src/gbuffer/X.ts', "import { type W, type V } from '../effects/w';"],
+    [
+      'packages/renderer/src/renderer/lazyCode.ts',
+      "const w = () => import('../effects/w'); import type { W } from '../effects/w';",
+    ],
   ])('allows %s: %s', (path, source) => {
     expect(importViolations(new Map([[path, source]]), manifests)).toEqual([]);
   });

@@ -19,6 +19,6 @@ it('goes by the first row that holds the file: rows stand behind those of their 
     expect(above?.[0], `row that hides ${folder}`).toBeUndefined();
     expect(existsSync(join(root, folder)), folder).toBe(true);
   }
-  expect(specsOf('packages/renderer/src/lazy/shadows/x.glsl')[0]).toBe('e2e/render/shadows.spec.ts');
+  expect(specsOf('packages/renderer/src/shadows/x.glsl')[0]).toBe('e2e/render/shadows.spec.ts');
   expect(specsOf('e2e/lab/charts.spec.ts')).toEqual(['e2e/lab/charts.spec.ts']);
 });

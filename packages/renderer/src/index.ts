@@ -1,9 +1,9 @@
-export { FarolRenderer, type FarolEvents } from './FarolRenderer';
-export type { FarolOptions } from './FarolOptions';
+export { FarolRenderer, type FarolEvents } from './renderer/FarolRenderer';
+export type { FarolOptions } from './renderer/FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
 export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';
-export type { FarolInfo, PassInfo } from './frame/FarolInfo';
-export type { LazyPart } from './frame/lazyCode';
+export type { FarolInfo, PassInfo } from './renderer/FarolInfo';
+export type { LazyPart } from './renderer/lazyCode';
 export { setShading } from './materials/setShading';
 export type { ShadingName } from './materials/shadingOf';

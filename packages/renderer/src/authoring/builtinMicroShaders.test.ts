@@ -3,11 +3,19 @@ import { findClaims } from './findClaims';
 import { MicroShaderRegistry } from '../microshaders/MicroShaderRegistry';
 import { builtinMicroShaders } from './builtinMicroShaders';
 
-const files = import.meta.glob<string>('../{gbuffer,gpu,lighting,output}/**/*.glsl', {
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+const files = import.meta.glob<string>(
+  [
+    '../{gbuffer,gpu,lighting}/**/*.glsl',
+    '../passes/output/*.glsl',
+    '../techniques/light-{lists,volumes}/*.glsl',
+    '!../lighting/area-lights/**',
+  ],
+  {
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  },
+);
 
 const folders = import.meta.glob<Record<string, string>>('../**/chunks.ts', { eager: true });
 

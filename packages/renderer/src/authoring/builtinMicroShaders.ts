@@ -1,5 +1,5 @@
-import { coreSources } from '../builtinMicroShaders';
-import * as lists from '../lighting/lists/chunks';
+import { coreSources } from '../renderer/builtinMicroShaders';
+import * as lists from '../techniques/light-lists/chunks';
 import type { MicroShader } from '../microshaders/MicroShader';
 import { parseMicroShader } from '../microshaders/parseMicroShader';
 

@@ -13,32 +13,32 @@ export { targetBytes } from '../gpu/targetBytes';
 export { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
 
 // what the built-in techniques are made of
-export type { Technique } from '../techniques/Technique';
+export type { Technique } from '../frame/Technique';
 export { forwardTail } from '../techniques/forwardTail';
-export { DepthPrepass } from '../forward/DepthPrepass';
-export { ForwardPass, type ForwardPassOptions } from '../forward/ForwardPass';
+export { DepthPrepass } from '../passes/forward/DepthPrepass';
+export { ForwardPass, type ForwardPassOptions } from '../passes/forward/ForwardPass';
 export { GBuffer } from '../gbuffer/GBuffer';
 export { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
-export { GBufferPass } from '../gbuffer/GBufferPass';
-export { fitsGBuffer, GBufferTarget } from '../gbuffer/GBufferTarget';
-export { gbufferUniforms, setGBufferUniforms, type GBufferUniforms } from '../gbuffer/gbufferUniforms';
-export { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
-export { LightGridPass } from '../lighting/lists/LightGridPass';
-export type { LightLists } from '../lighting/lists/LightLists';
-export { LightTilesPass } from '../lighting/lists/LightTilesPass';
-export { TiledOutputPass } from '../lighting/lists/TiledOutputPass';
+export { GBufferPass } from '../passes/gbuffer/GBufferPass';
+export { fitsGBuffer, GBufferTarget } from '../passes/gbuffer/GBufferTarget';
+export { gbufferUniforms, setGBufferUniforms, type GBufferUniforms } from '../passes/gbuffer/gbufferUniforms';
+export { LightVolumesPass } from '../techniques/light-volumes/LightVolumesPass';
+export { LightGridPass } from '../techniques/light-lists/LightGridPass';
+export type { LightLists } from '../frame/LightLists';
+export { LightTilesPass } from '../techniques/light-lists/LightTilesPass';
+export { TiledOutputPass } from '../techniques/light-lists/TiledOutputPass';
 export type { TileDepthUse } from '../lighting/lists/TileDepthUse';
-export type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
-export type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
-export type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
-export { DeferredOutputPass } from '../output/DeferredOutputPass';
-export { OutputPass } from '../output/OutputPass';
+export type { LightBuffer } from '../frame/LightBuffer';
+export type { ThinGBuffer } from '../frame/ThinGBuffer';
+export type { AccumulatedLight } from '../frame/AccumulatedLight';
+export { DeferredOutputPass } from '../passes/output/DeferredOutputPass';
+export { OutputPass } from '../passes/output/OutputPass';
 
 // twins: three's materials with other shaders
 export type { TwinKind, TwinRole, TwinShader } from '../materials/TwinKind';
 export { litTwin, type LitTwinOptions } from '../materials/litTwin';
-export { forwardTwins, type ForwardTwins } from '../forward/forwardTwin';
-export { gbufferTwin } from '../gbuffer/gbufferTwins';
+export { forwardTwins, type ForwardTwins } from '../materials/forwardTwin';
+export { gbufferTwin } from '../passes/gbuffer/gbufferTwins';
 
 // effects
 export type { FarolEffect } from '../frame/FarolEffect';

@@ -3,7 +3,7 @@ import type { Frame } from './Frame';
 import type { GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { Pass, Resource } from './Pass';
 import type { RenderItem } from './RenderItem';
-import type { Technique } from '../techniques/Technique';
+import type { Technique } from './Technique';
 import type { TwinKind } from '../materials/TwinKind';
 
 /**

@@ -1,9 +1,9 @@
 import type { Texture, WebGLRenderTarget } from 'three';
 import type { GBuffer } from '../gbuffer/GBuffer';
-import type { LightBuffer } from '../lazy/light-buffer/LightBuffer';
-import type { ThinGBuffer } from '../lazy/light-buffer/ThinGBuffer';
-import type { AccumulatedLight } from '../lazy/multipass/AccumulatedLight';
-import type { LightLists } from '../lighting/lists/LightLists';
+import type { LightBuffer } from './LightBuffer';
+import type { ThinGBuffer } from './ThinGBuffer';
+import type { AccumulatedLight } from './AccumulatedLight';
+import type { LightLists } from './LightLists';
 import type { RenderItem } from './RenderItem';
 
 /** What passes hand to one another within a frame, by name. */

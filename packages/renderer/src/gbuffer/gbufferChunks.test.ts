@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { capital } from '../capital';
+import { capital } from '../microshaders/capital';
 import { type GBufferAttachment, gbufferLayout } from './gbufferLayout';
 import { shadingModels, surfaceFlags } from './surfaceFlags';
 

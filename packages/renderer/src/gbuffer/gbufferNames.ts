@@ -1,5 +1,5 @@
 import type { IUniform, Texture } from 'three';
-import { capital } from '../capital';
+import { capital } from '../microshaders/capital';
 import { type GBufferAttachment, gbufferLayout } from './gbufferLayout';
 
 type AttachmentName = (typeof gbufferLayout)[number]['name'];

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { LightVolumeDraws } from '../lighting/volumes/LightVolumeDraws';
+import { LightVolumeDraws } from '../techniques/light-volumes/LightVolumeDraws';
 import { FullscreenMesh } from './FullscreenMesh';
 
 /** three's WebGLBindingStates has a table for each geometry, which only a geometry of a drawn scene takes away again. */

@@ -1,6 +1,6 @@
 import type { Light, Texture } from 'three';
-import { unknownName } from '../errors';
-import { areaCode, shadowCode } from '../frame/lazyCode';
+import { unknownName } from '../renderer/errors';
+import { areaCode, shadowCode } from '../renderer/lazyCode';
 import type { FarolLightData } from '../lights/FarolLightData';
 import type { LightOptions } from './LightOptions';
 import { type LightOptionName, lightRules } from './lightRules';

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { FLOATS_PER_RECORD, LIGHT } from '../lights/lightRecord';
 import type { LightMasks } from './LightRecords';
 import { LightTable } from './LightTable';
-import { rankByDepth } from './lists/rankByDepth';
-import { rankByGrid } from './lists/rankByGrid';
+import { rankByDepth } from '../techniques/light-lists/rankByDepth';
+import { rankByGrid } from '../techniques/light-lists/rankByGrid';
 
 const camera = new PerspectiveCamera(60, 1, 0.1, 100);
 camera.updateMatrixWorld();

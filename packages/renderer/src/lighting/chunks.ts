@@ -1,6 +1,6 @@
 // The microshaders of this folder, by name.
 export { default as ambientLight } from './ambientLight.glsl?raw';
-export { default as areaLight } from './areaLight.glsl?raw';
+export { default as areaLight } from './area-lights/areaLight.glsl?raw';
 export { default as globalLightsFragment } from './globalLightsFragment.glsl?raw';
 export { default as incidentLight } from './incidentLight.glsl?raw';
 export { default as lightAttenuation } from './lightAttenuation.glsl?raw';

@@ -1,8 +1,8 @@
 import { PerspectiveCamera, PointLight, SpotLight, type Light } from 'three';
 import { bench, describe } from 'vitest';
 import { LightTable } from './LightTable';
-import { rankByDepth } from './lists/rankByDepth';
-import { rankByGrid } from './lists/rankByGrid';
+import { rankByDepth } from '../techniques/light-lists/rankByDepth';
+import { rankByGrid } from '../techniques/light-lists/rankByGrid';
 import { createRandom } from '../lights/testScenes';
 
 /**

@@ -1,4 +1,4 @@
-import { capital } from '../capital';
+import { capital } from '../microshaders/capital';
 import { TEXELS_PER_RECORD } from '../lights/lightRecord';
 import type { RecordLayout } from '../lights/recordLayout';
 

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { builtinMicroShaders } from '../authoring/builtinMicroShaders';
-import { gbufferUniforms } from '../gbuffer/gbufferUniforms';
+import { gbufferUniforms } from '../passes/gbuffer/gbufferUniforms';
 import { unprojectUniforms } from '../gpu/unprojectUniforms';
-import { microShaders as areas } from '../lazy/area-lights';
-import { microShaders as multipass } from '../lazy/multipass';
-import { microShaders as shadows } from '../lazy/shadows';
+import { microShaders as areas } from './area-lights';
+import { microShaders as multipass } from '../techniques/multipass';
+import { microShaders as shadows } from '../shadows';
 import { lightUniforms } from './lightUniforms';
 import { gridUniforms } from './lists/gridUniforms';
 import { tileUniforms } from './lists/tileUniforms';

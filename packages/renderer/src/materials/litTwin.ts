@@ -1,5 +1,5 @@
 import { Material } from 'three';
-import { lightLoops, type LightLoop } from '../lighting/loops/LightLoop';
+import { lightLoops, type LightLoop } from './LightLoop';
 import { beforeLastBrace } from '../three/beforeLastBrace';
 import { withLayers } from './layersAttribute';
 import { lightsFragmentBegin } from '../three/lightsFragmentBegin';

@@ -1,5 +1,5 @@
-import { gridCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { gridCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */
 export const auto: Technique = {

@@ -1,5 +1,5 @@
-import { gridCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { gridCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Clustered deferred shading: lights by tile and depth over a G-buffer, transparent things by the same lists.

@@ -1,5 +1,5 @@
-import { gridCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { gridCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Clustered forward shading: lights by tile and depth, walked by three's own materials; transparent things and

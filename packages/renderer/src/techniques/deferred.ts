@@ -1,8 +1,8 @@
-import { DeferredOutputPass } from '../output/DeferredOutputPass';
-import { GBufferPass } from '../gbuffer/GBufferPass';
-import { LightVolumesPass } from '../lighting/volumes/LightVolumesPass';
+import { DeferredOutputPass } from '../passes/output/DeferredOutputPass';
+import { GBufferPass } from '../passes/gbuffer/GBufferPass';
+import { LightVolumesPass } from './light-volumes/LightVolumesPass';
 import { forwardTail } from './forwardTail';
-import type { Technique } from './Technique';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Deferred shading: the surfaces into a G-buffer once, then each light over the pixels of its volume.

@@ -1,5 +1,5 @@
-import { multipassCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { multipassCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Multipass forward rendering: ambient and emissive once, then one additive pass a light over what it reaches.

@@ -1,5 +1,5 @@
-import { tileCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { tileCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Forward+: a depth pre-pass, light lists of tiles within the depths in them and the slices that hold anything (2.5D

@@ -1,5 +1,5 @@
 import { forwardTail } from './forwardTail';
-import type { Technique } from './Technique';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Forward rendering with all lights looped in one shader, without culling.

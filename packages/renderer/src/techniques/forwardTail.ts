@@ -1,6 +1,6 @@
-import { ForwardPass } from '../forward/ForwardPass';
+import { ForwardPass } from '../passes/forward/ForwardPass';
 import type { Pass, Resource } from '../frame/Pass';
-import type { LightLoop } from '../lighting/loops/LightLoop';
+import type { LightLoop } from '../materials/LightLoop';
 
 /**
  * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to

@@ -9,7 +9,7 @@ import { inferred } from './inferred';
 import { lightPrepass } from './lightPrepass';
 import { tiledDeferred } from './tiledDeferred';
 import { tiledForward } from './tiledForward';
-import type { Technique } from './Technique';
+import type { Technique } from '../frame/Technique';
 
 /** All techniques by key. A new one is a file and a line here. */
 export const techniques = {

@@ -1,5 +1,5 @@
-import { lightBufferCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { lightBufferCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Inferred lighting: light pre-pass with both buffers at a fraction of the resolution (`FarolRenderer.inferredScale`, a half by

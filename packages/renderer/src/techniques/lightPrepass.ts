@@ -1,5 +1,5 @@
-import { lightBufferCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { lightBufferCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Light pre-pass (deferred lighting): normals and specular lobes into a thin G-buffer, the lights into a light buffer with

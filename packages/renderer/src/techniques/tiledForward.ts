@@ -1,5 +1,5 @@
-import { tileCode } from '../frame/lazyCode';
-import type { Technique } from './Technique';
+import { tileCode } from '../renderer/lazyCode';
+import type { Technique } from '../frame/Technique';
 
 /**
  * Tiled forward shading: a list of lights for each tile of 16 × 16 pixels, whatever its depth, walked by three's own

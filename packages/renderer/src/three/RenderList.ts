@@ -1,4 +1,4 @@
-import type { BufferGeometry, Camera, Material, Object3D } from 'three';
+import type { BufferGeometry, Camera, Material, Object3D, WebGLRenderer } from 'three';
 import type { GeometryGroup } from '../frame/RenderItem';
 import type { RenderItemSort } from '../frame/RenderQueue';
 
@@ -26,4 +26,9 @@ export interface RenderList {
 export interface RenderLists {
   /** @param depth - of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
   get(scene: Object3D, depth: number): RenderList;
+}
+
+/** The lists of a renderer; others once a lost context is restored. */
+export function renderListsOf(webgl: WebGLRenderer): RenderLists {
+  return webgl.renderLists as unknown as RenderLists;
 }

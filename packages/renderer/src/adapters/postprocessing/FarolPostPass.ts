@@ -1,6 +1,6 @@
 import { RenderPass } from 'postprocessing';
 import type { Camera, Material, Scene, WebGLRenderer, WebGLRenderTarget } from 'three';
-import type { FarolRenderer } from '../../FarolRenderer';
+import type { FarolRenderer } from '../../renderer/FarolRenderer';
 
 /**
  * Draws a scene by Farol in the EffectComposer of pmndrs' postprocessing: put it where `RenderPass` stood. Everything of

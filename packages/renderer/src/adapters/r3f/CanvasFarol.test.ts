@@ -1,8 +1,8 @@
 import { Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import { beforeEach, expect, it, test } from 'vitest';
 import type { FarolEffect } from '../../frame/FarolEffect';
-import { defaultOptions, type FarolOptions } from '../../FarolOptions';
-import type { FarolRenderer } from '../../FarolRenderer';
+import { defaultOptions, type FarolOptions } from '../../renderer/FarolOptions';
+import type { FarolRenderer } from '../../renderer/FarolRenderer';
 import { CanvasFarol, type FarolSettings } from './CanvasFarol';
 
 type Drawn = Required<FarolOptions>;

@@ -1,7 +1,7 @@
 import type { Camera, Material, Mesh, Object3D, WebGLRenderer } from 'three';
-import { drawOnePixel } from '../../lazy/warm-up/compileByDrawing';
-import { type FarolOptions, setOptions } from '../../FarolOptions';
-import { FarolRenderer } from '../../FarolRenderer';
+import { drawOnePixel } from '../../renderer/warm-up/compileByDrawing';
+import { type FarolOptions, setOptions } from '../../renderer/FarolOptions';
+import { FarolRenderer } from '../../renderer/FarolRenderer';
 import { type Interception, interceptRender } from '../intercept';
 import { isWorthFarol } from './isWorthFarol';
 

@@ -1,6 +1,6 @@
 import type { ArrayCamera, Camera, Mesh, Object3D, OrthographicCamera, PerspectiveCamera, Scene } from 'three';
 import { isLit } from '../../materials/isLit';
-import type { FarolView } from '../../three/SceneView';
+import type { FarolView } from '../../renderer/SceneView';
 
 /** Objects that are looked at; a scene with more is taken to be lit. */
 const LOOKS = 64;

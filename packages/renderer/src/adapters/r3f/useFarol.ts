@@ -1,6 +1,6 @@
 import { useThree } from '@react-three/fiber';
 import { useSyncExternalStore } from 'react';
-import type { FarolRenderer } from '../../FarolRenderer';
+import type { FarolRenderer } from '../../renderer/FarolRenderer';
 import { CanvasFarol } from './CanvasFarol';
 
 /**

@@ -1,8 +1,8 @@
 import { useThree } from '@react-three/fiber';
 import { type Ref, useEffect, useImperativeHandle, useLayoutEffect, useRef, useState } from 'react';
 import type { Object3D } from 'three';
-import { defaultOptions, type FarolOptions } from '../../FarolOptions';
-import type { FarolRenderer } from '../../FarolRenderer';
+import { defaultOptions, type FarolOptions } from '../../renderer/FarolOptions';
+import type { FarolRenderer } from '../../renderer/FarolRenderer';
 import { CanvasFarol, type FarolSettings } from './CanvasFarol';
 import { useFarol } from './useFarol';
 

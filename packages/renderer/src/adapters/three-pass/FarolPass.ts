@@ -1,6 +1,6 @@
 import { type Camera, Color, type Material, type Scene, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js';
-import type { FarolRenderer } from '../../FarolRenderer';
+import type { FarolRenderer } from '../../renderer/FarolRenderer';
 
 /**
  * Draws a scene by Farol in three's EffectComposer, or in `WebGLRenderer.setEffects`: put it where `RenderPass` stood. The

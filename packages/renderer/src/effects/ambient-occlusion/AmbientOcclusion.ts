@@ -12,7 +12,7 @@ import {
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import { hasDepthTwin } from '../../forward/depthTwin';
+import { hasDepthTwin } from '../../materials/depthTwin';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
 import type { TwinKind } from '../../materials/TwinKind';

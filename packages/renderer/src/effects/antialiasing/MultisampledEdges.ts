@@ -2,8 +2,8 @@ import { HalfFloatType, LessEqualDepth, LinearFilter, NearestFilter, type Textur
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import { forwardTwins } from '../../forward/forwardTwin';
-import { plainWhole } from '../../forward/plainTwins';
+import { forwardTwins } from '../../materials/forwardTwin';
+import { plainWhole } from '../../materials/plainTwins';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { targetBytes } from '../../gpu/targetBytes';
 import type { RenderItem } from '../../frame/RenderItem';

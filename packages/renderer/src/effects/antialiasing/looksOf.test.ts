@@ -1,6 +1,6 @@
 import { Color, Mesh, MeshStandardMaterial, type Object3D, Scene, ShaderMaterial, Texture } from 'three';
 import { expect, it } from 'vitest';
-import { LightField } from '../../light-field/LightField';
+import { LightField } from '../../light-fields/LightField';
 import { RenderQueue } from '../../frame/RenderQueue';
 import { looksOf, surroundingsOf } from './looksOf';
 

@@ -1,5 +1,5 @@
 import { type Color, Material, type MeshStandardMaterial, type Object3D, type Scene, type Texture } from 'three';
-import type { LightField } from '../../light-field/LightField';
+import type { LightField } from '../../light-fields/LightField';
 import { surfacesOf } from '../../materials/surfacesOf';
 import type { ReactiveMaterial } from '../../frame/ReactiveMask';
 import type { LightTable } from '../../lighting/LightTable';

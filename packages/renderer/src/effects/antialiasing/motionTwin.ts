@@ -1,6 +1,6 @@
 import { NoBlending, type IUniform } from 'three';
 import { beforeLastBrace } from '../../three/beforeLastBrace';
-import { hasDepthTwin } from '../../forward/depthTwin';
+import { hasDepthTwin } from '../../materials/depthTwin';
 import { afterChunkOrAtEnd } from '../../three/replaceChunk';
 import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import type { RenderItem } from '../../frame/RenderItem';

@@ -23,7 +23,7 @@ import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
 import type { GBuffer } from '../../gbuffer/GBuffer';
-import { storedKind } from '../../gbuffer/gbufferUniforms';
+import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import { PassMaterial } from '../../gpu/PassMaterial';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';

@@ -12,8 +12,8 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import { LightField } from '../../light-field/LightField';
-import type { LightTextures } from '../../light-field/LightTextures';
+import { LightField } from '../../light-fields/LightField';
+import type { LightTextures } from '../../light-fields/LightTextures';
 import { checkParticleName, checkParticleSetting, settingNames } from './checkParticleSetting';
 import { instancesOf } from './instancesOf';
 import { particleDefaults } from './particleDefaults';

@@ -13,7 +13,7 @@ import {
 import type { Frame } from '../../frame/Frame';
 import type { ReactiveMask } from '../../frame/ReactiveMask';
 import type { RenderItem } from '../../frame/RenderItem';
-import type { LightTextures } from '../../light-field/LightTextures';
+import type { LightTextures } from '../../light-fields/LightTextures';
 import { targetBytes } from '../../gpu/targetBytes';
 import { setUnprojectUniforms } from '../../gpu/unprojectUniforms';
 import type { OutputMaterial } from '../../gpu/PassMaterial';

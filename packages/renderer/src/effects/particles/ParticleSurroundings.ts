@@ -10,7 +10,7 @@ import {
   type Texture,
   WebGLRenderTarget,
 } from 'three';
-import { forwardTwins } from '../../forward/forwardTwin';
+import { forwardTwins } from '../../materials/forwardTwin';
 import type { Frame } from '../../frame/Frame';
 import type { RenderItem } from '../../frame/RenderItem';
 import { targetBytes } from '../../gpu/targetBytes';

@@ -1,7 +1,7 @@
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
-import type { LightLoop } from '../../lighting/loops/LightLoop';
+import type { LightLoop } from '../../materials/LightLoop';
 import type { EmitterObject, ParticleEmitter } from './ParticleEmitter';
 import { particleSortPasses } from './ParticleOrder';
 import { ParticleLightingPass, particleLightsPass, particleStepPass } from './particlePasses';

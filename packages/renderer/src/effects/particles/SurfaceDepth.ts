@@ -1,5 +1,5 @@
 import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
-import { depthTwin, hasDepthTwin } from '../../forward/depthTwin';
+import { depthTwin, hasDepthTwin } from '../../materials/depthTwin';
 import type { Frame } from '../../frame/Frame';
 import { PassTarget } from '../../gpu/PassTarget';
 import { targetBytes } from '../../gpu/targetBytes';

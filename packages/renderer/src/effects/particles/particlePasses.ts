@@ -1,7 +1,7 @@
 import { Matrix4, NoBlending, type Texture, Vector2, Vector3, Vector4 } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import type { LightLoop } from '../../lighting/loops/LightLoop';
+import type { LightLoop } from '../../materials/LightLoop';
 import { MOST_COLLIDERS } from './checkParticleSetting';
 import particleCurves from './particleCurves.glsl?raw';
 import particleLighting from './particleLighting.glsl?raw';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { lightLoops } from './LightLoop';
+import { lightLoops } from '../../materials/LightLoop';
 import page from './README.md?raw';
 
 const files = import.meta.glob<string>(
@@ -17,7 +17,7 @@ interface Sharing {
   readonly used: string[];
 }
 
-/** Macros that a file of lighting or the G-buffer shares with another: names of the files, in alphabetical order. */
+/** Macros that a file of lighting, light lists and volumes or the G-buffer shares with another: names of the files, in alphabetical order. */
 function sharedMacros(texts: Record<string, string>): Record<string, Sharing> {
   const macros = new Map<string, { defined: Set<string>; used: Set<string> }>();
   const of = (name: string) => {
@@ -33,7 +33,13 @@ function sharedMacros(texts: Record<string, string>): Record<string, Sharing> {
   }
   const shared = [...macros].filter(([, { defined, used }]) => {
     const all = new Set([...defined, ...used]);
-    return defined.size > 0 && all.size > 1 && [...all].some((path) => /^\/(lighting|gbuffer)\//.test(path));
+    return (
+      defined.size > 0 &&
+      all.size > 1 &&
+      [...all].some((path) =>
+        /^\/(lighting\/(?!area-lights\/(?!areaLight\.glsl))|gbuffer\/|techniques\/light-(lists|volumes)\/)/.test(path),
+      )
+    );
   });
   const names = (paths: Set<string>) => [...paths].map((path) => path.slice(path.lastIndexOf('/') + 1)).toSorted();
   return Object.fromEntries(
@@ -79,10 +85,10 @@ describe('the page about light loops', () => {
   it('is held by what the sources share', () => {
     const shared = {
       '/lighting/a.glsl': '#define FAROL_A 1\n#define FAROL_OWN 1 // FAROL_B\nfloat a = FAROL_OWN;',
-      '/lazy/b.ts': 'const define = { FAROL_D: "" }; // FAROL_A\n`FAROL_A`',
+      '/shadows/b.ts': 'const define = { FAROL_D: "" }; // FAROL_A\n`FAROL_A`',
       '/lighting/c.glsl': '#ifdef FAROL_D\n#endif',
-      '/lazy/d.glsl': '#define FAROL_E',
-      '/lazy/e.glsl': 'FAROL_E',
+      '/shadows/d.glsl': '#define FAROL_E',
+      '/shadows/e.glsl': 'FAROL_E',
     };
     expect(sharedMacros(shared)).toEqual({
       FAROL_A: { defined: ['a.glsl'], used: ['b.ts'] },

@@ -1,0 +1,32 @@
+import type { Texture } from 'three';
+import type { ForwardTwins } from '../materials/forwardTwin';
+import type { View } from './views';
+import type { LightLists } from './LightLists';
+import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+import type { LightLoop } from '../materials/LightLoop';
+
+/**
+ * What passes ask of the lights of fields, whose code is fetched on demand: light-fields/LightFields.ts. Frames are those
+ * that the passes are given: a warm-up has one of its own.
+ */
+export interface FieldDraws<F> {
+  /** The light table that shaders read, once `render` has drawn it. */
+  readonly texture: Texture;
+  /** Lights of fields. */
+  readonly count: number;
+  /** Lights of fields over a pixel, whatever their depth, on average: a guess. */
+  readonly coverage: number;
+  readonly bytes: number;
+  /** Whether `render` has drawn in this frame. */
+  readonly isDrawn: boolean;
+  /** Draws the light table, inside three's `render`, before anything that is lit; what was bound is bound again. */
+  render(): void;
+  /** Makes lists of all lights that reach each tile. */
+  makeTiles(frame: F, use: TileDepthUse): void;
+  /** Makes lists of the lights of fields alone that reach each tile, whatever their depth. */
+  makeFieldTiles(frame: F): void;
+  /** Makes lists of all lights that reach each cluster. */
+  makeClusters(frame: F): LightLists;
+  /** What items are drawn with in place of the twins of a loop; undefined where these will do. */
+  twinsFor(loop: LightLoop): ((view: View) => ForwardTwins) | undefined;
+}

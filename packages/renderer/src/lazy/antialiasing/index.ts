@@ -1,1 +1,0 @@
-export { SmoothEdges } from './SmoothEdges';

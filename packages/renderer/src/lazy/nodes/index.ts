@@ -1,1 +1,0 @@
-export { NodeDraws } from '../../three/NodeDraws';

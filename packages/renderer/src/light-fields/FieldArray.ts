@@ -1,0 +1,75 @@
+import { DataTexture, FloatType, NearestFilter, RGBAFormat, type WebGLRenderer } from 'three';
+import type { LightArray } from './LightArray';
+import { textureHandle } from '../three/handles';
+import { bindTexture, unbindTexture } from '../three/state';
+import { unpackAsIs } from '../three/unpackAsIs';
+
+/** Lights a row. */
+const WIDTH = 128;
+/** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
+const TURNS = 3;
+
+/** One of the textures, and the version of the array that it has. */
+interface Turn {
+  readonly texture: DataTexture;
+  seen: number;
+}
+
+/** A LightArray on the GPU of one renderer: sends the rows that changed, and nothing where nothing did. */
+export class FieldArray {
+  /** Bytes sent by the last `upload`. */
+  uploadedBytes = 0;
+  private readonly turns: Turn[];
+  private current = 0;
+  private webgl!: WebGLRenderer;
+
+  constructor(private readonly source: LightArray) {
+    const { array } = source;
+    const rows = Math.max(1, array.length / (WIDTH * 4));
+    const data = array.length > 0 ? array : new Float32Array(WIDTH * 4);
+    this.turns = Array.from({ length: TURNS }, () => {
+      const texture = new DataTexture(data, WIDTH, rows, RGBAFormat, FloatType);
+      texture.magFilter = texture.minFilter = NearestFilter;
+      texture.needsUpdate = true;
+      return { texture, seen: 0 };
+    });
+  }
+
+  /** The texture with the content of the last `upload`. */
+  get texture(): DataTexture {
+    return this.turns[this.current].texture;
+  }
+
+  get bytes(): number {
+    return this.texture.image.data!.byteLength * TURNS;
+  }
+
+  /** Sends the first rows, where they changed. @param rows - of 128 lights */
+  upload(webgl: WebGLRenderer, rows: number): void {
+    this.webgl = webgl;
+    this.uploadedBytes = 0;
+    if (this.source.hasChanged(this.turns[this.current].seen, rows)) this.current = (this.current + 1) % TURNS;
+    const turn = this.turns[this.current];
+    if (textureHandle(webgl, turn.texture) === undefined) {
+      webgl.initTexture(turn.texture);
+      turn.seen = this.source.whole();
+      this.uploadedBytes = this.bytes / TURNS;
+    } else if (this.source.hasChanged(turn.seen, rows)) {
+      bindTexture(webgl, WebGL2RenderingContext.TEXTURE_2D, textureHandle(webgl, turn.texture)!);
+      unpackAsIs(webgl, webgl.getContext() as WebGL2RenderingContext);
+      turn.seen = this.source.changes(turn.seen, rows, this.send);
+      unbindTexture(webgl);
+    }
+  }
+
+  dispose(): void {
+    for (const { texture } of this.turns) texture.dispose();
+  }
+
+  private readonly send = (first: number, rows: number): void => {
+    const gl = this.webgl.getContext() as WebGL2RenderingContext;
+    const start = first * WIDTH * 4;
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, first, WIDTH, rows, gl.RGBA, gl.FLOAT, this.source.array, start);
+    this.uploadedBytes += rows * WIDTH * 16;
+  };
+}

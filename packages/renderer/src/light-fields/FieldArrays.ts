@@ -1,0 +1,86 @@
+import type { Texture, WebGLRenderer } from 'three';
+import type { LightField } from './LightField';
+import { FieldArray } from './FieldArray';
+import type { FieldSources } from './FieldLights';
+
+interface Arrays {
+  readonly spheres: FieldArray;
+  readonly emissions: FieldArray;
+  readonly cones: FieldArray | null;
+  /** Set anew for each frame. */
+  readonly sources: FieldSources;
+}
+
+/** The arrays of fields as textures of one renderer, until the field is disposed. */
+export class FieldArrays {
+  private readonly known = new Map<LightField, Arrays>();
+  private held = 0;
+  private readonly given: FieldSources = { sphere: null, emission: null, cone: null, width: 1 };
+
+  get bytes(): number {
+    return this.held;
+  }
+
+  /** Sends what changed of a field. @param rows - of 128 lights @returns bytes sent */
+  upload(webgl: WebGLRenderer, field: LightField, rows: number): number {
+    if (field.textures !== null) return 0;
+    const { spheres, emissions, cones } = this.known.get(field) ?? this.make(field);
+    spheres.upload(webgl, rows);
+    emissions.upload(webgl, rows);
+    cones?.upload(webgl, rows);
+    return spheres.uploadedBytes + emissions.uploadedBytes + (cones?.uploadedBytes ?? 0);
+  }
+
+  /** Where the lights of a field lie, once it is uploaded. */
+  sourcesOf(field: LightField): FieldSources {
+    const { textures } = field;
+    if (textures !== null) {
+      this.given.sphere = textures.sphere;
+      this.given.emission = textures.emission;
+      this.given.cone = textures.cone ?? null;
+      this.given.width = widthOf(textures.sphere);
+      return this.given;
+    }
+    const { spheres, emissions, cones, sources } = this.known.get(field)!;
+    sources.sphere = spheres.texture;
+    sources.emission = emissions.texture;
+    sources.cone = cones?.texture ?? null;
+    return sources;
+  }
+
+  dispose(): void {
+    for (const field of this.known.keys()) this.free(field);
+  }
+
+  private make(field: LightField): Arrays {
+    const { spheres, emissions, cones } = field;
+    const arrays = {
+      spheres: new FieldArray(spheres),
+      emissions: new FieldArray(emissions),
+      cones: cones === null ? null : new FieldArray(cones),
+      sources: { sphere: null, emission: null, cone: null, width: 128 },
+    };
+    this.known.set(field, arrays);
+    this.held += bytesOf(arrays);
+    field.addEventListener('dispose' as never, this.forget);
+    return arrays;
+  }
+
+  private readonly forget = (event: unknown): void => this.free((event as { target: LightField }).target);
+
+  private free(field: LightField): void {
+    const arrays = this.known.get(field)!;
+    for (const array of [arrays.spheres, arrays.emissions, arrays.cones]) array?.dispose();
+    this.held -= bytesOf(arrays);
+    this.known.delete(field);
+    field.removeEventListener('dispose' as never, this.forget);
+  }
+}
+
+function bytesOf({ spheres, emissions, cones }: Arrays): number {
+  return spheres.bytes + emissions.bytes + (cones?.bytes ?? 0);
+}
+
+function widthOf({ image }: Texture): number {
+  return Math.max(1, (image as { width: number }).width);
+}

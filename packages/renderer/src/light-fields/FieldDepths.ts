@@ -1,0 +1,91 @@
+import type { Camera, Matrix4 } from 'three';
+import type { LightField } from './LightField';
+import { fieldCount } from '../lights/LightFieldData';
+import { sphereCoverage } from '../lights/sphereCoverage';
+
+/** Lights of a field that are looked at, and the frames for which that holds. */
+const SAMPLES = 64;
+const LASTS = 8;
+/** Range of depths as logarithms to begin with: 1 to 64 m. */
+const LEAST = 0;
+const EXTENT = 6;
+/** Share of the picture that a light is taken to lie over where its textures are the GPU's alone. */
+const COVERAGE = 0.002;
+
+interface Told {
+  age: number;
+  coverage: number;
+  near: number;
+  far: number;
+}
+
+/**
+ * What is known of a frame's fields without looking at each light: the range of their depths, by a few of them, and the share
+ * of the picture that they lie over. Both are guesses: nothing but speed depends on them.
+ */
+export class FieldDepths {
+  /** Least depth (m), or its logarithm to base 2. */
+  least = LEAST;
+  extent = EXTENT;
+  isLogarithmic = true;
+  /** Sum of the shares of the picture that lights cover. */
+  coverage = 0;
+  private readonly known = new WeakMap<LightField, Told>();
+  private near = Infinity;
+  private far = -Infinity;
+
+  begin(camera: Camera): void {
+    this.coverage = 0;
+    this.near = Infinity;
+    this.far = -Infinity;
+    this.isLogarithmic = camera.projectionMatrix.elements[11] !== 0;
+  }
+
+  add(field: LightField, camera: Camera): void {
+    let told = this.known.get(field);
+    if (told === undefined) this.known.set(field, (told = { age: 0, coverage: 0, near: Infinity, far: -Infinity }));
+    if (told.age++ % LASTS === 0) this.look(field, camera, told);
+    this.coverage += told.coverage;
+    this.near = Math.min(this.near, told.near);
+    this.far = Math.max(this.far, told.far);
+  }
+
+  end(): void {
+    this.least = this.near < this.far ? this.near : this.isLogarithmic ? LEAST : 0;
+    this.extent = this.near < this.far ? this.far - this.near : this.isLogarithmic ? EXTENT : 100;
+  }
+
+  private look(field: LightField, { projectionMatrix, matrixWorldInverse }: Camera, told: Told): void {
+    const count = fieldCount(field);
+    told.near = Infinity;
+    told.far = -Infinity;
+    told.coverage = 0;
+    if (count === 0) return;
+    if (field.textures !== null) {
+      told.coverage = count * COVERAGE;
+      return;
+    }
+    const { array } = field.spheres;
+    const step = Math.max(1, Math.floor(count / SAMPLES));
+    let seen = 0;
+    for (let i = 0; i < count; i += step) {
+      seen++;
+      const at = i * 4;
+      const range = array[at + 3];
+      const depth = -viewZ(matrixWorldInverse, field.matrixWorld, array[at], array[at + 1], array[at + 2]);
+      if (!Number.isFinite(depth + range) || (this.isLogarithmic && depth + range <= 0)) continue;
+      told.coverage += sphereCoverage(depth, Math.max(0, range), projectionMatrix.elements);
+      const place = this.isLogarithmic ? Math.log2(Math.max(depth, 1e-3)) : depth;
+      if (place < told.near) told.near = place;
+      if (place > told.far) told.far = place;
+    }
+    told.coverage *= count / seen;
+  }
+}
+
+function viewZ({ elements: v }: Matrix4, { elements: m }: Matrix4, x: number, y: number, z: number): number {
+  const wx = m[0] * x + m[4] * y + m[8] * z + m[12];
+  const wy = m[1] * x + m[5] * y + m[9] * z + m[13];
+  const wz = m[2] * x + m[6] * y + m[10] * z + m[14];
+  return v[2] * wx + v[6] * wy + v[10] * wz + v[14];
+}

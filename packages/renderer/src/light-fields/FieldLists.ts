@@ -1,0 +1,175 @@
+import {
+  FloatType,
+  NearestFilter,
+  NoBlending,
+  RedIntegerFormat,
+  type Texture,
+  UnsignedIntType,
+  Vector2,
+  WebGLRenderTarget,
+} from 'three';
+import type { Frame } from '../frame/Frame';
+import { FullscreenPass } from '../gpu/FullscreenPass';
+import { setUnprojectUniforms, unprojectUniforms } from '../gpu/unprojectUniforms';
+import { wordTarget } from '../gpu/wordTarget';
+import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+import { fitGrids, setTiles } from '../lighting/lists/listGrids';
+import { TILE_SHIFT } from '../lighting/lists/tileUniforms';
+import { fit } from './FieldOrder';
+import { type FieldSlices, SLICES } from './FieldSlices';
+
+const LIGHTS_PER_QUAD = 128;
+/** Pixels along the side of a block in which depths are looked at first. */
+const BLOCK = 4;
+const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun'];
+const DEFINES = {
+  none: {},
+  bounds: { FAROL_DEPTH: '' },
+  slices: { FAROL_DEPTH: '', FAROL_SLICES: '' },
+} as const satisfies Record<TileDepthUse, object>;
+
+interface Step {
+  readonly pass: FullscreenPass;
+  readonly target: WebGLRenderTarget;
+}
+
+/**
+ * Light lists of the screen's tiles as LightTilesPass has them, where most lights are those of fields, sorted by cells: each
+ * 32 lights have a box, by which blocks of 4 × 4 tiles leave most lights out unread, with depths those of the block too.
+ */
+export class FieldLists {
+  private readonly own = {
+    ...unprojectUniforms(),
+    farol_fieldSlices: {} as FieldSlices['farol_fieldSlices'],
+    farol_size: { value: new Vector2() },
+    farol_beyond: { value: 1e38 },
+    farol_coarseMask: { value: null as Texture | null },
+    farol_tileDepth: { value: null as Texture | null },
+    farol_fieldTileDepth: { value: null as Texture | null },
+    farol_sceneDepth: { value: null as Texture | null },
+    farol_blocks: { value: null as Texture | null },
+    farol_tileMask: { value: null as Texture | null },
+    farol_boxLows: { value: null as Texture | null },
+    farol_boxHighs: { value: null as Texture | null },
+  };
+  private readonly boxes: Step = {
+    pass: this.pass('boxes of lights', 'fieldBoxes'),
+    target: new WebGLRenderTarget(4, 1, {
+      count: 2,
+      type: FloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthBuffer: false,
+    }),
+  };
+  private readonly depthBlocks = this.step('tile depth blocks', 'tileDepthBlocks');
+  private readonly depths = this.step('tile depths', 'tileDepth');
+  private readonly blocks: Step;
+  private readonly fine: Step;
+  private readonly summary = this.step('light list summary', 'tileSummary');
+  private readonly slices: Step = {
+    pass: this.pass('light slices', 'fieldSlices'),
+    target: wordTarget(RedIntegerFormat, UnsignedIntType, 'R32UI'),
+  };
+
+  /** All but `slices`: four words of 32 bits a texel. */
+  private readonly steps: readonly Step[];
+
+  constructor(
+    private readonly use: TileDepthUse,
+    private readonly shared: FieldSlices,
+  ) {
+    this.own.farol_fieldSlices = shared.farol_fieldSlices;
+    this.blocks = this.step('blocks of light lists', 'fieldBlocks', use === 'none' ? {} : { FAROL_BLOCK_DEPTH: '' });
+    this.fine = this.step('light lists', 'tileMask', DEFINES[use]);
+    this.steps = [this.boxes, this.depthBlocks, this.depths, this.blocks, this.fine, this.summary];
+  }
+
+  get bytes(): number {
+    const { boxes, slices, steps } = this;
+    let bytes = slices.target.width * slices.target.height * 4 + boxes.target.width * boxes.target.height * 16;
+    // of boxes both attachments
+    for (let i = 0; i < steps.length; i++) bytes += steps[i].target.width * steps[i].target.height * 16;
+    return bytes;
+  }
+
+  /**
+   * Makes the lists.
+   * @param first - record of the listed lights
+   * @param count - how many there are, at least 1
+   * @param plainQuads - quads of them, from the first on, that hold plain point lights alone
+   * @param sliced - whether to find the quads of each slice of depth too
+   */
+  draw(frame: Frame, first: number, count: number, plainQuads: number, sliced: boolean): void {
+    const x = Math.ceil(frame.width / (1 << TILE_SHIFT));
+    const y = Math.ceil(frame.height / (1 << TILE_SHIFT));
+    const quads = Math.ceil(count / LIGHTS_PER_QUAD);
+    const pages = Math.ceil(quads / 128);
+    this.setUniforms(frame, x, y, quads);
+    const shift = frame.uniforms.farol_tiles.value[0];
+    const { uniforms } = frame;
+    const run = uniforms.farol_tileRun.value;
+    run[0] = first;
+    run[1] = count;
+    run[2] = pages;
+    run[3] = plainQuads;
+    fit(this.boxes.target, 4, quads);
+    draw(frame, this.boxes);
+    if (this.use !== 'none') {
+      this.depthBlocks.target.setSize(Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      draw(frame, this.depthBlocks);
+      this.depths.target.setSize(x, y);
+      draw(frame, this.depths);
+    }
+    fitGrids(this.blocks.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);
+    draw(frame, this.blocks);
+    fitGrids(this.fine.target, x, y, quads, shift);
+    draw(frame, this.fine);
+    // made in any case: loops have it bound
+    fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
+    draw(frame, this.summary);
+    uniforms.farol_tileMask.value = this.fine.target.texture;
+    uniforms.farol_tileSummary.value = this.summary.target.texture;
+    if (!sliced) return;
+    fit(this.slices.target, SLICES, Math.ceil(quads / 32));
+    draw(frame, this.slices);
+    this.shared.farol_sliceQuads.value = this.slices.target.texture;
+  }
+
+  dispose(): void {
+    for (const { pass, target } of [...this.steps, this.slices]) {
+      pass.dispose();
+      target.dispose();
+    }
+  }
+
+  private setUniforms(frame: Frame, x: number, y: number, quads: number): void {
+    const { own } = this;
+    const { uniforms, queue } = frame;
+    setTiles(uniforms.farol_tiles.value, x, y, quads);
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    setUnprojectUniforms(own, frame.camera, frame.webgl);
+    own.farol_size.value.set(frame.width, frame.height);
+    own.farol_beyond.value = queue.reachesFar ? Math.max(-1e30, queue.farthest) : 1e38;
+    own.farol_coarseMask.value = this.blocks.target.texture;
+    own.farol_tileDepth.value = own.farol_fieldTileDepth.value = this.depths.target.texture;
+    own.farol_blocks.value = this.depthBlocks.target.texture;
+    own.farol_tileMask.value = this.fine.target.texture;
+    own.farol_boxLows.value = this.boxes.target.textures[0];
+    own.farol_boxHighs.value = this.boxes.target.textures[1];
+    own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
+  }
+
+  private step(program: string, fragment: string, defines: Record<string, string> = {}): Step {
+    return { pass: this.pass(program, fragment, defines), target: wordTarget() };
+  }
+
+  private pass(program: string, fragment: string, defines: Record<string, string> = {}): FullscreenPass {
+    const { own: uniforms } = this;
+    return new FullscreenPass({ program, fragment, uniforms, shared: SHARED, defines, blending: NoBlending });
+  }
+}
+
+function draw(frame: Frame, { pass, target }: Step): void {
+  pass.drawTo(frame, target);
+}

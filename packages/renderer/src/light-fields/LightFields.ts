@@ -1,0 +1,203 @@
+import { FloatType, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
+import type { Frame } from '../frame/Frame';
+import { forwardTwins } from '../materials/forwardTwin';
+import { FullscreenPass } from '../gpu/FullscreenPass';
+import type { LightField } from './LightField';
+import type { LightLists } from '../frame/LightLists';
+import type { FieldDraws } from '../frame/FieldDraws';
+import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
+import type { LightLoop } from '../materials/LightLoop';
+import { fieldCount } from '../lights/LightFieldData';
+import { RECORDS_PER_ROW, TEXELS_PER_RECORD } from '../lights/lightRecord';
+import { FieldArrays } from './FieldArrays';
+import { FieldDepths } from './FieldDepths';
+import { FieldLights } from './FieldLights';
+import { FieldLists } from './FieldLists';
+import { FieldOrder, fit } from './FieldOrder';
+import { type FieldSlices, SLICES } from './FieldSlices';
+
+const TABLE_WIDTH = RECORDS_PER_ROW * TEXELS_PER_RECORD;
+const CLUSTERS: LightLists = { loop: 'lightLoopSlices', defines: {} };
+const sliceTwins = forwardTwins('lightLoopSlices');
+
+/**
+ * The lights of LightFields in the frames of one renderer. The CPU does nothing for a light.
+ *
+ *     arrays, sent by rows ─┐
+ *                           ├─> FieldLights: view space, culled ─> FieldOrder: by cells of the view ─┐
+ *     textures of the GPU ──┘                                                                        │
+ *     records of the CPU's lights ───────────────────────────────> fieldRecords: the light table <───┘
+ *                                                                        │
+ *                            FieldLists: boxes of 32 lights ─> blocks of 4 × 4 tiles ─> tiles, 1 bit a light
+ *
+ * Shaders read one table as ever: records of fields lie in the run of lights with a range, after the plain point lights
+ * or, where fields have spot lights, after all ("slots", in whole rows of 128). What is put out (no range, no number, out
+ * of view) is a light of no colour far away. Tiled techniques have lists of tiles; clustered ones lists of tiles without
+ * depths, and which quads of 128 lights reach into which of 256 slices of depth; techniques with volumes draw an
+ * icosahedron a light; multipass lighting adds all fields in one draw an object, by lists of tiles.
+ * @see Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering
+ */
+export class LightFields implements FieldDraws<Frame> {
+  private readonly arrays = new FieldArrays();
+  private readonly depths = new FieldDepths();
+  private readonly lights = new FieldLights();
+  private readonly order = new FieldOrder();
+  private readonly lists = new Map<TileDepthUse, FieldLists>();
+  private readonly allLists: FieldLists[] = [];
+  private readonly table = new WebGLRenderTarget(TABLE_WIDTH, 1, {
+    type: FloatType,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthBuffer: false,
+  });
+  private readonly uniforms = {
+    farol_hostTable: { value: null as Texture | null },
+    farol_fieldSpheres: { value: this.lights.target.textures[0] },
+    farol_fieldEmissions: { value: this.lights.target.textures[1] },
+    farol_fieldCones: { value: this.lights.target.textures[2] },
+    farol_fieldOrder: { value: this.order.texture },
+    farol_fieldSlots: { value: [0, 0, 0] },
+  };
+  private readonly records = new FullscreenPass({
+    program: 'records of fields',
+    fragment: 'fieldRecords',
+    uniforms: this.uniforms,
+  });
+  isDrawn = false;
+  count = 0;
+
+  /** @param slices - of the renderer's shared uniforms */
+  constructor(
+    private readonly frame: Frame,
+    private readonly slices: FieldSlices,
+  ) {}
+
+  get coverage(): number {
+    return this.depths.coverage;
+  }
+
+  get texture(): Texture {
+    return this.table.texture;
+  }
+
+  get bytes(): number {
+    let bytes = this.arrays.bytes + this.lights.bytes + this.order.bytes + this.table.width * this.table.height * 16;
+    for (let i = 0; i < this.allLists.length; i++) bytes += this.allLists[i].bytes;
+    return bytes;
+  }
+
+  /** Takes the fields of a frame, and sends what of them changed. */
+  begin(): void {
+    const { frame } = this;
+    const { lights, camera } = frame;
+    const { arrays, depths } = this;
+    this.isDrawn = false;
+    lights.plainSlots = true;
+    this.count = 0;
+    depths.begin(camera);
+    for (const each of lights.fields) {
+      const field = each as LightField;
+      const rows = rowsOf(field);
+      lights.slots += rows * 128;
+      this.count += fieldCount(field);
+      if (hasCones(field)) lights.plainSlots = false;
+      if (field.castShadow) warnOfShadow(field);
+      frame.uploadedBytes += arrays.upload(frame.webgl, field, rows);
+      depths.add(field, camera);
+    }
+    depths.end();
+    this.slices.farol_fieldSlices.value.set(depths.least, SLICES / depths.extent, depths.isLogarithmic ? 1 : 0);
+  }
+
+  render(): void {
+    this.isDrawn = true;
+    const { frame } = this;
+    const { webgl } = frame;
+    const target = webgl.getRenderTarget();
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    this.drawTable();
+    if (target === frame.target) frame.bindTarget();
+    else webgl.setRenderTarget(target, face, level);
+  }
+
+  makeTiles(frame: Frame, use: TileDepthUse): void {
+    const { lights } = frame;
+    this.listsOf(use).draw(frame, lights.firstBounded, lights.listed, lights.plainQuads, false);
+  }
+
+  makeFieldTiles(frame: Frame): void {
+    const { lights } = frame;
+    this.listsOf('none').draw(frame, lights.firstSlot, lights.slots, 0, false);
+  }
+
+  makeClusters(frame: Frame): LightLists {
+    const { lights } = frame;
+    this.listsOf('none').draw(frame, lights.firstBounded, lights.listed, lights.plainQuads, true);
+    return CLUSTERS;
+  }
+
+  twinsFor(loop: LightLoop): ReturnType<typeof forwardTwins> | undefined {
+    return loop === 'lightLoopClustered' ? sliceTwins : undefined;
+  }
+
+  dispose(): void {
+    for (const each of [this.arrays, this.lights, this.order, this.table, this.records, ...this.allLists])
+      each.dispose();
+    this.lists.clear();
+    this.allLists.length = 0;
+  }
+
+  private drawTable(): void {
+    const { frame, lights, order, records, table, uniforms } = this;
+    const { slots, firstSlot, recordCount, fields, order: lightOrder } = frame.lights;
+    const rows = slots / 128;
+    lights.begin(frame, rows, this.depths);
+    let row = 0;
+    for (const each of fields) {
+      const field = each as LightField;
+      const own = rowsOf(field);
+      lights.draw(frame, field, this.arrays.sourcesOf(field), row, own);
+      row += own;
+    }
+    const sorts = lightOrder === 'by-depth';
+    if (sorts) order.draw(frame, lights.target.textures[3], rows);
+    else order.compile(frame);
+    uniforms.farol_hostTable.value = frame.lights.table.texture;
+    uniforms.farol_fieldOrder.value = sorts ? order.texture : lights.target.textures[3];
+    const run = uniforms.farol_fieldSlots.value;
+    run[0] = firstSlot;
+    run[1] = slots;
+    run[2] = sorts ? 1 : 0;
+    fit(table, TABLE_WIDTH, Math.ceil((recordCount + slots) / RECORDS_PER_ROW));
+    records.drawTo(frame, table);
+  }
+
+  private listsOf(use: TileDepthUse): FieldLists {
+    let lists = this.lists.get(use);
+    if (lists !== undefined) return lists;
+    this.lists.set(use, (lists = new FieldLists(use, this.slices)));
+    this.allLists.push(lists);
+    return lists;
+  }
+}
+
+const told = new WeakSet<LightField>();
+
+function warnOfShadow(field: LightField): void {
+  if (told.has(field)) return;
+  told.add(field);
+  console.warn(
+    `Farol: LightField "${field.name || field.uuid}" has castShadow, but lights of a field cast no shadows; use ` +
+      `PointLights or SpotLights for those that are to.`,
+  );
+}
+
+/** Rows of 128 lights, at least one: a field keeps its place in shaders and tables when it has no light. */
+function rowsOf(field: LightField): number {
+  return Math.max(1, Math.ceil(fieldCount(field) / 128));
+}
+
+function hasCones({ cones, textures }: LightField): boolean {
+  return textures === null ? cones !== null : (textures.cone ?? null) !== null;
+}

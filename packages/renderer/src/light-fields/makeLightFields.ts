@@ -1,0 +1,30 @@
+import type { Frame } from '../frame/Frame';
+import { lacksFloatTargets } from '../gpu/checkDevice';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import * as chunks from './chunks';
+import { fieldSlices, type FieldSlices } from './FieldSlices';
+import { LightFields } from './LightFields';
+
+/** Sources of its microshaders, by name. */
+export const microShaders = { ...chunks };
+
+const told = new WeakSet<object>();
+
+/** Makes what draws the lights of fields; null where the device draws to no float targets, which is told once. */
+export function makeLightFields(frame: Frame): LightFields | null {
+  const { webgl, microshaders } = frame;
+  const gl = webgl.getContext();
+  if (gl.getExtension('EXT_color_buffer_float') === null) {
+    if (!told.has(gl) && !gl.isContextLost())
+      console.warn(
+        `Farol: this device ${lacksFloatTargets(webgl) ?? 'draws to half floats alone'}: LightFields light nothing.`,
+      );
+    if (!gl.isContextLost()) told.add(gl);
+    return null;
+  }
+  addMicroShaders(microshaders, 'light-fields', microShaders);
+  const uniforms = frame.uniforms as typeof frame.uniforms & Partial<FieldSlices>;
+  // for twins that are made from here on
+  if (uniforms.farol_fieldSlices === undefined) Object.assign(uniforms, fieldSlices());
+  return new LightFields(frame, uniforms as FieldSlices);
+}

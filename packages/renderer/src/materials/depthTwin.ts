@@ -1,0 +1,34 @@
+import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
+import { hasNodes } from '../three/hasNodes';
+import { afterChunkOrAtEnd } from '../three/replaceChunk';
+import type { TwinKind, TwinShader } from './TwinKind';
+
+/** Depth alone: three's own vertex stage, and of the fragment stage what may discard. */
+export const depthTwin: TwinKind = {
+  key: 'depth',
+  chunks: () => [],
+  properties: { colorWrite: false },
+  patch(shader: TwinShader) {
+    const nothing = 'gl_FragColor = vec4(0.0);\nif (true) return;';
+    shader.fragmentShader = afterChunkOrAtEnd(shader.fragmentShader, 'alphahash_fragment', nothing);
+  },
+};
+
+/** The same, some rounding steps farther, so that what is then drawn at these depths is not hidden by them. */
+export const depthBehindTwin: TwinKind = {
+  ...depthTwin,
+  properties: { colorWrite: false, polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: 4 },
+};
+
+/**
+ * True for materials of which the depth twin can be made. Units of an offset are not the same in depth of 24 bits and of
+ * floats: what is pushed back by more than one has none.
+ */
+export function hasDepthTwin(material: Material): boolean {
+  const m = material as Material & { isShaderMaterial?: boolean };
+  if (m.polygonOffset && m.polygonOffsetUnits > 1) return false;
+  const { side } = m;
+  return (
+    m.isShaderMaterial !== true && !hasNodes(m) && (side === FrontSide || side === BackSide || side === DoubleSide)
+  );
+}

@@ -1,0 +1,53 @@
+import { BackSide, FrontSide } from 'three';
+import type { View } from '../frame/views';
+import { litTwin } from './litTwin';
+import type { TwinKind } from './TwinKind';
+import type { LightLoop } from './LightLoop';
+
+const OPAQUE = '#include <opaque_fragment>';
+const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
+
+/** Shows direct light alone, with three's tone mapping, colour space and fog where the shader has them. */
+function onlyDirect(text: string): string {
+  return text.replace(OPAQUE, `outgoingLight = ${DIRECT_LIGHT}\n${OPAQUE}`);
+}
+
+const COUNT = 'gl_FragColor = vec4(farol_heatMap(farol_lightsEvaluated * farol_heatScale), 1.0);';
+
+/** The three sides of one forward kind: as the source has it, and the two halves of a transparent double-sided draw. */
+export interface ForwardTwins {
+  readonly whole: TwinKind;
+  readonly back: TwinKind;
+  readonly front: TwinKind;
+}
+
+/**
+ * Lit materials shaded in one draw by all lights that the loop visits.
+ * @param adapt - makes of each kind what is used in its place
+ */
+export function forwardTwins(
+  loop: LightLoop,
+  adapt = (kind: TwinKind): TwinKind => kind,
+): (view: View) => ForwardTwins {
+  const made = new Map<string, ForwardTwins>();
+  return (view) => {
+    const mode = view === 'lighting' || view === 'light-count' ? view : 'final';
+    let twins = made.get(mode);
+    if (twins === undefined) {
+      const kind = (part: string, properties?: TwinKind['properties']) =>
+        adapt(
+          litTwin({
+            key: `forward-${loop}-${mode}${part}`,
+            role: 'forward',
+            loop,
+            ...(mode === 'light-count' && { oneByOne: true, chunks: ['heatMap', 'heatScale'], atEnd: COUNT }),
+            ...(mode === 'lighting' && { rewrite: onlyDirect }),
+            ...(properties && { properties }),
+          }),
+        );
+      twins = { whole: kind(''), back: kind('-back', { side: BackSide }), front: kind('-front', { side: FrontSide }) };
+      made.set(mode, twins);
+    }
+    return twins;
+  };
+}

@@ -1,0 +1,68 @@
+import { forwardTwins } from '../../materials/forwardTwin';
+import type { ForwardTwins } from '../../materials/forwardTwin';
+import { hasDepthTwin } from '../../materials/depthTwin';
+import type { Frame } from '../../frame/Frame';
+import { isGouraud } from '../../materials/shadingOf';
+import type { RenderItem } from '../../frame/RenderItem';
+import { BackgroundDraw } from '../output/BackgroundDraw';
+import type { Pass, Resource } from '../../frame/Pass';
+import type { LightLoop } from '../../materials/LightLoop';
+
+export interface ForwardPassOptions {
+  readonly name: string;
+  readonly list: 'opaque' | 'transmissive' | 'transparent';
+  readonly loop: LightLoop;
+  /** The same for opaque items that no pass before has drawn the depth of; default `loop`. */
+  readonly loopOutside?: LightLoop;
+  readonly reads?: readonly Resource[];
+}
+
+/** Draws what is left of one of three's lists into the host's target, each lit item once, by the lights of the loop. */
+export class ForwardPass implements Pass {
+  readonly name: string;
+  readonly reads: readonly Resource[];
+  readonly writes: readonly Resource[];
+  readonly bytes = 0;
+  private readonly list: ForwardPassOptions['list'];
+  private readonly loop: LightLoop;
+  private readonly loopOutside: LightLoop;
+  private readonly background = new BackgroundDraw();
+  private readonly twins: ReturnType<typeof forwardTwins>;
+  private readonly outside: ReturnType<typeof forwardTwins>;
+
+  constructor(options: ForwardPassOptions) {
+    this.name = options.name;
+    this.list = options.list;
+    this.reads = options.reads ?? [];
+    this.writes = options.list === 'transparent' ? ['target', 'transparent'] : ['target'];
+    const { loop, loopOutside = loop } = options;
+    this.loop = loop;
+    this.loopOutside = loopOutside;
+    this.twins = forwardTwins(loop);
+    this.outside = loopOutside === loop ? this.twins : forwardTwins(loopOutside);
+  }
+
+  render(frame: Frame): void {
+    const items = frame.queue[this.list];
+    if (this.list === 'transparent') frame.resources.put('transparent', items);
+    const fills = this.list === 'opaque' && frame.fills === 'behind';
+    if ((items.length === 0 && !fills) || frame.view === 'overdraw') return;
+    frame.bindTarget();
+    const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
+    const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
+    const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
+    for (const item of items)
+      this.draw(frame, item, item.splits && hasDepthTwin(item.material) ? twins : outside, onlyLit);
+    if (fills) this.background.draw(frame);
+  }
+
+  dispose(): void {
+    this.background.dispose();
+  }
+
+  private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
+    if (item.drawn || (onlyLit && !item.lit)) return;
+    const vertex = item.lit && isGouraud(item.material) ? frame.gouraudTwins() : null;
+    frame.drawForward(item, vertex ?? twins);
+  }
+}

@@ -1,0 +1,36 @@
+import type { Frame } from '../../frame/Frame';
+import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
+import { isPolished } from '../../gbuffer/isPolished';
+import { gbufferTwin } from './gbufferTwins';
+import type { Pass } from '../../frame/Pass';
+
+/**
+ * Draws the opaque items that the G-buffer can hold into it, all attachments in one pass.
+ * @see Saito and Takahashi 1990; Hargreaves and Harris 2004, Deferred Shading; thesis 2.2.3.1 and 3.1.1
+ */
+export class GBufferPass implements Pass {
+  readonly name = 'g-buffer';
+  readonly reads = [] as const;
+  readonly writes = ['gbuffer', 'scene-depth'] as const;
+  private readonly target = new GBufferTarget();
+
+  get bytes(): number {
+    return this.target.bytes;
+  }
+
+  render(frame: Frame): void {
+    const gbuffer = this.target.begin(frame);
+    const mirrorsAreas = frame.uniforms.farol_areaCounts.value[1] > 0;
+    for (const item of frame.queue.opaque) {
+      if (!fitsGBuffer(item) || (mirrorsAreas && isPolished(item.material))) continue;
+      frame.drawTwin(item, gbufferTwin);
+      item.drawn = true;
+    }
+    frame.resources.put('gbuffer', gbuffer);
+    frame.resources.put('scene-depth', gbuffer.depth);
+  }
+
+  dispose(): void {
+    this.target.dispose();
+  }
+}

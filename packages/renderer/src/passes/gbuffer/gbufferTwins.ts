@@ -1,0 +1,38 @@
+import type { Material } from 'three';
+import { attachmentOutputs } from '../../gbuffer/gbufferNames';
+import { flagsOf, shadingModelOf } from '../../gbuffer/shadingModel';
+import type { ShadingModel } from '../../gbuffer/surfaceFlags';
+import { litTwin } from '../../materials/litTwin';
+import type { TwinKind } from '../../materials/TwinKind';
+
+/** Declares what the G-buffer's shaders write beside gl_FragColor. */
+export const OUTPUTS = attachmentOutputs();
+
+type AnyMaterial = Material & {
+  isMeshToonMaterial?: boolean;
+  isMeshPhongMaterial?: boolean;
+  isMeshStandardMaterial?: boolean;
+};
+
+/** Shading model of a material, or the nearest one for materials that only the views of the G-buffer hold. */
+export function nearestModel(source: Material): ShadingModel {
+  const m = source as AnyMaterial;
+  return (
+    shadingModelOf(source) ?? (m.isMeshStandardMaterial ? 'standard' : m.isMeshPhongMaterial ? 'phong' : 'lambert')
+  );
+}
+
+export const outputs = (text: string, source: Material) =>
+  `${OUTPUTS}#define FAROL_FLAGS ${flagsOf(source, nearestModel(source))}\n${text}`;
+
+/** Writes the G-buffer; the first attachment gets emissive, ambient, environment and what three itself lights. */
+export const gbufferTwin: TwinKind = litTwin({
+  key: 'gbuffer',
+  role: 'gbuffer',
+  loop: 'lightLoopNone',
+  chunks: ['gbufferWrite'],
+  properties: { fog: false, dithering: false },
+  variant: (source) => String(flagsOf(source, nearestModel(source))),
+  rewrite: outputs,
+  atEnd: 'FAROL_WRITE_GBUFFER',
+});

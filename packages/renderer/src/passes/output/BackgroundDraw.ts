@@ -1,0 +1,18 @@
+import { LessEqualDepth } from 'three';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+
+/** Writes the colour that three would have cleared the target to, where depth is still 1: behind all that is drawn. */
+export class BackgroundDraw extends FullscreenPass {
+  constructor() {
+    super({
+      program: 'background',
+      vertex: 'farthest',
+      fragment: 'background',
+      shared: 'all',
+      depthTest: true,
+      // writes depth 1 where depth is 1: three's depth state need not change
+      depthWrite: true,
+      depthFunc: LessEqualDepth,
+    });
+  }
+}

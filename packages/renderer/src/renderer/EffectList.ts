@@ -1,0 +1,72 @@
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
+import { type ActiveEffects, activeEffects, NO_EFFECTS, refuseConflicts } from '../frame/ActiveEffects';
+import type { FarolEffect } from '../frame/FarolEffect';
+import { gbufferLayout } from '../gbuffer/gbufferLayout';
+import { drawBuffersOf } from '../gpu/checkDevice';
+
+/** The host's effects, and which of them can be drawn; what is left out is warned of once. */
+export class EffectList {
+  private list: readonly FarolEffect[] = [];
+  /** The list and target that `active` is for; the host may push to its list. */
+  private known: readonly FarolEffect[] = [];
+  private count = 0;
+  private several = false;
+  private active: ActiveEffects = NO_EFFECTS;
+  private readonly told = new WeakSet<FarolEffect>();
+  /** All effects that were ever in the list: the host may put those that it has taken out back in. */
+  private met: WeakRef<FarolEffect>[] = [];
+
+  constructor(private readonly webgl: WebGLRenderer) {}
+
+  /** The host's list. @throws Error when set to a list in which two effects conflict */
+  get asked(): readonly FarolEffect[] {
+    return this.list;
+  }
+
+  set asked(effects: readonly FarolEffect[]) {
+    refuseConflicts(effects);
+    this.list = effects;
+  }
+
+  /**
+   * The effects that draw a frame.
+   * @param target - what is drawn to
+   * @throws Error when two effects conflict, of which one was pushed to the list
+   */
+  of(target: WebGLRenderTarget | null): ActiveEffects {
+    const { list } = this;
+    const several = target !== null && target.textures.length > 1;
+    if (list === this.known && list.length === this.count && several === this.several) return this.active;
+    refuseConflicts(list);
+    this.meet(list);
+    this.known = list;
+    this.count = list.length;
+    this.several = several;
+    const room = drawBuffersOf(this.webgl.getContext() as WebGL2RenderingContext) - gbufferLayout.length;
+    this.active = list.length === 0 ? NO_EFFECTS : activeEffects(list.filter(this.canRun), room);
+    return this.active;
+  }
+
+  /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
+  dispose(): void {
+    // what can be drawn is judged anew once a lost context is back
+    this.count = -1;
+    for (const reference of this.met) reference.deref()?.dispose();
+  }
+
+  private meet(effects: readonly FarolEffect[]): void {
+    const known = new Set<unknown>();
+    this.met = this.met.filter((reference) => known.add(reference.deref()) && reference.deref() !== undefined);
+    for (const effect of effects) if (!known.has(effect)) this.met.push(new WeakRef(effect));
+  }
+
+  private readonly canRun = (effect: FarolEffect): boolean => {
+    const lacks = effect.lacks?.(this.webgl) ?? null;
+    const apart = this.several && effect.takesPicture === true;
+    if (lacks === null && !apart) return true;
+    const reason = lacks === null ? 'the target has several textures' : `this device ${lacks}`;
+    if (!this.told.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
+    this.told.add(effect);
+    return false;
+  };
+}

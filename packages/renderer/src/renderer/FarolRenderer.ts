@@ -1,0 +1,423 @@
+import { type ArrayCamera, type Camera, EventDispatcher, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { adoptDepth } from '../three/adoptDepth';
+import { checkDevice } from '../gpu/checkDevice';
+import { type View, views } from '../frame/views';
+import { unknownName } from './errors';
+import { NO_EFFECTS } from '../frame/ActiveEffects';
+import { EffectList } from './EffectList';
+import type { FarolEffect } from '../frame/FarolEffect';
+import type { FarolInfo } from './FarolInfo';
+import { type FarolOptions, setOptions } from './FarolOptions';
+import { Frame } from '../frame/Frame';
+import { InfoRecorder } from './InfoRecorder';
+import { LastFrame } from './LastFrame';
+import { Lazy } from '../frame/Lazy';
+import { gouraudCode, lazyCode, type LazyPart, nodeCode, warmUpCode } from './lazyCode';
+import { LazyViews } from './LazyViews';
+import { LightFinder } from './LightFinder';
+import { FrameLights } from './FrameLights';
+import type { LightOrder } from '../lighting/LightTable';
+import { resetLayers } from '../materials/layersAttribute';
+import { TwinCache } from '../materials/TwinCache';
+import type { MicroShaderRegistry } from '../microshaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import { createRegistry } from './createRegistry';
+import { refuseXR } from '../three/refuseXR';
+import { renderArray } from '../three/renderArray';
+import { SceneDraws } from './SceneDraws';
+import { SceneView } from './SceneView';
+import type { TechniqueName } from '../techniques';
+import type { Technique } from '../frame/Technique';
+import { TechniquePicker } from './TechniquePicker';
+import { TechniqueSet } from './TechniqueSet';
+
+/** `onBeforeRender` and `onAfterRender` with the arguments that three passes them of a Scene. */
+type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
+
+const NO_CALLBACK = Object3D.prototype.onBeforeRender;
+
+/** Brings a camera without a parent up to date, as three does. */
+function updateCamera(camera: Camera): void {
+  if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
+}
+
+/** What a FarolRenderer tells. */
+export interface FarolEvents {
+  /** The last picture is out of date, since code that it lacked has come: draw again. */
+  redraw: object;
+}
+
+/** Draws and lights that cost less than having the GPU begin with them. */
+const FEW = 16;
+
+/**
+ * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
+ * lights, render target and picture.
+ *
+ * @example
+ * const farol = new FarolRenderer(webglRenderer, { technique: 'deferred' });
+ * farol.render(scene, camera);
+ */
+export class FarolRenderer extends EventDispatcher<FarolEvents> implements Required<FarolOptions> {
+  /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
+  static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
+  /** The shader pieces everything is drawn with; replace one and the picture follows. */
+  readonly microshaders: MicroShaderRegistry;
+  declare timing: boolean;
+  declare heatMapMaximum: number;
+  declare shadowAtlasSize: number | null;
+  declare shadowCascades: number;
+  declare lightLayers: boolean;
+  declare antialias: boolean;
+  declare areaLightThreshold: number;
+  private readonly frame: Frame;
+  private readonly lights = new FrameLights();
+  private readonly twins: TwinCache;
+  private readonly last = new LastFrame(() => this.disposed || this.dispatchEvent({ type: 'redraw' }));
+  private readonly recorder: InfoRecorder;
+  private readonly sceneViews = new WeakMap<Object3D, SceneView>();
+  private readonly views: LazyViews;
+  private readonly finder: LightFinder;
+  private readonly set: TechniqueSet;
+  private readonly picker: TechniquePicker;
+  private viewName: View = 'final';
+  private disposed = false;
+  /** Within `render`: what a callback of the host's draws by this renderer then, three draws. */
+  private isDrawing = false;
+  private readonly effectList: EffectList;
+  private readonly draws: SceneDraws;
+  private readonly pick = () => this.pickTechnique();
+  private readonly begun = () => this.frame.takeOutputBuffer();
+
+  /**
+   * @param webgl - the host's renderer; it stays the host's, and other code may draw with it
+   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option does not
+   *   exist or has a value that it cannot have
+   */
+  constructor(
+    readonly webgl: WebGLRenderer,
+    options: FarolOptions = {},
+  ) {
+    super();
+    checkDevice(webgl, false);
+    this.effectList = new EffectList(webgl);
+    this.microshaders = createRegistry(webgl);
+    this.views = new LazyViews(this.microshaders);
+    const uniforms = this.lights.uniforms.values;
+    this.finder = new LightFinder(
+      webgl,
+      (code) => code.makeShadowMaps(this.frame, this.draws),
+      (code) => code.makeAreaLights(webgl, this.microshaders, uniforms.farol_ltc),
+    );
+    this.set = new TechniqueSet(this.microshaders);
+    this.picker = new TechniquePicker(webgl, this.set);
+    this.twins = new TwinCache({
+      uniforms,
+      microshaders: this.microshaders,
+      refuse: (source) => this.frame.queue.refused.refuse(source),
+    });
+    this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders);
+    this.frame.gouraudTwins = () =>
+      gouraudCode.use((code) => {
+        addMicroShaders(this.microshaders, 'gouraud', code.microShaders);
+        return code.gouraudTwins(this.frame.view);
+      });
+    this.frame.makeNodes = () => nodeCode.use((code) => new code.NodeDraws());
+    this.recorder = new InfoRecorder(webgl, this.last);
+    const { frame, recorder, views, set, picker } = this;
+    this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
+    setOptions(this, options);
+    webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
+  }
+
+  /** @throws Error when unknown, or the device cannot run it */
+  get technique(): TechniqueName {
+    return this.picker.technique;
+  }
+
+  set technique(name: TechniqueName) {
+    this.picker.technique = name;
+  }
+
+  /** What `technique` can be: the built-in ones, and those that were added. */
+  get techniques(): Readonly<Record<string, Technique>> {
+    return this.set.known;
+  }
+
+  /**
+   * Adds a technique to this renderer.
+   * @returns its name, as `technique` takes it
+   * @throws Error when there is one of that name
+   */
+  addTechnique(name: string, technique: Technique): TechniqueName {
+    this.set.add(name, technique);
+    return name as TechniqueName;
+  }
+
+  /**
+   * Takes a technique out that was added, and gives back what its passes hold. Where it is in use, 'auto' takes its place.
+   * @throws Error when none was added by that name
+   */
+  removeTechnique(name: string): void {
+    this.set.remove(name);
+    if (this.technique === name) this.technique = 'auto';
+  }
+
+  /** @throws Error when it is no list of effects, or two of them conflict, such as two that move the camera */
+  get effects(): readonly FarolEffect[] {
+    return this.effectList.asked;
+  }
+
+  set effects(effects: readonly FarolEffect[]) {
+    this.effectList.asked = effects;
+  }
+
+  /** @throws Error when unknown */
+  get view(): View {
+    return this.viewName;
+  }
+
+  set view(name: View) {
+    if (!views.includes(name)) throw unknownName('view', name, views);
+    if (name !== 'final') checkDevice(this.webgl, true);
+    this.viewName = name;
+    this.views.available(name); // has its code fetched
+  }
+
+  /** @throws RangeError unless above 0 and at most 1 */
+  get inferredScale(): number {
+    return this.frame.inferredScale;
+  }
+
+  set inferredScale(scale: number) {
+    if (!(scale > 0 && scale <= 1)) {
+      throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
+    }
+    this.frame.inferredScale = scale;
+  }
+
+  /**
+   * Fulfilled when the last frame had all code and programs that it asked for, and no change of technique by 'auto' is under
+   * way: the same scene drawn again gives the same picture, but for effects that gather frames. A promise of the state at
+   * hand, for each who asks; it waits for frames of the host's: of one at least where code was lacking, of the first where
+   * there was none, and of the next where the context is lost. Hosts that draw on demand draw again on the event 'redraw'.
+   *
+   * Rejected when a part of the code cannot be fetched, with an Error that names the part and the mend (later frames and
+   * calls try again), and when this renderer is disposed.
+   */
+  get ready(): Promise<void> {
+    return warmUpCode.load().then((code) => code.whenReady(this.last, this.picker, () => this.disposed));
+  }
+
+  /** Figures of the last frame. */
+  get info(): FarolInfo {
+    return this.recorder.info;
+  }
+
+  /**
+   * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
+   * Called by a callback of the host's while this renderer draws, it has three draw.
+   * @param scene - a Scene, or any object
+   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
+   * @throws Error while an XR session presents
+   */
+  render(scene: Object3D, camera: Camera): void {
+    if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
+    const { webgl } = this;
+    if (webgl.getContext().isContextLost()) return;
+    if (this.isDrawing) return webgl.render(scene, camera);
+    refuseXR(webgl);
+    this.isDrawing = true;
+    const outer = this.last.begin();
+    try {
+      const callbacks = (scene as Scene).isScene === true ? (scene as Scene) : null;
+      // else matrices are brought up to date while lights are looked for
+      const updated = callbacks !== null && callbacks.onBeforeRender !== NO_CALLBACK;
+      if (updated) {
+        if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
+        updateCamera(camera);
+        (callbacks.onBeforeRender as unknown as SceneCallback)(webgl, callbacks, camera, webgl.getRenderTarget());
+      }
+      const update = scene.matrixWorldAutoUpdate && !updated;
+      if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
+      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
+      if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
+      this.last.end();
+    } finally {
+      Lazy.lacking = outer;
+      this.isDrawing = false;
+      // called by a callback of the host's
+      if (this.disposed) this.end();
+    }
+  }
+
+  /** @param seenBy - whose layers count too: the array of cameras that the camera is of. Default the camera */
+  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
+    if (this.disposed) return; // by a callback that another camera of an array has had called
+    this.recorder.begin(this.timing);
+    this.twins.begin();
+    const byThree = this.frame.queue.refused.begin(scene);
+    this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
+    if (updatesCamera) updateCamera(camera);
+    adoptDepth(this.webgl, camera);
+    const { draws, finder, frame, picker, webgl } = this;
+    const { shadows } = finder;
+    frame.begin(scene, camera, this.views.available(this.viewName));
+    if (frame.view === 'grid') frame.quarter();
+    const { target, face, level } = frame;
+    const { toneMapping } = webgl;
+    let done = false;
+    const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
+    const sceneView = this.viewOf(scene);
+    frame.seenBy = sceneView.seenBy = seenBy;
+    draws.begin(sceneView, effects, this.antialias);
+    try {
+      for (const effect of effects.all) effect.begin?.(frame);
+      this.lights.update(scene, frame, finder, this, this.pick);
+      const { fills = 'behind' } = this.set.known[picker.active];
+      sceneView.render(
+        frame.camera,
+        finder.found.nested,
+        finder.found.rest,
+        frame.queue,
+        draws.draw,
+        frame.ownsTarget() ? fills : null,
+        shadows,
+      );
+      shadows?.end();
+      done = true;
+    } finally {
+      if (frame.queue.layers !== 0) resetLayers(frame.gl);
+      // three takes tone mapping off while it draws to its output buffer
+      if (!done) webgl.toneMapping = toneMapping;
+      if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
+      this.recorder.endPass();
+    }
+    // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
+    if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
+    this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    // until the code of node materials is there three draws all of it
+    if (frame.lacksNodes) webgl.render(scene, camera);
+    // a shader that has no place for the loop was met: once more, by three's lights
+    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false, seenBy);
+  }
+
+  /**
+   * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow what is drawn to.
+   * @param width - CSS pixels, as `height`
+   * @param updateStyle - whether the canvas' style is set too. Default true, as in three
+   */
+  setSize(width: number, height: number, updateStyle?: boolean): void {
+    this.webgl.setSize(width, height, updateStyle);
+  }
+
+  /** Sets the WebGLRenderer's pixels a CSS pixel. */
+  setPixelRatio(ratio: number): void {
+    this.webgl.setPixelRatio(ratio);
+  }
+
+  /**
+   * Fetches code that `render` else asks for when a scene or setting first needs it, for all renderers of the page:
+   * shadow maps, cookies and light layers (until they are there three draws the shadows and maps of up to four such lights
+   * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
+   * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
+   * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (one
+   * of these two draws), GPU times, warming programs up ('auto' changes unprepared).
+   * @param parts - names of `FarolRenderer.parts`. Default all
+   * @throws Error when there is no such part, or the code cannot be fetched
+   */
+  static async preload(parts: readonly LazyPart[] = FarolRenderer.parts): Promise<void> {
+    await Promise.all(
+      parts.map((name) => {
+        const code = lazyCode.find((each) => each.name === name);
+        if (code === undefined) throw unknownName('part', name, FarolRenderer.parts);
+        return code.load() as Promise<unknown>;
+      }),
+    );
+  }
+
+  /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */
+  async addLazyMicroShaders(): Promise<void> {
+    return warmUpCode.load().then((code) => code.addLazyMicroShaders(this.microshaders, lazyCode));
+  }
+
+  /**
+   * Takes the GPU times of the last frame that have come since into `info`; `render` does so for the frames before it.
+   * @returns whether there were any
+   */
+  updateTimes(): boolean {
+    return this.recorder.updateTimes();
+  }
+
+  /**
+   * Fetches the code and compiles the programs that the next frame of this scene needs, so that it is as it stays and does
+   * not hitch: draws frames of one pixel until none lacks code, and waits until the device has linked their programs.
+   * @throws Error when the code cannot be fetched
+   */
+  async compileAsync(scene: Object3D, camera: Camera): Promise<void> {
+    const { last, finder } = this;
+    return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
+  }
+
+  /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */
+  dispose(): void {
+    if (this.disposed) return;
+    this.disposed = true;
+    this.webgl.getContext().canvas.removeEventListener('webglcontextlost', this.free);
+    if (!this.isDrawing) this.end();
+  }
+
+  private end(): void {
+    this.free();
+    for (const effect of this.effects) effect.dispose();
+    this.recorder.dispose();
+    this.last.tell();
+  }
+
+  /**
+   * Frees what is on the GPU; the next frame makes it anew. Called when the context is lost too: what is disposed after it is
+   * back, three would delete in a context that it does not belong to.
+   */
+  private readonly free = (): void => {
+    this.last.isDrawn = false;
+    this.set.dispose();
+    if (!this.disposed) this.effectList.dispose();
+    this.draws.edges?.dispose();
+    this.views.dispose();
+    this.twins.dispose();
+    this.lights.dispose();
+    this.finder.dispose();
+    this.frame.findTileShadows = this.frame.queue.shadowMasks = null;
+  };
+
+  /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
+  private pickTechnique(): LightOrder {
+    const { draws, frame, picker } = this;
+    picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
+    const technique = this.set.known[picker.active];
+    draws.effects = draws.effectsOf(picker.active);
+    for (const effect of draws.effects.all) effect.picked?.(frame, technique);
+    return technique.lightOrder;
+  }
+
+  private viewOf(scene: Object3D): SceneView {
+    let view = this.sceneViews.get(scene);
+    if (view === undefined) {
+      view = new SceneView(this.webgl, scene, this.begun);
+      this.sceneViews.set(scene, view);
+    }
+    return view;
+  }
+
+  private targetBytes(): number {
+    let bytes =
+      this.lights.table.bytes +
+      (this.finder.shadows?.bytes ?? 0) +
+      (this.frame.fields?.bytes ?? 0) +
+      this.views.bytes +
+      (this.draws.edges?.bytes ?? 0) +
+      this.set.bytes;
+    for (const effect of this.effects) bytes += effect.bytes;
+    return bytes;
+  }
+}

@@ -1,0 +1,87 @@
+import type { Object3D, WebGLRenderer } from 'three';
+import type { Frame } from '../frame/Frame';
+import { FrameUniforms } from './FrameUniforms';
+import type { LightFinder } from './LightFinder';
+import { gridCode, lightFieldCode, tileCode } from './lazyCode';
+import type { LightFields } from '../light-fields/LightFields';
+import type { LightLayers } from '../shadows/LightLayers';
+import type { AreaLights } from '../lights/AreaLights';
+import type { ShadowedLights } from '../lights/classifyLight';
+import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
+import { shadowedLights } from '../lighting/shadowedLights';
+
+/** Settings of a FarolRenderer that lights depend on. */
+export interface LightSettings {
+  readonly webgl: WebGLRenderer;
+  readonly lightLayers: boolean;
+  readonly shadowCascades: number;
+  readonly shadowAtlasSize: number | null;
+  readonly areaLightThreshold: number;
+  readonly heatMapMaximum: number;
+}
+
+function rankOf(order: LightOrder): RankLights | null {
+  if (order === 'by-volume') return null;
+  return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
+}
+
+/** The lights of a frame: sorted out, masked, written to the table and sent. */
+export class FrameLights {
+  readonly table = new LightTable();
+  private fields: LightFields | null = null;
+  readonly uniforms = new FrameUniforms(this.table);
+  private readonly masks = {
+    shadows: 'none' as ShadowedLights,
+    layers: null as LightLayers | null,
+    areas: null as AreaLights | null,
+  };
+
+  /**
+   * Brings the lights of a frame up to date.
+   * @param finder - has found the lights of the scene
+   * @param pick - picks the technique, by the lights that are seen. @returns the order that it wants them in
+   */
+  update(scene: Object3D, frame: Frame, finder: LightFinder, settings: LightSettings, pick: () => LightOrder): void {
+    const { table, masks } = this;
+    const { webgl } = settings;
+    const { shadows } = finder;
+    const layers = shadows?.layers ?? null;
+    masks.shadows = shadowedLights(webgl);
+    masks.layers = layers;
+    masks.areas = finder.areas;
+    if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
+    layers?.begin(scene, settings.lightLayers);
+    table.collect(finder.found.all, frame.camera, masks);
+    layers?.end();
+    const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
+    table.slots = 0;
+    fields?.begin();
+    const picked = pick();
+    // clusters of fields are made on the GPU
+    const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;
+    if (shadows !== null) {
+      shadows.areas = finder.areas;
+      shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
+      shadows.atlasSize = settings.shadowAtlasSize;
+      shadows.layersSeen = frame.seenBy.layers.mask;
+      shadows.update(scene, frame.camera, table.masked, frame);
+    }
+    frame.shadowMapsDrawn = shadows?.drawn ?? 0;
+    frame.queue.layers = layers?.reference ?? 0;
+    table.write(frame.camera, order, frame, shadows, rankOf(order));
+    this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
+  }
+
+  /** Null until their code is there. */
+  private makeFields(frame: Frame): LightFields | null {
+    return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
+  }
+
+  dispose(): void {
+    this.fields?.dispose();
+    this.fields = null;
+    this.table.dispose();
+    this.masks.layers = this.masks.areas = null;
+    this.uniforms.freeMasks();
+  }
+}

@@ -1,0 +1,136 @@
+import type { WebGLRenderer } from 'three';
+import type { FarolInfo, PassInfo } from './FarolInfo';
+import type { LastFrame } from './LastFrame';
+import type { GpuTimer } from './timer/GpuTimer';
+import { timerCode } from './lazyCode';
+import type { LightTable } from '../lighting/LightTable';
+import type { ShadowMaps } from '../shadows/ShadowMaps';
+
+/** Fills `FarolInfo`: counts from the WebGLRenderer, CPU time from the clock, GPU time from queries read later. */
+export class InfoRecorder {
+  readonly info: FarolInfo;
+  /** Null until timing is asked for and its code is there. */
+  private timer: GpuTimer | null = null;
+  private readonly known = new Map<string, PassInfo>();
+  private timing = false;
+  private started = 0;
+  private passStarted = 0;
+  private calls = 0;
+  private triangles = 0;
+  private pass: PassInfo | null = null;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    last: LastFrame,
+  ) {
+    this.info = {
+      technique: '',
+      reason: '',
+      get pending() {
+        return last.pending;
+      },
+      passes: [],
+      drawCalls: 0,
+      triangles: 0,
+      cpuMs: 0,
+      gpuMs: null,
+      lights: { total: 0, visible: 0 },
+      shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
+      programs: 0,
+      targetBytes: 0,
+      uploadBytes: 0,
+    };
+    // before any listener of the host's that draws
+    webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
+  }
+
+  begin(timing: boolean): void {
+    if (timing && this.timer === null) this.makeTimer();
+    this.timing = timing && this.timer?.available === true;
+    this.started = performance.now();
+    this.info.passes.length = 0;
+    this.info.drawCalls = this.info.triangles = 0;
+    if (this.timing) this.timer!.poll();
+  }
+
+  /** Takes GPU times that have come since the last frame. @returns whether there were any */
+  updateTimes(): boolean {
+    if (!this.timing || !this.timer!.poll()) return false;
+    for (const pass of this.info.passes) pass.gpuMs = this.timer!.times.get(pass.name) ?? null;
+    this.sumTimes();
+    return true;
+  }
+
+  beginPass(name: string): void {
+    let pass = this.known.get(name);
+    if (pass === undefined) {
+      pass = { name, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
+      this.known.set(name, pass);
+    }
+    this.pass = pass;
+    this.info.passes.push(pass);
+    const { render } = this.webgl.info;
+    this.calls = render.calls;
+    this.triangles = render.triangles;
+    if (this.timing) this.timer!.begin(name);
+    this.passStarted = performance.now();
+  }
+
+  endPass(): void {
+    const { pass } = this;
+    if (pass === null) return;
+    pass.cpuMs = performance.now() - this.passStarted;
+    if (this.timing) this.timer!.end();
+    const { render } = this.webgl.info;
+    pass.drawCalls = render.calls - this.calls;
+    pass.triangles = render.triangles - this.triangles;
+    this.info.drawCalls += pass.drawCalls;
+    this.info.triangles += pass.triangles;
+    pass.gpuMs = this.timing ? (this.timer!.times.get(pass.name) ?? null) : null;
+    this.pass = null;
+  }
+
+  end(
+    technique: string,
+    reason: string,
+    lights: LightTable,
+    shadows: ShadowMaps | null,
+    uploadedBytes: number,
+    targetBytes: number,
+  ): void {
+    const { info } = this;
+    info.technique = technique;
+    info.reason = reason;
+    this.sumTimes();
+    info.lights.total = lights.total;
+    info.lights.visible = lights.visible;
+    info.shadows.drawn = shadows?.drawn ?? 0;
+    info.shadows.texels = shadows?.texels ?? 0;
+    info.shadows.kept = shadows?.kept ?? 0;
+    info.shadows.bounded = shadows?.tiles.bounded ?? 0;
+    info.shadows.bytes = shadows?.atlasBytes ?? 0;
+    info.programs = this.webgl.info.programs?.length ?? 0;
+    info.targetBytes = targetBytes;
+    info.uploadBytes = lights.uploadedBytes + uploadedBytes;
+    info.cpuMs = performance.now() - this.started;
+  }
+
+  dispose(): void {
+    this.webgl.getContext().canvas.removeEventListener('webglcontextrestored', this.restartTimer);
+    this.timer?.dispose();
+    this.timer = null;
+  }
+
+  private readonly restartTimer = (): void => this.timer?.restart();
+
+  private sumTimes(): void {
+    const { info } = this;
+    info.gpuMs = null;
+    for (const { gpuMs } of info.passes) if (gpuMs !== null) info.gpuMs = (info.gpuMs ?? 0) + gpuMs;
+  }
+
+  private makeTimer(): void {
+    const gl = this.webgl.getContext() as WebGL2RenderingContext;
+    this.timer = timerCode.use(({ GpuTimer }) => new GpuTimer(gl));
+  }
+}

@@ -1,0 +1,134 @@
+import { DoubleSide, type Vector4 } from 'three';
+import { type ActiveEffects, NO_EFFECTS } from '../frame/ActiveEffects';
+import { drawPasses } from './drawPasses';
+import type { Frame } from '../frame/Frame';
+import { antialiasingCode } from './lazyCode';
+import type { InfoRecorder } from './InfoRecorder';
+import type { Pass } from '../frame/Pass';
+import type { LazyViews } from './LazyViews';
+import { isSurfaceView } from '../frame/views';
+import { drawEarly } from '../passes/forward/drawEarly';
+import { forwardTwins } from '../materials/forwardTwin';
+import { plainBack } from '../materials/plainTwins';
+import type { SmoothEdges } from '../effects/antialiasing/SmoothEdges';
+import type { TechniquePicker } from './TechniquePicker';
+import type { TechniqueSet } from './TechniqueSet';
+import { clearValue } from '../three/clearValue';
+import type { DrawScene, SceneView } from './SceneView';
+
+/** Draws a frame inside three's `render`, where three would draw the objects of the scene. */
+export class SceneDraws {
+  sceneView!: SceneView;
+  effects: ActiveEffects = NO_EFFECTS;
+  /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
+  edges: SmoothEdges | null = null;
+  private antialias = false;
+  /** What is seen through transmissive things is drawn at another size than light lists are for. */
+  private readonly transmittedTwins = forwardTwins('lightLoopAll');
+
+  /** @param background - uniform that gets what three would have cleared the target to, its alpha -1 where three has */
+  constructor(
+    private readonly frame: Frame,
+    private readonly recorder: InfoRecorder,
+    private readonly views: LazyViews,
+    private readonly set: TechniqueSet,
+    private readonly picker: TechniquePicker,
+    private readonly background: Vector4,
+  ) {}
+
+  private readonly drawFields = () => this.frame.fields!.render();
+
+  /** Begins a frame. @param antialias - as `FarolOptions.antialias` */
+  begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
+    this.antialias = antialias;
+    this.sceneView = sceneView;
+    this.effects = effects;
+    this.frame.adapters = effects.adapters;
+    this.frame.gbufferExtras = effects.attachments;
+  }
+
+  /** Called by the scene's view: for three's transmission target if something transmits, then for the host's target. */
+  readonly draw: DrawScene = (backs) => {
+    for (const effect of this.effects.all) {
+      if (effect.compute === undefined) continue;
+      this.recorder.beginPass(effect.name);
+      effect.compute(this.frame);
+      this.recorder.endPass();
+    }
+    if (this.frame.fields?.isDrawn === false) this.run('light fields', this.drawFields);
+    if (backs) this.drawTransmittedBacks();
+    else if (this.frame.webgl.getRenderTarget() !== this.frame.target) this.drawTransmitted();
+    else this.drawFrame();
+  };
+
+  /** The effects of the frame, with anti-aliasing where it is to be and the technique does not do it itself. */
+  effectsOf(technique: string): ActiveEffects {
+    const { effects, frame } = this;
+    if (!this.antialias || frame.view !== 'final' || frame.hostSamples === 0) return effects;
+    if (!this.set.passesOf(technique).some(shadesGBuffer)) return effects;
+    this.edges ??= antialiasingCode.use((code) => new code.SmoothEdges());
+    return this.edges?.addTo(effects, frame) ?? effects;
+  }
+
+  /** Draws what has figures of its own in `FarolInfo.passes`. */
+  run(name: string, render: () => void): void {
+    this.recorder.beginPass(name);
+    render();
+    this.recorder.endPass();
+  }
+
+  private drawFrame(): void {
+    const { frame, picker, set, effects } = this;
+    this.sceneView.dropTransmissive();
+    this.setBackground();
+    if (isSurfaceView(frame.view)) {
+      this.showSurface();
+      frame.bindTarget();
+      return;
+    }
+    const overdraw = frame.view === 'overdraw' ? this.views.passes!.overdraw : null;
+    if (overdraw !== null) this.run('overdraw', () => overdraw.render(frame, set.drawsDepthFirst(picker.active)));
+    drawEarly(frame, this.transmittedTwins('final'));
+    drawPasses(frame, picker.active, set.passesOf(picker.active), effects.all, this.recorder);
+    if (overdraw !== null && !set.showsOverdraw(picker.active)) overdraw.show(frame);
+    if (frame.view === 'grid') this.showSurface();
+    picker.warmUp(this.sceneView.chooser, frame, this);
+    frame.bindTarget();
+  }
+
+  /** What is seen through transmissive things, into three's transmission target. */
+  private drawTransmitted(): void {
+    const { queue } = this.frame;
+    for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
+    // those of nodes: they are yet to be drawn into the host's target
+    for (const item of queue.opaque) item.drawn = false;
+  }
+
+  /** The back faces of what transmits, into three's transmission target after that: it is seen through them. */
+  private drawTransmittedBacks(): void {
+    const { frame } = this;
+    const { back } = this.transmittedTwins('final');
+    let drawn = false;
+    for (const item of frame.queue.transmissive) {
+      if (item.material.side !== DoubleSide) continue;
+      frame.drawTwin(item, item.lit ? back : plainBack);
+      drawn = true;
+    }
+    if (drawn) frame.resolveTransmission();
+  }
+
+  /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
+  private setBackground(): void {
+    const { frame, background } = this;
+    frame.fills = this.sceneView.uncleared;
+    if (frame.fills !== null) clearValue(frame.webgl, frame.scene, frame.premultiplied, background);
+    else background.w = -1;
+  }
+
+  private showSurface(): void {
+    this.run('view', () => this.views.passes!.surfaceView.render(this.frame));
+  }
+}
+
+/** True for the passes of techniques that shade one sample a pixel. */
+const shadesGBuffer = ({ reads }: Pass): boolean => reads.includes('gbuffer');

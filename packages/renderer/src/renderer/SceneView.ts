@@ -1,0 +1,277 @@
+import {
+  BufferGeometry,
+  type Camera,
+  DoubleSide,
+  type Light,
+  Material,
+  Mesh,
+  Object3D,
+  type Scene,
+  type WebGLRenderer,
+} from 'three';
+import type { WarmUp } from './warm-up/WarmUp';
+import { type RenderList, type RenderLists, renderListsOf } from '../three/RenderList';
+import type { RenderQueue } from '../frame/RenderQueue';
+import type { Fills } from '../frame/Fills';
+import type { ShadowMapCalls } from '../shadows/draw/ShadowMapCalls';
+import { standInOf } from '../three/standInOf';
+import { TechniqueChooser } from './TechniqueChooser';
+
+/** Maps to be drawn inside three's `render`, and proxies of casters that the camera may not see. */
+export interface ShadowDraws {
+  readonly proxies: readonly Object3D[];
+  readonly calls: ShadowMapCalls;
+}
+
+/** @param backs - only the back faces of what transmits and is double-sided, into three's transmission target */
+export type DrawScene = (backs: boolean) => void;
+
+/** A host's scene as three is shown it by Farol. */
+export type FarolView = Object3D & { readonly isFarolView?: true };
+
+const NOTHING = () => undefined;
+const NEVER = [false, false, false, false];
+
+/**
+ * A host's scene as three's own `render` is shown it: the same objects, but three's traversal, culling, geometry updates,
+ * background and shadow maps run while its draws of the scene's objects and its managed lights are taken from it.
+ * The host's scene is only read. `draw` is called back inside `render`, where `renderBufferDirect` works.
+ */
+export class SceneView {
+  /** What 'auto' has picked for the scene. */
+  readonly chooser = new TechniqueChooser<WarmUp>();
+  private readonly view: Object3D & { overrideMaterial?: Material | null };
+  private readonly children: Object3D[] = [];
+  private lights: readonly Light[] = [];
+  private readonly masks: number[] = [];
+  private readonly driver: Mesh;
+  private list!: RenderList;
+  /** Where the list is from: another one once a lost context is restored. */
+  private lists!: RenderLists;
+  private getList!: RenderLists['get'];
+  /** What the host's code has thrown in this frame, kept until three's `render` has put its stacks in order. */
+  private failed = false;
+  private error: unknown;
+  /** Stands for all that transmits: three fills its transmission target only if something does. */
+  private readonly glass: Mesh;
+  private transmits = false;
+  /** Whose layers an object is to share, beside those of the camera. */
+  seenBy!: Camera;
+  private queue: RenderQueue | null = null;
+  private fills: Fills | null = null;
+  /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
+  private readonly autoClear = [true, true, true, true];
+  private keeps = false;
+  /** How what draws must fill the target, since three was kept from clearing it; null if it was not. */
+  uncleared: Fills | null = null;
+  private draw: DrawScene | null = null;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly source: Object3D,
+    /** Called inside `render` when the lists are there and nothing is drawn yet. */
+    private readonly begun: () => void,
+  ) {
+    const scene = source as Scene;
+    if (scene.isScene === true) {
+      this.view = standInOf(scene, Object3D.prototype);
+      // called by FarolRenderer, before lights are collected
+      this.own('onBeforeRender', NOTHING);
+      this.own('onAfterRender', NOTHING);
+    } else {
+      this.view = new Object3D();
+    }
+    this.own('children', this.children);
+    this.own('matrixWorldAutoUpdate', false);
+    this.own('isFarolView', true);
+    this.driver = makeDriver(() => {
+      this.restoreClear();
+      this.drawAll(false);
+    });
+    this.glass = makeDriver(() => this.drawAll(true));
+    // where three would draw the back faces of what is like this
+    Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
+    this.takeList();
+  }
+
+  /**
+   * Runs three's `render`.
+   * @param lights - the lights to hide that three's traversal would meet below the root
+   * @param rest - what three's traversal meets of the root: its children without managed lights, see `FoundLights`
+   * @param queue - gets the items in three's order
+   * @param draw - does the drawing; called for three's transmission target too if something transmits
+   * @param fills - how what draws can fill the target, so that three need not clear it
+   * @param shadows - what is to be drawn where three draws its shadow maps
+   */
+  render(
+    camera: Camera,
+    lights: readonly Light[],
+    rest: readonly Object3D[],
+    queue: RenderQueue,
+    draw: DrawScene,
+    fills: Fills | null,
+    shadows: ShadowDraws | null = null,
+  ): void {
+    if (this.lists !== renderListsOf(this.webgl)) this.takeList();
+    this.queue = queue;
+    this.draw = draw;
+    this.fills = fills;
+    queue.clear();
+    this.children.length = 0;
+    for (const child of rest) this.children.push(child);
+    if (shadows !== null) for (const proxy of shadows.proxies) this.children.push(proxy);
+    this.lights = lights;
+    this.failed = false;
+    shadows?.calls.begin(this.view, this.fail);
+    this.getList = this.lists.get;
+    this.lists.get = this.giveList;
+    try {
+      this.webgl.render(this.view as Object3D, camera);
+    } finally {
+      this.lists.get = this.getList;
+      shadows?.calls.end();
+      this.restore();
+      this.restoreClear();
+      this.queue = this.draw = null;
+    }
+    if (!this.failed) return;
+    const { error } = this;
+    this.error = undefined;
+    throw error;
+  }
+
+  /**
+   * Ends the frame's drawing by an exception of the host's code. The exception reaches the host when three's `render` is done:
+   * three's stacks of lists and lights, its target and its clipping are never left half way.
+   */
+  private readonly fail = (error: unknown): void => {
+    if (!this.failed) this.error = error;
+    this.failed = true;
+  };
+
+  /** Leaves out what three still has to draw of the transmissive list: Farol draws it. */
+  dropTransmissive(): void {
+    this.list.transmissive.length = 0;
+  }
+
+  private own(name: string, value: unknown): void {
+    Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
+  }
+
+  /** Hides the lights from the traversal, which begins: the scene's `onBeforeRender` has run. */
+  private hide(): void {
+    for (const { layers } of this.lights) {
+      this.masks.push(layers.mask);
+      layers.mask = 0;
+    }
+  }
+
+  /** Gives the lights their layers back; the traversal is over before any callback of the host runs. */
+  private restore(): void {
+    for (let i = 0; i < this.masks.length; i++) this.lights[i].layers.mask = this.masks[i];
+    this.masks.length = 0;
+  }
+
+  /** What three would clear to is set all the same. */
+  private keepFromClearing(): void {
+    const { webgl, autoClear, queue } = this;
+    const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
+    this.uncleared = fills === 'behind' && (!queue!.covers || queue!.reachesFar) ? null : fills;
+    if (this.uncleared === null) return;
+    autoClear[0] = webgl.autoClear;
+    autoClear[1] = webgl.autoClearColor;
+    autoClear[2] = webgl.autoClearDepth;
+    autoClear[3] = webgl.autoClearStencil;
+    if (fills === 'behind') webgl.autoClearColor = false;
+    else this.setAutoClear(NEVER);
+    this.keeps = true;
+  }
+
+  private restoreClear(): void {
+    if (this.keeps) this.setAutoClear(this.autoClear);
+    this.keeps = false;
+  }
+
+  private setAutoClear(flags: readonly boolean[]): void {
+    const { webgl } = this;
+    webgl.autoClear = flags[0];
+    webgl.autoClearColor = flags[1];
+    webgl.autoClearDepth = flags[2];
+    webgl.autoClearStencil = flags[3];
+  }
+
+  /** True if three is about to clear colour and depth to a colour, and draws no background. */
+  private clearsPlainly(): boolean {
+    const { webgl, source } = this;
+    const background = (source as Scene).isScene === true ? (source as Scene).background : null;
+    if (!webgl.autoClearColor || !webgl.autoClearDepth) return false;
+    return background === null ? webgl.autoClear : 'isColor' in background;
+  }
+
+  private drawAll(backs: boolean): void {
+    if (this.failed) return;
+    const { webgl } = this;
+    const target = webgl.getRenderTarget();
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    try {
+      this.draw?.(backs);
+    } catch (error) {
+      this.fail(error);
+      webgl.setRenderTarget(target, face, level);
+    }
+  }
+
+  /** Takes one of three's lists, for all frames: at whatever depth three counts them, it is given this. */
+  private takeList(): void {
+    this.lists = renderListsOf(this.webgl);
+    const list = (this.list = this.lists.get(this.view, 0));
+    const { init, push, finish } = list;
+    const { driver } = this;
+    list.push = (object, geometry, material, groupOrder, z, group, camera) => {
+      if ((object as Object3D & { isFarolProxy?: boolean }).isFarolProxy === true) return;
+      if (!object.layers.test(this.seenBy.layers)) return;
+      const override = this.view.overrideMaterial ?? null;
+      if (camera?.reversedDepth === true) z = -z;
+      this.queue?.push(object, geometry, material, groupOrder, z, group, override);
+      if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
+      this.transmits = true;
+      push(this.glass, this.glass.geometry, this.glass.material as Material, 0, 0, null, camera);
+    };
+    list.init = () => {
+      this.transmits = false;
+      this.hide();
+      init();
+    };
+    list.finish = () => {
+      this.restore();
+      this.queue?.finish();
+      this.begun();
+      this.keepFromClearing();
+      push(driver, driver.geometry, driver.material as Material, 0, 0, null, this.anyCamera);
+      finish();
+    };
+    list.sort = (opaque, transparent, reversed = false) => {
+      try {
+        this.queue?.sort(opaque, transparent, reversed);
+      } catch (error) {
+        this.fail(error);
+      }
+    };
+  }
+
+  private readonly giveList: RenderLists['get'] = (scene, depth) =>
+    scene === this.view ? this.list : this.getList(scene, depth);
+
+  private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
+}
+
+/** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
+function makeDriver(draw: () => void): Mesh {
+  const driver = new Mesh(new BufferGeometry(), new Material());
+  driver.layers.test = () => {
+    draw();
+    return false;
+  };
+  return driver;
+}

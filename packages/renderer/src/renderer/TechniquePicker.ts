@@ -1,0 +1,107 @@
+import type { WebGLRenderer } from 'three';
+import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
+import type { ActiveEffects } from '../frame/ActiveEffects';
+import type { Frame } from '../frame/Frame';
+import { warmUpCode } from './lazyCode';
+import type { LightTable } from '../lighting/LightTable';
+import type { WarmUp } from './warm-up/WarmUp';
+import type { TechniqueName } from '../techniques';
+import type { TechniqueChooser } from './TechniqueChooser';
+import type { TechniqueSet } from './TechniqueSet';
+
+/** Lights that a technique without light lists draws fast enough until the code of another is there. */
+const FEW = 16;
+
+/** Tells the effects of a frame, by the technique that draws it. */
+interface EffectsByTechnique {
+  effectsOf(technique: string): ActiveEffects;
+}
+
+/** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
+export class TechniquePicker {
+  /** What draws this frame: the technique asked for, or what 'auto' picked. */
+  active: TechniqueName = 'deferred';
+  /** Why that one. */
+  reason = '';
+  /** Whether 'auto' may draw by another one soon. */
+  isChanging = false;
+  private asked: TechniqueName = 'auto';
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly set: TechniqueSet,
+  ) {}
+
+  /** What is asked for. @throws Error when unknown, or the device cannot run it */
+  get technique(): TechniqueName {
+    return this.asked;
+  }
+
+  set technique(name: TechniqueName) {
+    checkDevice(this.webgl, this.set.get(name).needsFloatTargets);
+    this.asked = name;
+    this.set.codeOf(name)?.ask();
+  }
+
+  /**
+   * Sets `active` and `reason`; to be called when the lights of the frame are collected.
+   * @param chooser - of the scene that is drawn
+   */
+  pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
+    this.active = this.asked;
+    this.reason = 'asked for';
+    this.isChanging = false;
+    if (!frame.hasPlainProjection) {
+      this.active = 'forward-single-pass';
+      this.reason = 'the projection is skewed';
+      return;
+    }
+    const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
+    const floatTargets = lacksFloatTargets(this.webgl) === null;
+    if (this.asked === 'auto') this.choose(chooser, frame, table, needsSurfaces, floatTargets);
+    const { active } = this;
+    if (this.set.codeOf(active)?.ask() !== false) return;
+    const single = !floatTargets || (lights <= FEW && !this.set.known[active].needsFloatTargets);
+    this.active = single ? 'forward-single-pass' : 'deferred';
+    this.reason = `the code of "${active}" is being fetched`;
+  }
+
+  /** Sets what 'auto' draws by. */
+  private choose(
+    chooser: TechniqueChooser<WarmUp>,
+    frame: Frame,
+    { bounded, coverage, directional, unbounded }: LightTable,
+    surfaces: boolean,
+    floatTargets: boolean,
+  ): void {
+    const choice = chooser.choose(
+      {
+        bounded: bounded + (frame.fields?.count ?? 0),
+        coverage: coverage + (frame.fields?.coverage ?? 0),
+        everywhere: directional + unbounded,
+        objects: frame.queue.opaque.length,
+        transparents: frame.queue.hasLitTransparents,
+        floatTargets,
+        surfaces,
+      },
+      warmUpCode.isThere,
+    );
+    if (chooser.settled) warmUpCode.ask();
+    this.isChanging = chooser.isChanging;
+    this.active = choice.technique;
+    this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
+  }
+
+  /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
+  warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
+    if (chooser.next === null || this.asked !== 'auto') return;
+    const { technique } = chooser.next;
+    const { known } = this.set;
+    if (this.set.codeOf(technique)?.ask() === false) return;
+    const passes = this.set.passesOf(technique);
+    // after a lost context they are others
+    if (chooser.preparation?.passes !== passes)
+      chooser.preparation = warmUpCode.use(({ WarmUp }) => new WarmUp(frame, known[technique], technique, passes));
+    chooser.preparation?.step(draws.effectsOf(technique).all);
+  }
+}

@@ -1,0 +1,79 @@
+import { unknownName } from './errors';
+import type { Lazy } from '../frame/Lazy';
+import { gridCode, tileCode } from './lazyCode';
+import type { Pass } from '../frame/Pass';
+import { validatePasses } from '../frame/validatePasses';
+import { techniques } from '../techniques';
+import type { MicroShaderRegistry } from '../microshaders';
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import type { Technique } from '../frame/Technique';
+
+/** The techniques of one renderer, and the passes of those that it has drawn by. */
+export class TechniqueSet {
+  /** By name: the built-in ones, and those that were added. */
+  readonly known: Record<string, Technique> = { ...techniques };
+  private readonly lists = new Map<string, Pass[]>();
+
+  constructor(private readonly microshaders: MicroShaderRegistry) {}
+
+  /** @throws Error when there is one of that name */
+  add(name: string, technique: Technique): void {
+    if (Object.hasOwn(this.known, name)) throw new Error(`Farol: there is a technique "${name}"; choose another name.`);
+    this.known[name] = technique;
+  }
+
+  /** Takes an added technique out, and gives back what its passes hold. @throws Error when none was added by that name */
+  remove(name: string): void {
+    if (!Object.hasOwn(this.known, name) || Object.hasOwn(techniques, name))
+      throw new Error(`Farol: no technique "${name}" was added; only added ones can be removed.`);
+    for (const pass of this.lists.get(name) ?? []) pass.dispose();
+    this.lists.delete(name);
+    delete this.known[name];
+  }
+
+  /** @throws Error when there is none of that name */
+  get(name: string): Technique {
+    if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
+    return this.known[name];
+  }
+
+  /** Code that a technique needs: its own, or that of the order in which it wants the lights. */
+  codeOf(name: string): Lazy<object> | undefined {
+    const { lazy, lightOrder } = this.known[name];
+    return lazy ?? (lightOrder === 'by-grid' ? gridCode : lightOrder === 'by-depth' ? tileCode : undefined);
+  }
+
+  /** @throws Error when a pass reads what none before it writes, or the technique's code is not there */
+  passesOf(name: string): Pass[] {
+    let passes = this.lists.get(name);
+    if (passes === undefined) {
+      passes = this.known[name].passes();
+      validatePasses(name, passes);
+      for (const { microShaders = {} } of passes) addMicroShaders(this.microshaders, `technique ${name}`, microShaders);
+      this.lists.set(name, passes);
+    }
+    return passes;
+  }
+
+  /** Whether a technique draws the depth of opaque things into the target before it shades them. */
+  drawsDepthFirst(name: string): boolean {
+    return this.passesOf(name).some(({ writes }) => writes.includes('scene-depth') && writes.includes('target'));
+  }
+
+  /** Whether a technique shows the counts of the view 'overdraw' itself. */
+  showsOverdraw(name: string): boolean {
+    return this.passesOf(name).some(({ reads }) => reads.includes('overdraw'));
+  }
+
+  /** Bytes of the targets of all passes. */
+  get bytes(): number {
+    let bytes = 0;
+    for (const passes of this.lists.values()) for (const pass of passes) bytes += pass.bytes;
+    return bytes;
+  }
+
+  dispose(): void {
+    for (const passes of this.lists.values()) for (const pass of passes) pass.dispose();
+    this.lists.clear();
+  }
+}

@@ -1,0 +1,47 @@
+import type { FarolEffect } from '../frame/FarolEffect';
+import type { Frame } from '../frame/Frame';
+import type { InfoRecorder } from './InfoRecorder';
+import type { Pass } from '../frame/Pass';
+import type { Resource } from '../frame/Resources';
+
+/** Draws the passes of a technique in their order, with the effects after them or in their place, each with its figures. */
+export function drawPasses(
+  frame: Frame,
+  technique: string,
+  passes: readonly Pass[],
+  effects: readonly FarolEffect[],
+  recorder: InfoRecorder,
+): void {
+  const { resources } = frame;
+  for (const pass of passes) {
+    recorder.beginPass(pass.name);
+    resources.use(technique, pass);
+    (replacementOf(pass, effects) ?? pass).render!(frame, pass);
+    resources.use(technique, null);
+    recorder.endPass();
+    for (const effect of effects) {
+      if (effect.after === undefined || !sharesOne(effect.after, pass.writes)) continue;
+      recorder.beginPass(effect.name);
+      effect.render!(frame, pass);
+      recorder.endPass();
+    }
+  }
+  for (const effect of effects) {
+    if (effect.end === undefined) continue;
+    // what draws after passes has its figures already
+    if (effect.after === undefined) recorder.beginPass(effect.name);
+    effect.end(frame);
+    recorder.endPass();
+  }
+}
+
+function replacementOf(pass: Pass, effects: readonly FarolEffect[]): FarolEffect | null {
+  for (const effect of effects)
+    if (effect.replaces !== undefined && pass.writes.includes(effect.replaces)) return effect;
+  return null;
+}
+
+function sharesOne(some: readonly Resource[], others: readonly Resource[]): boolean {
+  for (const one of some) if (others.includes(one)) return true;
+  return false;
+}

@@ -1,0 +1,90 @@
+import { lightFieldMade } from '../light-fields/lightFieldMade';
+import { Lazy } from '../frame/Lazy';
+
+/** Shadow maps, cookies, photometric profiles and light layers. */
+export const shadowCode = new Lazy('shadows', () => import('../shadows'), 'three draws shadows');
+
+/** Area lights: rectangles, discs and tubes. */
+export const areaCode = new Lazy('area-lights', () => import('../lighting/area-lights'), 'three draws rectangles');
+
+/** The views of surfaces and overdraw. */
+export const viewCode = new Lazy('views', () => import('../views'), 'the final picture is shown');
+
+/** Light pre-pass and inferred lighting. */
+export const lightBufferCode = new Lazy(
+  'light-buffer',
+  () => import('../techniques/light-buffer'),
+  'deferred shading draws',
+);
+
+/** Light lists of clusters: clustered forward and clustered deferred shading. */
+export const gridCode = new Lazy(
+  'light-grid',
+  () => import('../techniques/light-lists/clusteredPasses'),
+  'other techniques draw',
+);
+
+/** Light lists of tiles: Forward+, tiled forward and tiled deferred shading. */
+export const tileCode = new Lazy(
+  'light-tiles',
+  () => import('../techniques/light-lists/tiledPasses'),
+  'other techniques draw',
+);
+
+/** Multipass lighting: the technique 'forward'. */
+export const multipassCode = new Lazy('multipass', () => import('../techniques/multipass'), 'deferred shading draws');
+
+/** Lights as data: LightField. Their lists are those of tiles. */
+export const lightFieldCode = new Lazy(
+  'light-fields',
+  async () => (await Promise.all([import('../light-fields/makeLightFields'), tileCode.load()]))[0],
+  'their lights light nothing',
+);
+lightFieldMade.tell = () => lightFieldCode.ask();
+
+/** Lights at the vertices. */
+export const gouraudCode = new Lazy('gouraud', () => import('../materials/gouraud'), 'light is in pixels');
+
+/** Node materials (TSL). */
+export const nodeCode = new Lazy(
+  'nodes',
+  () => import('../three/nodes/NodeDraws'),
+  'three draws scenes that have some',
+);
+
+/** Compiles programs ahead, and waits for a picture that is as it stays. */
+export const warmUpCode = new Lazy(
+  'warm-up',
+  () => import('./warm-up'),
+  "what 'auto' picks is compiled when it is first drawn",
+);
+
+/** Anti-aliasing of techniques that draw one sample a pixel. */
+export const antialiasingCode = new Lazy(
+  'antialiasing',
+  () => import('../effects/antialiasing/SmoothEdges'),
+  'edges are not smooth',
+);
+
+/** Times of passes on the GPU. */
+export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
+
+/** All of the above. */
+export const lazyCode = [
+  shadowCode,
+  areaCode,
+  viewCode,
+  lightBufferCode,
+  multipassCode,
+  gridCode,
+  tileCode,
+  lightFieldCode,
+  gouraudCode,
+  nodeCode,
+  antialiasingCode,
+  timerCode,
+  warmUpCode,
+] as const;
+
+/** Name of a part of the renderer's code that is fetched when a scene or setting first needs it. */
+export type LazyPart = (typeof lazyCode)[number]['name'];

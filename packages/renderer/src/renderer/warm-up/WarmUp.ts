@@ -1,0 +1,140 @@
+import type { Material, Mesh, Object3D } from 'three';
+import type { FarolEffect } from '../../frame/FarolEffect';
+import type { Frame } from '../../frame/Frame';
+import { ResourceTable } from '../../frame/Resources';
+import type { Pass } from '../../frame/Pass';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { Fills } from '../../frame/Fills';
+import type { Preparation } from '../TechniqueChooser';
+import {
+  programsOf,
+  stopUsingPrograms,
+  waitingPrograms,
+  watchNewPrograms,
+  type ProgramList,
+  type WaitingPrograms,
+} from '../../three/WaitingPrograms';
+
+/** Draws that are tried in one frame at most: some tenths of a millisecond. */
+const DRAWS = 128;
+const STOP = new Error('Farol: warmed up');
+const stop = (): never => {
+  throw STOP;
+};
+
+/**
+ * Makes a technique ready to draw the scene at hand while another one draws it. At the end of a frame its passes run
+ * with all targets bound as they would be, but each draw ends where three has set its program to compile and link:
+ * nothing is drawn, cleared or waited for, and nothing of the host's is called but what a compilation calls. One new
+ * program a frame, then one a frame that the device is done with is given its uniforms, so that no frame is long.
+ */
+export class WarmUp implements Preparation {
+  /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */
+  ready = false;
+  private readonly dry: Frame;
+  /** Of each material the geometries that were tried; the objects where the shader depends on the object too. */
+  private readonly seen = new Map<Material, Set<object>>();
+  private programs: ProgramList | null = null;
+  private waiting!: WaitingPrograms;
+  /** Draws that this frame may still try. */
+  private left = 0;
+  /** Whether a draw was left for a later frame. */
+  private cut = true;
+
+  constructor(
+    private readonly frame: Frame,
+    private readonly technique: { readonly fills?: Fills },
+    private readonly name: string,
+    readonly passes: readonly Pass[],
+  ) {
+    this.dry = Object.assign(Object.create(frame) as Frame, {
+      resources: new ResourceTable(),
+      clear() {},
+      resolve() {},
+      copyDepth() {},
+      drawNodes() {},
+      drawItem: (item: RenderItem, material: Material) => {
+        // a material that needs no twin has just been drawn
+        if (material !== item.material) this.tryDraw(item.object, item, material, item.materialVariant > 0);
+      },
+      drawMesh: (mesh: Mesh, material: Material) =>
+        this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material),
+      // a pass compiles ahead once: each such call is tried, whatever is left
+      compileMesh: (mesh: Mesh, material: Material) => {
+        const { left } = this;
+        this.left = 1;
+        this.tryDraw(mesh, { geometry: mesh.geometry, group: null }, material);
+        this.left = Math.min(left, this.left);
+      },
+    });
+  }
+
+  /** To be called inside three's `render`, when all is drawn; the target may be another one after it. */
+  step(effects: readonly FarolEffect[]): void {
+    const programs = programsOf(this.frame.webgl);
+    if (programs !== this.programs) {
+      // also after a lost context
+      this.programs = programs;
+      this.waiting = waitingPrograms(programs);
+      this.seen.clear();
+      this.cut = true;
+    }
+    this.waiting.finishOne();
+    if (this.cut) this.run(effects);
+    this.ready = !this.cut && this.waiting.length === 0;
+  }
+
+  private run(effects: readonly FarolEffect[]): void {
+    const { frame, dry, waiting, programs } = this;
+    const { queue } = frame;
+    for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
+    dry.fills = frame.fills && (this.technique.fills ?? 'behind');
+    dry.resources.begin();
+    this.left = DRAWS;
+    this.cut = false;
+    const resume = stopUsingPrograms(frame.webgl, stop);
+    waiting.block(stop);
+    const unwatch = watchNewPrograms(programs!, (program) => {
+      this.left = 0;
+      waiting.add(program, stop);
+    });
+    try {
+      for (const pass of this.passes) {
+        if (this.cut) break;
+        if (effects.some(({ replaces }) => replaces !== undefined && pass.writes.includes(replaces))) continue;
+        dry.resources.use(this.name, pass);
+        if (pass.warmUp !== undefined) pass.warmUp(dry);
+        else pass.render(dry);
+      }
+      for (const effect of effects) effect.warmUp?.(dry);
+    } finally {
+      unwatch();
+      waiting.unblock();
+      resume();
+    }
+  }
+
+  private tryDraw(
+    object: Object3D,
+    { geometry, group }: Pick<RenderItem, 'geometry' | 'group'>,
+    material: Material,
+    byObject = false,
+  ): void {
+    let seen = this.seen.get(material);
+    if (seen === undefined) this.seen.set(material, (seen = new Set()));
+    const key = byObject ? object : geometry;
+    if (seen.has(key)) return;
+    if (this.left === 0) {
+      this.cut = true;
+      return;
+    }
+    this.left--;
+    seen.add(key);
+    const { frame } = this;
+    try {
+      frame.draw(frame.camera, frame.scene, geometry, material, object, group);
+    } catch (error) {
+      if (error !== STOP) throw error;
+    }
+  }
+}

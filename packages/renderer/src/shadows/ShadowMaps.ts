@@ -1,0 +1,447 @@
+import {
+  type Camera,
+  type Light,
+  type LightShadow,
+  type Object3D,
+  type Texture,
+  VSMShadowMap,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import { RecentlyUsed } from '../frame/RecentlyUsed';
+import type { DataTable } from '../gpu/DataTable';
+import type { MaskUniforms } from '../lighting/maskUniforms';
+import { cookieOf, profileOf } from '../lighting/lightCookie';
+import type { LightMasks } from '../lighting/LightRecords';
+import { shadowedLights } from '../lighting/shadowedLights';
+import { hasShadowMap, isAreaLight } from '../lights/classifyLight';
+import type { PictureSize } from '../lights/PictureSize';
+import type { MicroShaderRegistry } from '../microshaders';
+import { ShadowAtlases } from './atlas/ShadowAtlases';
+import type { TextureAtlas } from './atlas/TextureAtlas';
+import { ShadowCasters } from './casters/ShadowCasters';
+import { CookieDraws } from './draw/CookieDraws';
+import { HostShadowMaps } from './draw/HostShadowMaps';
+import { MomentDraws } from './draw/MomentDraws';
+import { RegionDrawer } from './draw/RegionDrawer';
+import type { ShadowMapCalls } from './draw/ShadowMapCalls';
+import { ShadowMapDraws } from './draw/ShadowMapDraws';
+import { LightLayers } from './LightLayers';
+import { MaskRecords } from './masks/MaskRecords';
+import { MaskShaders } from './masks/MaskShaders';
+import { ShadowBounds, ShadowTiles } from './screen-tiles';
+import type { AreaLights } from '../lights/AreaLights';
+import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
+import { atlasLimit } from './slots/atlasLimit';
+import { chooseDetail } from './slots/chooseDetail';
+import type { CookieSlot } from './slots/CookieSlot';
+import { LightSlots } from './slots/LightSlots';
+import type { ShadowLight } from './slots/ShadowLight';
+import type { ShadowSlot } from './slots/ShadowSlot';
+import { isDepthReversed } from '../three/state';
+
+/** Frames between two rebalancings of a full atlas. */
+const REBALANCE = 60;
+/** Texels a side of the smallest atlas of depths that a host may ask for. */
+const SMALLEST_ATLAS = 512;
+
+/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
+const drawnShadows = new WeakSet<LightShadow>();
+
+/**
+ * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which of them a frame needs and which
+ * have to be drawn, `render` draws those. README.md tells a frame step by step.
+ */
+export class ShadowMaps implements LightMasks {
+  readonly layers = new LightLayers();
+  /** Maps of each directional light, 1 to 4. */
+  cascades = 1;
+  /** Texels a side of the atlas of depths, at most; null: by the pictures that are drawn, see `atlasLimit`. */
+  atlasSize: number | null = null;
+  private knownAtlasSize: number | null = null;
+  /** Tells how far area lights reach; null while no scene has had one. */
+  areas: AreaLights | null = null;
+  /** Layers of casters, as bits, where a shadow's camera names none: those that the frame's lights are seen by. */
+  layersSeen = 1;
+  /** Maps that the frame draws (a point light has one, of six faces). */
+  drawn = 0;
+  /** Maps that light the frame as earlier frames drew them. */
+  kept = 0;
+  /** Texels that the frame draws to for its maps. */
+  texels = 0;
+  readonly bounds: ShadowBounds;
+  readonly tiles = new ShadowTiles();
+  /** Has the maps drawn where three draws its own; set by `makeShadowMaps`. */
+  calls!: ShadowMapCalls;
+  private readonly slots: LightSlots;
+  private readonly casters = new WeakMap<Object3D, ShadowCasters>();
+  /** Scenes whose maps are held. */
+  private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
+  private readonly atlases: ShadowAtlases;
+  private readonly draws: ShadowMapDraws;
+  private readonly moments: MomentDraws;
+  private readonly images: CookieDraws;
+  private readonly hostMaps: HostShadowMaps;
+  private readonly shaders: MaskShaders;
+  private readonly masks: MaskRecords;
+  /** What the frame draws: maps, copies of images, and copies of maps for three's addons. */
+  private readonly toDraw: ShadowSlot[] = [];
+  private readonly imagesToDraw: CookieSlot[] = [];
+  private readonly toCopy: ShadowSlot[] = [];
+  /** `shadowMap.type` of the frame, and whether that is VSMShadowMap, whose maps lie in the atlas of colours. */
+  private type = -1;
+  private isVariance = false;
+  private frame = 0;
+  /** Size of the frame's picture (pixels). */
+  private picture: PictureSize = { width: 1, height: 1 };
+  /** Maps that the last frame needed. */
+  private mapCount = 0;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    microshaders: MicroShaderRegistry,
+  ) {
+    this.atlases = new ShadowAtlases(webgl);
+    this.draws = new ShadowMapDraws(webgl, microshaders);
+    const drawer = new RegionDrawer(webgl, microshaders);
+    this.moments = new MomentDraws(webgl, drawer, this.draws);
+    this.images = new CookieDraws(drawer);
+    this.hostMaps = new HostShadowMaps(webgl, drawer);
+    this.bounds = new ShadowBounds(webgl, drawer);
+    this.shaders = new MaskShaders(microshaders);
+    const release = {
+      map: (slot: ShadowSlot) => this.releaseMap(slot),
+      cookie: (cookie: CookieSlot) => this.atlases.colours.release(cookie),
+    };
+    this.slots = new LightSlots(release, webgl.capabilities.getMaxAnisotropy());
+    this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
+  }
+
+  /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
+  get depthTexture(): Texture | null {
+    const draws = this.toDraw.length > 0 && !this.isVariance;
+    return this.textureOf(this.atlases.depths, draws);
+  }
+
+  /** Colours of cookies, moments of variance shadow maps; null before the first is drawn. */
+  get colourTexture(): Texture | null {
+    const draws = this.imagesToDraw.length > 0 || (this.toDraw.length > 0 && this.isVariance);
+    return this.textureOf(this.atlases.colours, draws);
+  }
+
+  get atlasBytes(): number {
+    return this.atlases.bytes + this.moments.bytes;
+  }
+
+  get bytes(): number {
+    return this.atlasBytes + this.bounds.bytes + this.tiles.bytes;
+  }
+
+  /** True when the frame has maps, images or bounds to draw. */
+  get hasWork(): boolean {
+    return this.toDraw.length + this.imagesToDraw.length + this.toCopy.length > 0 || this.bounds.hasWork;
+  }
+
+  /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
+  get proxies(): readonly Object3D[] {
+    return this.draws.proxies;
+  }
+
+  get records(): number {
+    return this.masks.records;
+  }
+
+  recordOf(light: Light): number {
+    return this.masks.recordOf(light);
+  }
+
+  write(table: DataTable, first: number, camera: Camera): void {
+    this.masks.write(table, first, camera, this.type, this.isDepthReversed(), this.picture);
+  }
+
+  /**
+   * Points the uniforms at what lights the frame, once the light table is written.
+   * @param firstMask - record of the light table
+   */
+  setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
+    uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorldInverse).invert();
+    uniforms.farol_shadowAtlas.value = this.depthTexture;
+    uniforms.farol_lightAtlas.value = this.colourTexture;
+    uniforms.farol_atlasTexel.value[0] = 1 / this.atlases.depths.size;
+    uniforms.farol_atlasTexel.value[1] = 1 / this.atlases.colours.size;
+    uniforms.farol_masks.value[0] = firstMask;
+    uniforms.farol_masks.value[1] = this.masks.count;
+    uniforms.farol_layers.value[0] = this.layers.reference & 0xffff;
+    uniforms.farol_layers.value[1] = this.layers.reference >>> 16;
+  }
+
+  /**
+   * Finds which maps a frame needs and which of them have to be drawn.
+   * @param lights - of the frame that may cast shadows, throw images or be limited to layers
+   * @param picture - size (pixels)
+   */
+  update(root: Object3D, camera: Camera, lights: readonly Light[], picture: PictureSize): void {
+    this.begin();
+    this.scenes.use(root);
+    if (lights.length === 0 && this.slots.isEmpty) return;
+    const { shadowMap } = this.webgl;
+    const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
+
+    // collect
+    this.followType();
+    for (const light of lights) this.collect(light, root, camera);
+
+    // keep
+    this.noteLoss();
+    this.noteChanges(root, camera);
+    this.followLights(updates, camera);
+
+    // assign
+    this.picture = picture;
+    this.chooseSizes(camera, picture);
+    this.place();
+    for (const slot of this.slots.lit) this.assign(slot, updates);
+    this.masks.end();
+    this.findImages();
+  }
+
+  /** Draws what the frame has to draw. Call inside three's `render`, where three draws its own shadow maps. */
+  render(): void {
+    const { webgl, toDraw } = this;
+    const { depths, colours } = this.atlases;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    this.draws.setComparison(depths);
+    this.draws.send();
+    if (this.isVariance) for (const slot of toDraw) this.moments.render(slot, colours);
+    else if (toDraw.length > 0) {
+      webgl.setRenderTarget(depths.target);
+      this.draws.drawMaps(toDraw);
+    }
+    for (const { map, shadow } of toDraw) {
+      map.draw();
+      drawnShadows.add(shadow);
+      if (shadow.needsUpdate) shadow.needsUpdate = false;
+    }
+    for (const cookie of this.imagesToDraw) this.images.render(cookie, colours);
+    for (const slot of this.toCopy) this.hostMaps.render(slot, this.isVariance ? colours : depths, this.type);
+    this.bounds.render(depths);
+    webgl.setRenderTarget(target, face, level);
+  }
+
+  /** Ends a frame: takes back `needsUpdate`, by which the host asks for maps once. */
+  end(): void {
+    const { shadowMap } = this.webgl;
+    if (this.slots.lit.length > 0 && shadowMap.needsUpdate) shadowMap.needsUpdate = false;
+  }
+
+  dispose(): void {
+    this.atlases.dispose();
+    this.draws.dispose();
+    this.moments.dispose();
+    this.images.dispose();
+    this.bounds.dispose();
+    this.hostMaps.dispose();
+    this.tiles.dispose();
+    this.shaders.dispose();
+    this.slots.clear();
+    this.scenes.clear();
+  }
+
+  private begin(): void {
+    this.frame++;
+    this.toDraw.length = this.imagesToDraw.length = this.toCopy.length = this.tiles.bounded = 0;
+    this.drawn = this.kept = this.texels = 0;
+    this.slots.begin(this.frame);
+    this.slots.layersSeen = this.layersSeen;
+    this.masks.begin();
+    this.bounds.begin();
+  }
+
+  // ---- Collect: a slot for each light that casts shadows or throws an image ----
+
+  /** Has all maps drawn anew where `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
+  private followType(): void {
+    const { type } = this.webgl.shadowMap;
+    if (type === this.type) return;
+    const atlas = this.atlasOfMaps;
+    const moves = (type === VSMShadowMap) !== this.isVariance;
+    for (const slot of this.slots.all()) {
+      slot.map.change();
+      if (moves) atlas.release(slot);
+    }
+    this.type = type;
+    this.isVariance = type === VSMShadowMap;
+  }
+
+  /** Adds a light of the frame to the slots; one that only keeps to layers needs none. */
+  private collect(light: Light, root: Object3D, camera: Camera): void {
+    if (isAreaLight(light)) {
+      if (!hasShadowMap(light, shadowedLights(this.webgl))) this.masks.addLayered(light);
+      else {
+        const stand = AreaShadowLight.follow(light, this.areas?.radiusOf(light) || 0);
+        this.slots.add(stand as ShadowLight, root, camera, true, null, 1);
+      }
+      return;
+    }
+    const { isDirectionalLight } = light as Light & { isDirectionalLight?: boolean };
+    const casts = hasShadowMap(light, shadowedLights(this.webgl));
+    const image = cookieOf(light);
+    const profile = isDirectionalLight === true ? null : profileOf(light);
+    if (!casts && image === null && profile === null) {
+      this.masks.addLayered(light);
+      return;
+    }
+    const cascades = isDirectionalLight === true && !this.isVariance ? this.cascades : 1;
+    this.slots.add(light as ShadowLight, root, camera, casts, image, cascades, profile);
+  }
+
+  // ---- Keep: which of the maps that are there still hold ----
+
+  /** A lost context has taken the maps along. */
+  private noteLoss(): void {
+    if (this.atlases.isLost) this.slots.lose(false);
+  }
+
+  /** Marks the maps that show a place where something has changed, also those of lights that are not lit now. */
+  private noteChanges(root: Object3D, camera: Camera): void {
+    let casters = this.casters.get(root);
+    if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
+    casters.update(root, camera, this.isVariance);
+    this.draws.begin(casters, camera, this.isVariance);
+    const { changes, changeCount } = casters;
+    for (const slot of this.slots.all()) {
+      if (slot.root !== root || slot.map.isStale) continue;
+      for (let i = 0; i < changeCount * 4; i += 4) {
+        if (!slot.reaches(changes[i], changes[i + 1], changes[i + 2], changes[i + 3])) continue;
+        slot.map.change();
+        break;
+      }
+    }
+  }
+
+  /** Moves the maps' cameras along with the lights whose maps may be drawn, and marks the maps that this changes. */
+  private followLights(updates: boolean, camera: Camera): void {
+    const reversed = this.isDepthReversed();
+    for (const slot of this.slots.lit) {
+      const { shadow, map } = slot;
+      if (shadow.needsUpdate) map.change();
+      const follows = !map.wasDrawn || slot.cookie !== null || (updates && (shadow.autoUpdate || shadow.needsUpdate));
+      if (follows) slot.follow(reversed, camera, this.isVariance);
+    }
+  }
+
+  // ---- Assign: regions of the atlases, what is drawn, records ----
+
+  /** Finds how large the maps and their atlas are to be. */
+  private chooseSizes(camera: Camera, picture: PictureSize): void {
+    const { shadowMap, capabilities } = this.webgl;
+    const { lit } = this.slots;
+    const { depths } = this.atlases;
+    const asked = this.atlasSize === null ? atlasLimit(picture, lit) : Math.max(SMALLEST_ATLAS, this.atlasSize);
+    if (this.atlasSize !== this.knownAtlasSize) {
+      this.knownAtlasSize = this.atlasSize;
+      if (!this.isVariance) for (const slot of this.slots.all()) this.releaseMap(slot);
+      depths.clear();
+    }
+    // the limit only grows: cameras may take turns, and the largest picture counts
+    depths.raiseLimit(Math.min(asked, capabilities.maxTextureSize));
+    chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
+  }
+
+  /** Gives each map and image of the frame its region; releases the regions of lights that have not been lit for long. */
+  private place(): void {
+    const { slots, atlases } = this;
+    slots.sortOut(this.isVariance);
+    const rebalances = slots.mapCount !== this.mapCount || this.frame % REBALANCE === 0;
+    this.mapCount = slots.mapCount;
+    if (!atlases.isFine && slots.depths.some(needsFineDepth)) {
+      atlases.refine();
+      slots.lose(true);
+    }
+    atlases.depths.arrange(slots.depths, slots.keptDepths, rebalances);
+    atlases.colours.arrange(slots.colours, slots.keptColours, rebalances);
+  }
+
+  /** Decides whether a lit map is drawn, kept, or copied for three's addons, and gives its mask a record. */
+  private assign(slot: ShadowSlot, updates: boolean): void {
+    const { map, shadow } = slot;
+    const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
+    // a light whose map the host has not asked for yet casts no shadow
+    slot.hasShadow = slot.casts && slot.placement.region !== null && (map.isThere || mayDraw);
+    if (slot.hasShadow) {
+      const draws = this.planMap(slot, mayDraw);
+      if (this.hostMaps.wants(slot, draws, this.type)) this.toCopy.push(slot);
+    }
+    this.masks.assign(slot, this.type);
+  }
+
+  /** Plans the draw of a map where it has to be drawn. @returns whether it has */
+  private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
+    const { map } = slot;
+    // soft shadows look up places far from the receivers
+    const isSoft = softSizeOf(slot.light) > 0;
+    const isPart = !isSoft && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
+    if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {
+      this.toDraw.push(slot);
+      this.drawn++;
+      this.texels += slot.plan(isPart);
+      this.draws.prepare(slot);
+      return true;
+    }
+    this.kept++;
+    if (map.hasBounds) this.tiles.bounded++;
+    else if (!this.isVariance) this.bounds.keep(slot, this.frame - map.since);
+    return false;
+  }
+
+  /** Finds the images whose copies have to be drawn. */
+  private findImages(): void {
+    for (const copies of this.slots.copies) {
+      for (const cookie of copies.values()) {
+        if (!this.slots.isLit(cookie) || cookie.placement.region === null || cookie.map.isCurrent) continue;
+        cookie.map.plan(false);
+        this.imagesToDraw.push(cookie);
+      }
+    }
+  }
+
+  // ---- Release ----
+
+  private releaseMap(slot: ShadowSlot): void {
+    this.hostMaps.release(slot);
+    this.atlasOfMaps.release(slot);
+  }
+
+  /** Releases the maps of a scene, and its casters. */
+  private releaseScene(root: Object3D): void {
+    this.slots.releaseScene(root);
+    const casters = this.casters.get(root);
+    if (casters !== undefined) this.draws.release(casters);
+    this.casters.delete(root);
+  }
+
+  private get atlasOfMaps(): TextureAtlas {
+    return this.isVariance ? this.atlases.colours : this.atlases.depths;
+  }
+
+  /** The texture of an atlas; null while nothing is drawn, now (`draws`) or before. */
+  private textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
+    return draws || !this.atlases.lacksTexture(atlas) ? atlas.texture : null;
+  }
+
+  private isDepthReversed(): boolean {
+    return isDepthReversed(this.webgl);
+  }
+}
+
+const needsFineDepth = (slot: ShadowSlot) => slot.needsFineDepth;
+
+/**
+ * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
+ * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
+ * has not, which knows of no request.
+ */
+const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
+  drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

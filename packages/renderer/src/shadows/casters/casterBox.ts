@@ -1,0 +1,91 @@
+import {
+  Box3,
+  type BufferAttribute,
+  type BufferGeometry,
+  type Material,
+  type Mesh,
+  type MeshStandardMaterial,
+  type Object3D,
+} from 'three';
+import { surfacesOf } from '../../materials/surfacesOf';
+import { attributeState, isReadable } from '../../three/vertexData';
+import { isAnimatedCaster } from './casterSignature';
+import { moveBox } from './moveBox';
+
+type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
+
+/** Boxes of geometries in their own space (m), and `attributeState` of the positions that each box is of. */
+const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; state: number }>();
+
+const own = new Float64Array(6);
+
+/** Box of a geometry; null where there is none, or the CPU cannot read the positions and the page tells of no box. */
+function boxOf(geometry: BufferGeometry): Box3 | null {
+  const { position } = geometry.attributes;
+  if (position === undefined) return null;
+  const state = attributeState(position);
+  let known = boxes.get(geometry);
+  if (known?.state !== state) {
+    if (!isReadable(position)) return geometry.boundingBox;
+    if (known === undefined) boxes.set(geometry, (known = { box: new Box3(), state }));
+    known.state = state;
+    known.box.setFromBufferAttribute(position as BufferAttribute);
+  }
+  return known.box;
+}
+
+/** How far the shaders of a material may displace vertices (m, in the object's own space); Infinity where nobody says. */
+function reachOf(material: Material): number {
+  return (material as MeshStandardMaterial).displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
+}
+
+/**
+ * Finds the box along the world's axes round an object; changes nothing of the object.
+ * @param out - gets centre and half sizes (m), 6 numbers
+ * @returns false for objects without a box: instances, batches, points, and what shaders bend without a declared reach
+ */
+export function casterBox(object: Object3D, out: Float64Array): boolean {
+  const mesh = object as AnyMesh;
+  if (mesh.isInstancedMesh || mesh.isBatchedMesh || mesh.isPoints) return false;
+  if (isAnimatedCaster(object)) return false;
+  let reach = 0;
+  const { material } = mesh;
+  if (!Array.isArray(material)) reach = reachOf(material);
+  else for (let i = 0; i < material.length; i++) reach = Math.max(reach, reachOf(material[i]));
+  if (reach === Infinity) return false;
+  const box = boxOf(mesh.geometry);
+  if (box === null || box.isEmpty()) return false;
+  const { min, max } = box;
+  own[0] = 0.5 * (min.x + max.x);
+  own[1] = 0.5 * (min.y + max.y);
+  own[2] = 0.5 * (min.z + max.z);
+  own[3] = 0.5 * (max.x - min.x) + reach;
+  own[4] = 0.5 * (max.y - min.y) + reach;
+  own[5] = 0.5 * (max.z - min.z) + reach;
+  moveBox(own, 0, object.matrixWorld, out, 0);
+  return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
+}
+
+/** True when a box, which starts at index `at`, lies wholly outside one of six planes, as `viewFrustumPlanes` has them. */
+export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
+  for (let i = 0; i < 24; i += 4) {
+    const x = planes[i];
+    const y = planes[i + 1];
+    const z = planes[i + 2];
+    const reach = Math.abs(x) * box[at + 3] + Math.abs(y) * box[at + 4] + Math.abs(z) * box[at + 5];
+    if (x * box[at] + y * box[at + 1] + z * box[at + 2] + planes[i + 3] < -reach) return true;
+  }
+  return false;
+}
+
+/** True when no part of a box, which starts at index `at`, lies outside any of six planes. */
+export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
+  for (let i = 0; i < 24; i += 4) {
+    const x = planes[i];
+    const y = planes[i + 1];
+    const z = planes[i + 2];
+    const reach = Math.abs(x) * box[at + 3] + Math.abs(y) * box[at + 4] + Math.abs(z) * box[at + 5];
+    if (x * box[at] + y * box[at + 1] + z * box[at + 2] + planes[i + 3] < reach) return false;
+  }
+  return true;
+}

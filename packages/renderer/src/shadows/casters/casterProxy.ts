@@ -1,0 +1,24 @@
+import { Layers, Object3D } from 'three';
+import { standInOf } from '../../three/standInOf';
+
+const allLayers = new Layers();
+allLayers.enableAll();
+
+/**
+ * Makes a proxy of a caster for three's traversal, by which three brings the caster's buffers up to date though the camera may
+ * not see the caster. `isFarolProxy` marks the proxy, so that it is not drawn.
+ */
+export function casterProxy(object: Object3D): Object3D {
+  const proxy = standInOf(object, Object3D.prototype);
+  const own = (name: string, value: unknown) =>
+    Object.defineProperty(proxy, name, { value, writable: true, configurable: true });
+  own('children', []);
+  own('layers', allLayers);
+  own('visible', true);
+  own('frustumCulled', false);
+  // three listens for the disposal of instanced meshes, which the caster itself tells of
+  own('addEventListener', object.addEventListener.bind(object));
+  own('hasEventListener', object.hasEventListener.bind(object));
+  own('isFarolProxy', true);
+  return proxy;
+}

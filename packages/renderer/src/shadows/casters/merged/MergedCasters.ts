@@ -1,0 +1,400 @@
+import {
+  BackSide,
+  type BufferGeometry,
+  type Camera,
+  DoubleSide,
+  FrontSide,
+  type Material,
+  Matrix4,
+  type Mesh,
+  NoBlending,
+  Object3D,
+  PerspectiveCamera,
+  type Side,
+  Vector3,
+  type WebGLRenderer,
+} from 'three';
+import type { GeometryGroup } from '../../../frame/RenderItem';
+import type { MicroShaderRegistry } from '../../../microshaders';
+import { PassMaterial } from '../../../gpu/PassMaterial';
+import { shadowSideOf } from '../CasterMaterials';
+import { cubeFacesOf } from '../../slots/cubeFacesOf';
+import { moveBox } from '../moveBox';
+import { isBeyond } from '../../slots/reach';
+import { isBelow } from '../../isBelow';
+import type { Caster, MergedCaster } from '../Caster';
+import type { ShadowCasters } from '../ShadowCasters';
+import type { ShadowFace } from '../../slots/ShadowFace';
+import type { ShadowSlot } from '../../slots/ShadowSlot';
+import { CasterGeometry } from './CasterGeometry';
+import { CasterMatrices } from './CasterMatrices';
+import { addCubeRuns, addMapRuns } from './clusterRuns';
+import { CLUSTERS_PER_GROUP } from './ClusterOrder';
+import { uniteBoxes } from '../uniteBoxes';
+import { isMergeable } from './isMergeable';
+import { MergedMesh } from './MergedMesh';
+import { directDraw, type DirectDraw } from '../../../three/directDraw';
+import { isCompiled, programHandle } from '../../../three/handles';
+
+/** Walks for which a caster whose signature has changed is not merged. */
+const SETTLED = 30;
+/** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
+const MOST_TRIANGLES = 2_000_000;
+/** Triangles put in order a frame while casters wait to be merged, so that no frame is late. */
+const BUDGET = 150_000;
+/** Triangles of casters that are gone, and such casters, below which their room is not taken back. */
+const FEW_GONE = 65_536;
+const FEW_LOST = 256;
+/** Walks between sweeps of absent casters, and for which those are kept; frames that draw no map do not come here. */
+const SWEEP = 256;
+/** Casters that may be absent before it is looked which of them were removed from the scene. */
+const FEW_ABSENT = 64;
+/** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
+const GRID = 128;
+
+const clipFromWorld = new Matrix4();
+const anyCamera = new PerspectiveCamera(); // three changes its projection where depth is reversed
+/** A group that has three bind all that a draw needs, and draw no triangle. */
+const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
+/** A group that has three compile the program, and not draw at all. */
+const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
+
+/** As many casters as one block of matrices holds. */
+interface Page {
+  readonly mesh: MergedMesh;
+  readonly matrices: CasterMatrices;
+  objects: number;
+}
+
+/**
+ * Casters of a scene whose triangles lie in one buffer, in small clusters, so that a face of a shadow map draws all clusters that
+ * it shows in one call. A budget of casters is merged each frame; those not merged yet are drawn one by one.
+ */
+export class MergedCasters {
+  private readonly pages: Page[] = [];
+  private readonly capacity: number;
+  private readonly material: PassMaterial;
+  private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
+  private members: MergedCaster[] = [];
+  /** The members that cast shadows in this frame. */
+  private readonly present: MergedCaster[] = [];
+  /** World-space boxes of `present`, 6 numbers each, side by side for the cache's sake. */
+  private presentBoxes = new Float64Array(6 * 64);
+  private readonly queue: Caster[] = [];
+  private readonly origin = new Vector3();
+  private readonly gl: WebGL2RenderingContext;
+  private readonly drawDirect: DirectDraw;
+  private multiDraw: WEBGL_multi_draw | null = null;
+  private readonly matrixFloats = new Float32Array(16);
+  private matrixLocation: WebGLUniformLocation | null = null;
+  /** Page × 3 + side that three has bound for draws, -1 for something else. */
+  private bound = -1;
+  /** Triangles of casters that are gone, and of all that were merged. */
+  private gone = 0;
+  private triangles = 0;
+  /** Casters that are gone, whose numbers no other has yet; the walk of the last sweep; casters absent after it. */
+  private lost = 0;
+  private swept = 0;
+  private hidden = 0;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    registry: MicroShaderRegistry,
+  ) {
+    this.gl = webgl.getContext() as WebGL2RenderingContext;
+    this.drawDirect = directDraw(webgl);
+    this.capacity = CasterMatrices.capacity(webgl);
+    this.material = new PassMaterial(registry, {
+      name: 'Farol shadow casters',
+      vertex: ['mergedCaster'],
+      fragment: ['mergedCasterDepth'],
+      uniforms: {},
+      defines: { FAROL_CASTERS: `${this.capacity}` },
+      blending: NoBlending,
+      depthTest: true,
+      depthWrite: true,
+    });
+    this.material.colorWrite = false;
+    this.addPage();
+  }
+
+  /** Adds the proxies by which three's traversal sends the merged triangles. */
+  addProxies(proxies: Object3D[]): void {
+    for (const { mesh } of this.pages) proxies.push(mesh.proxy);
+  }
+
+  /**
+   * Begins a frame in which maps may be drawn: merges some of the casters that wait.
+   * @param camera - near which matrices count from
+   * @param casters - of the scene
+   * @param loose - gets the casters that are not merged
+   */
+  begin(camera: Camera, { list, count, walks, walked }: ShadowCasters, loose: Caster[]): void {
+    this.moveOrigin(camera);
+    if (walks - this.swept >= SWEEP) this.sweep(walks, walked);
+    const manyGone = this.gone > FEW_GONE && this.gone * 2 > this.triangles;
+    if (manyGone || (this.lost > FEW_LOST && this.lost > this.members.length)) this.startAnew();
+    for (let i = 0; i < count; i++) this.find(list[i]);
+    for (let left = BUDGET; left > 0 && this.queue.length > 0;) {
+      const caster = this.queue[this.queue.length - 1];
+      left -= this.mergeNext(caster, walks);
+    }
+    this.present.length = 0;
+    for (let i = 0; i < count; i++) {
+      const merged = this.find(list[i]);
+      if (merged !== null) this.present.push(merged);
+      else loose.push(list[i]);
+    }
+    const { present } = this;
+    const absent = this.members.length - present.length;
+    if (absent < this.hidden) this.hidden = absent;
+    if (absent > this.hidden + FEW_ABSENT) this.sweep(walks, walked);
+    if (present.length * 6 > this.presentBoxes.length) this.presentBoxes = new Float64Array(present.length * 12);
+    for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
+  }
+
+  /** A caster among the merged ones; null where it is not, or no more, and it then may have to wait. */
+  find(caster: Caster): MergedCaster | null {
+    const { merged } = caster;
+    if (merged !== null && this.isSame(merged)) return merged;
+    if (merged !== null) this.letGo(caster);
+    if (caster.queuedVersion === caster.signatureVersion) return null;
+    // a caster that changes in frame after frame is drawn by itself
+    if (caster.signatureVersion > 1 && caster.lastWalk - caster.signatureWalk < SETTLED) return null;
+    caster.queuedVersion = caster.signatureVersion;
+    if (caster.hasBox && isMergeable(caster.object)) this.queue.push(caster);
+    return null;
+  }
+
+  /** Whether a caster still has the triangles that were merged: another signature may come of its material alone. */
+  private isSame(merged: MergedCaster): boolean {
+    const { caster, geometry } = merged;
+    const { object, hasBox, signatureVersion } = caster;
+    if (!hasBox || !geometry.isCurrent || object.onAfterShadow !== Object3D.prototype.onAfterShadow) return false;
+    if (merged.signatureVersion === signatureVersion) return true;
+    if (!geometry.isOf((object as Mesh).geometry) || !isMergeable(object)) return false;
+    merged.signatureVersion = signatureVersion;
+    return true;
+  }
+
+  /** Lets go of absent casters: those that were removed from the scene, and those that are hidden for long. */
+  private sweep(walks: number, root: Object3D | null): void {
+    this.swept = walks;
+    const { length } = this.members;
+    for (const { caster } of this.members)
+      if (walks - caster.lastWalk > SWEEP || (caster.lastWalk !== walks && !isBelow(caster.object, root)))
+        this.letGo(caster);
+    this.members = this.members.filter((member) => member.caster.merged === member);
+    this.lost += length - this.members.length;
+    this.hidden = this.members.length - this.present.length;
+  }
+
+  private letGo(caster: Caster): void {
+    if (caster.merged === null) return;
+    this.gone += caster.merged.geometry.triangles;
+    caster.merged = null;
+    caster.queuedVersion = -1;
+  }
+
+  /** Has each face of a light's map draw the clusters that its drawn part may show. */
+  addTo(slot: ShadowSlot, bothSides: boolean): void {
+    const { isCube, reach, layers, drawnFaces } = slot;
+    const { present, presentBoxes: boxes } = this;
+    for (let i = 0; i < present.length; i++) {
+      if (isCube ? (cubeFacesOf(boxes, i * 6, reach) & drawnFaces) === 0 : isBeyond(reach, boxes, i * 6)) continue;
+      const merged = present[i];
+      const { object } = merged.caster;
+      if ((object.layers.mask & layers) === 0) continue;
+      this.follow(merged);
+      const side = drawnSide(shadowSideOf((object as Mesh).material as Material, bothSides), merged.isMirrored);
+      if (isCube) addCubeRuns(slot, merged, side);
+      else addMapRuns(slot, merged, side);
+    }
+  }
+
+  /** Sends the matrices, and compiles the program where that is needed. */
+  prepare(): void {
+    const { gl, pages, material, webgl } = this;
+    if (!isCompiled(webgl, material)) {
+      // the program is new, was edited, or has gone with a lost context
+      for (const { matrices } of pages) matrices.lose();
+      this.show(pages[0].mesh, NO_DRAW);
+      const { extensions } = webgl;
+      const name = 'WEBGL_multi_draw';
+      this.multiDraw = extensions.has(name) ? (extensions.get(name) as unknown as WEBGL_multi_draw) : null;
+      const program = programHandle(webgl, material);
+      pages[0].matrices.attach(program);
+      this.matrixLocation = gl.getUniformLocation(program, 'farol_clipFromOrigin');
+    }
+    for (const { matrices } of pages) matrices.send();
+    this.interrupt();
+  }
+
+  /** Call when something else was drawn: three may have bound other buffers then. */
+  interrupt(): void {
+    this.bound = -1;
+  }
+
+  /** Draws the triangles of a face into the viewport. */
+  draw(face: ShadowFace): void {
+    const { gl, webgl, matrixFloats } = this;
+    const { x, y, z } = this.origin;
+    let hasMatrix = false;
+    for (let page = 0; page < this.pages.length; page++) {
+      for (let side = 0; side < 3; side++) {
+        const { count, starts, counts } = face.runs(page, side);
+        if (count === 0) continue;
+        if (this.bound !== page * 3 + side) this.bind(page, side as Side);
+        if (!hasMatrix) {
+          const { projectionMatrix, matrixWorldInverse } = face.camera;
+          const e = clipFromWorld.multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
+          for (let i = 0; i < 12; i++) matrixFloats[i] = e[i];
+          for (let i = 0; i < 4; i++) matrixFloats[12 + i] = e[i] * x + e[4 + i] * y + e[8 + i] * z + e[12 + i];
+          gl.uniformMatrix4fv(this.matrixLocation, false, matrixFloats);
+          hasMatrix = true;
+        }
+        let indices = 0;
+        for (let i = 0; i < count; i++) indices += counts[i];
+        if (this.multiDraw !== null) {
+          this.multiDraw.multiDrawElementsWEBGL(gl.TRIANGLES, counts, 0, gl.UNSIGNED_INT, starts, 0, count);
+        } else {
+          for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, counts[i], gl.UNSIGNED_INT, starts[i]);
+        }
+        webgl.info.update(indices, gl.TRIANGLES, 1);
+      }
+    }
+  }
+
+  dispose(): void {
+    this.letAllGo();
+    for (const { mesh, matrices } of this.pages) {
+      mesh.dispose();
+      matrices.dispose();
+    }
+    this.material.dispose();
+  }
+
+  /** Has three bind all that draws of a page need; draws then name their triangles alone. */
+  private bind(page: number, side: Side): void {
+    const { mesh, matrices } = this.pages[page];
+    matrices.bind();
+    this.material.side = side;
+    this.show(mesh, NO_TRIANGLES);
+    this.bound = page * 3 + side;
+  }
+
+  private show({ mesh }: MergedMesh, part: GeometryGroup): void {
+    this.drawDirect(anyCamera, null, mesh.geometry, this.material, mesh, part);
+  }
+
+  private addPage(): Page {
+    const page = { mesh: new MergedMesh(this.material), matrices: new CasterMatrices(this.webgl), objects: 0 };
+    this.pages.push(page);
+    return page;
+  }
+
+  /** Goes on with the merging of the last caster that waits. @returns triangles put in order */
+  private mergeNext(caster: Caster, walks: number): number {
+    if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null || caster.lastWalk !== walks) {
+      if (caster.merged === null) caster.queuedVersion = -1;
+      this.queue.pop();
+      return 1;
+    }
+    const { geometry: source } = caster.object as Mesh;
+    let geometry = this.geometries.get(source);
+    if (geometry === undefined) this.geometries.set(source, (geometry = new CasterGeometry(source)));
+    const room = MOST_TRIANGLES - this.triangles;
+    if (!geometry.isCurrent || !geometry.isSound || !geometry.isReadable || geometry.triangles > room) {
+      this.queue.pop(); // a geometry that changes, or that the CPU cannot read, is drawn by itself
+      return 1;
+    }
+    if (!geometry.isDone) return geometry.step(BUDGET);
+    this.queue.pop();
+    this.add(caster, geometry);
+    return geometry.triangles;
+  }
+
+  private add(caster: Caster, geometry: CasterGeometry): void {
+    let page = this.pages.findIndex(({ objects }) => objects < this.capacity);
+    if (page < 0) {
+      page = this.pages.length;
+      this.addPage();
+    }
+    const { mesh, objects: object } = this.pages[page];
+    this.pages[page].objects++;
+    this.triangles += geometry.triangles;
+    const merged: MergedCaster = {
+      caster,
+      geometry,
+      page,
+      object,
+      first: mesh.add(geometry.positions, geometry.index, object),
+      signatureVersion: caster.signatureVersion,
+      boxes: new Float64Array(geometry.boxes.length),
+      groups: new Float64Array(Math.ceil(geometry.boxes.length / 6 / CLUSTERS_PER_GROUP) * 6),
+      matrixVersion: -1,
+      isMirrored: false,
+    };
+    caster.merged = merged;
+    this.members.push(merged);
+  }
+
+  /** Moves the boxes, and the matrix in the block, to the caster's world matrix. */
+  follow(merged: MergedCaster): void {
+    const { caster, boxes, geometry, page, object } = merged;
+    if (merged.matrixVersion === caster.matrixVersion) return;
+    merged.matrixVersion = caster.matrixVersion;
+    const { matrixWorld } = caster.object;
+    for (let at = 0; at < boxes.length; at += 6) moveBox(geometry.boxes, at, matrixWorld, boxes, at);
+    for (let group = 0; group < merged.groups.length; group += 6) {
+      uniteBoxes(
+        boxes,
+        group * CLUSTERS_PER_GROUP,
+        Math.min(boxes.length, (group + 6) * CLUSTERS_PER_GROUP),
+        merged.groups,
+        group,
+      );
+    }
+    merged.isMirrored = matrixWorld.determinantAffine() < 0;
+    this.pages[page].matrices.set(object, matrixWorld, this.origin);
+  }
+
+  /** Has matrices count from an origin near the camera: far from the world's origin they would lose digits. */
+  private moveOrigin(camera: Camera): void {
+    const e = camera.matrixWorld.elements;
+    const x = Math.round(e[12] / GRID) * GRID;
+    const y = Math.round(e[13] / GRID) * GRID;
+    const z = Math.round(e[14] / GRID) * GRID;
+    const { origin } = this;
+    if (origin.x === x && origin.y === y && origin.z === z) return;
+    origin.set(x, y, z);
+    for (const member of this.members) member.matrixVersion = -1;
+  }
+
+  /** Forgets all casters, so that these or other merged casters may take them again. */
+  private letAllGo(): void {
+    for (const { caster } of this.members) {
+      caster.merged = null;
+      caster.queuedVersion = -1;
+    }
+    for (const caster of this.queue) caster.queuedVersion = -1;
+    this.members = [];
+    this.queue.length = 0;
+  }
+
+  /** Empties the pages; casters that still cast shadows are merged again. */
+  private startAnew(): void {
+    this.letAllGo();
+    for (const page of this.pages) {
+      page.mesh.clear();
+      page.objects = 0;
+    }
+    this.gone = this.triangles = this.lost = 0;
+  }
+}
+
+/** The side of the triangles as they are stored that is drawn: a mirrored object's turn the other way. */
+function drawnSide(side: Side, isMirrored: boolean): Side {
+  if (side === DoubleSide || !isMirrored) return side;
+  return side === FrontSide ? BackSide : FrontSide;
+}

@@ -1,0 +1,218 @@
+import {
+  AlwaysDepth,
+  BasicShadowMap,
+  DepthTexture,
+  GreaterEqualCompare,
+  HalfFloatType,
+  type IUniform,
+  LessEqualCompare,
+  LinearFilter,
+  NearestFilter,
+  NoBlending,
+  type RenderTarget,
+  RGFormat,
+  type Texture,
+  UnsignedIntType,
+  Vector4,
+  VSMShadowMap,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { comparesDepths } from '../atlas/comparesDepths';
+import type { RegionDrawer } from './RegionDrawer';
+import type { ShadowSlot } from '../slots/ShadowSlot';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
+import { isDepthReversed, unmaskColour, unmaskDepth } from '../../three/state';
+
+const WHITE = [1, 1, 1, 1];
+const BLACK = [0, 0, 0, 0];
+
+/** What Farol knows of a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
+interface Watched {
+  /** `shadowMap.type` that the map is of. */
+  readonly type: number;
+  /** Somebody has asked for the map's texture or depths. */
+  isWanted: boolean;
+  /** The map holds a copy. */
+  isFilled: boolean;
+}
+
+const watched = new WeakMap<RenderTarget, Watched>();
+
+/**
+ * Notes from now on when somebody asks for the texture of a map, or for its depths: three's ShadowMapViewer, or stock three. The
+ * map stays the same object, since others may hold it.
+ */
+function watch(map: RenderTarget, type: number): Watched {
+  const state = { type, isWanted: false, isFilled: false };
+  const { depthTexture } = map;
+  watched.set(map, state);
+  Object.defineProperty(map, 'texture', {
+    configurable: true,
+    get() {
+      state.isWanted = true;
+      return map.textures[0];
+    },
+    set(texture: Texture) {
+      map.textures[0] = texture;
+    },
+  });
+  Object.defineProperty(map, 'depthTexture', {
+    configurable: true,
+    get() {
+      state.isWanted = true;
+      return depthTexture;
+    },
+    // stock three makes the map one of another type
+    set(other: DepthTexture | null) {
+      unwatch(map);
+      map.depthTexture = other;
+    },
+  });
+  return state;
+}
+
+/** Takes the watch off a map, which is then as three makes them. */
+function unwatch(map: RenderTarget): void {
+  watched.delete(map);
+  delete (map as Partial<RenderTarget>).texture;
+  delete (map as Partial<RenderTarget>).depthTexture;
+}
+
+/** Whether a map made by three is of a type (`shadowMap.type`). */
+function isOfType({ textures, depthTexture, width, height }: RenderTarget, type: number): boolean {
+  if (depthTexture === null || width * height === 0) return false;
+  if (type === VSMShadowMap) return textures[0].format === RGFormat;
+  return textures[0].format !== RGFormat && (depthTexture.compareFunction !== null) === (type !== BasicShadowMap);
+}
+
+/** Makes a map of one texel, to be cleared to what casts no shadow. */
+function makeMap(type: number, reversed: boolean): WebGLRenderTarget {
+  const moments = type === VSMShadowMap;
+  const depthTexture = new DepthTexture(1, 1, UnsignedIntType);
+  const compares = !moments && type !== BasicShadowMap;
+  depthTexture.compareFunction = compares ? (reversed ? GreaterEqualCompare : LessEqualCompare) : null;
+  depthTexture.minFilter = depthTexture.magFilter = compares ? LinearFilter : NearestFilter;
+  return new WebGLRenderTarget(1, 1, {
+    depthTexture,
+    ...(moments && { format: RGFormat, type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter }),
+  });
+}
+
+function disposeMap(map: RenderTarget): void {
+  map.depthTexture?.dispose();
+  map.dispose();
+}
+
+/**
+ * Keeps `light.shadow.map` of spot and directional lights as three's addons expect it. Until somebody asks for its texture it is
+ * one texel in which nothing casts a shadow, or what three itself has drawn; from then on a copy of the light's region of the
+ * atlas. Point lights have none.
+ */
+export class HostShadowMaps {
+  private readonly uniforms = {
+    farol_hostMapAtlas: { value: null } as IUniform<Texture | null>,
+    farol_hostMapRegion: { value: new Vector4() },
+    farol_hostMapFar: { value: 1 },
+  };
+  /** Slots of the lights whose maps are watched. */
+  private readonly slots = new Set<ShadowSlot>();
+  private readonly depths = this.make('depths', {});
+  private readonly moments = this.make('moments', { FAROL_MOMENTS: '' });
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly drawer: RegionDrawer,
+  ) {}
+
+  /** Whether a light's map is to be copied in this frame. @param isDrawn - the frame draws the map */
+  wants({ shadow, isCube }: ShadowSlot, isDrawn: boolean, type: number): boolean {
+    if (isCube) return false;
+    const state = shadow.map === null ? undefined : watched.get(shadow.map);
+    if (state === undefined || state.type !== type) return isDrawn;
+    return state.isWanted && (isDrawn || !state.isFilled);
+  }
+
+  /** Whether a light's map is copied, so that all of it has to be drawn. */
+  isWatched({ shadow }: ShadowSlot): boolean {
+    return shadow.map !== null && watched.get(shadow.map)?.isWanted === true;
+  }
+
+  /** Gives a light its `shadow.map`, with a copy where that is wanted. Call inside three's `render`, once the maps are drawn. */
+  render(slot: ShadowSlot, atlas: TextureAtlas, type: number): void {
+    const { shadow } = slot;
+    const reversed = isDepthReversed(this.webgl);
+    let { map } = shadow;
+    let state = map === null ? undefined : watched.get(map);
+    if (map === null || (state === undefined ? !isOfType(map, type) : state.type !== type)) {
+      if (map !== null) disposeMap(map);
+      map = shadow.map = makeMap(type, reversed);
+      this.clear(map, reversed);
+      state = undefined;
+    }
+    if (state === undefined) {
+      state = watch(map, type);
+      this.slots.add(slot);
+    }
+    if (!state.isWanted) return;
+    this.copy(slot, map, atlas, reversed);
+    state.isFilled = true;
+  }
+
+  /** Takes `shadow.map` back from a light whose map has no region any more. */
+  release(slot: ShadowSlot): void {
+    const { map } = slot.shadow;
+    if (!this.slots.delete(slot) || map === null || !watched.has(map)) return;
+    unwatch(map);
+    disposeMap(map);
+    slot.shadow.map = null;
+  }
+
+  dispose(): void {
+    for (const slot of this.slots) this.release(slot);
+    this.depths.dispose();
+    this.moments.dispose();
+  }
+
+  private clear(map: RenderTarget, reversed: boolean): void {
+    const { webgl } = this;
+    const gl = webgl.getContext() as WebGL2RenderingContext;
+    webgl.setRenderTarget(map as WebGLRenderTarget);
+    unmaskColour(webgl);
+    unmaskDepth(webgl);
+    gl.clearBufferfv(gl.COLOR, 0, reversed ? BLACK : WHITE);
+    gl.clearBufferfv(gl.DEPTH, 0, [reversed ? 0 : 1]);
+  }
+
+  private copy(slot: ShadowSlot, map: RenderTarget, atlas: TextureAtlas, reversed: boolean): void {
+    const { webgl, drawer, uniforms } = this;
+    const { maxTextureSize } = webgl.capabilities;
+    const width = Math.min(slot.wantedWidth, maxTextureSize);
+    const height = Math.min(slot.wantedHeight, maxTextureSize);
+    const face = slot.faces[slot.faces.length - 1];
+    const moments = map.textures[0].format === RGFormat;
+    if (map.width !== width || map.height !== height) map.setSize(width, height);
+    uniforms.farol_hostMapAtlas.value = atlas.texture;
+    uniforms.farol_hostMapRegion.value.set(face.x, face.y, face.width / width, face.height / height);
+    uniforms.farol_hostMapFar.value = reversed ? 0 : 1;
+    if (!moments) comparesDepths(webgl, atlas.texture!, false);
+    drawer.bind(map as WebGLRenderTarget);
+    drawer.drawPart(moments ? this.moments : this.depths, 0, 0, width, height);
+    if (!moments) comparesDepths(webgl, atlas.texture!, true);
+  }
+
+  private make(name: string, defines: Record<string, string>): FullscreenPass {
+    return new FullscreenPass({
+      program: `host shadow map, ${name}`,
+      fragment: 'hostShadowMap',
+      uniforms: this.uniforms,
+      defines,
+      repeats: true,
+      blending: NoBlending,
+      depthTest: true,
+      depthWrite: true,
+      depthFunc: AlwaysDepth,
+    });
+  }
+}

@@ -1,0 +1,40 @@
+import type { MicroShader, MicroShaderRegistry } from '../../microshaders';
+import { parseMicroShader } from '../../microshaders/parseMicroShader';
+import { maskFeaturesChunk } from './maskFeatures';
+
+/** What shaders have code for. That grows with the masks that are met and never shrinks, so that nothing is compiled twice. */
+export class MaskShaders {
+  /** Level of the chunk `lightMask`. 0: no masks; 1: shadows and cookies; 2: layers too. */
+  private level = 0;
+  /** Bits of `maskFeatures` in shaders, and those that frames have needed. */
+  private features = 0;
+  private neededFeatures = 0;
+  private readonly before: MicroShader;
+
+  constructor(private readonly microshaders: MicroShaderRegistry) {
+    this.before = microshaders.get('lightMask')!;
+  }
+
+  /** Notes what a light of the frame needs. @param features - bits of `maskFeatures` */
+  need(features: number): void {
+    this.neededFeatures |= features;
+  }
+
+  /** Gives shaders what the frame needs. */
+  adapt(hasMasks: boolean, hasLayers: boolean): void {
+    if (this.neededFeatures !== this.features) {
+      this.features = this.neededFeatures;
+      this.microshaders.swap('maskFeatures', parseMicroShader('maskFeatures', maskFeaturesChunk(this.features)));
+    }
+    const needed = hasLayers ? 2 : hasMasks ? 1 : 0;
+    if (needed <= this.level) return;
+    this.level = needed;
+    this.microshaders.swap('lightMask', needed === 2 ? 'lightMaskLayers' : 'lightMaskOn');
+  }
+
+  /** Takes all code for masks out of shaders: there are no maps to sample any more. */
+  dispose(): void {
+    if (this.level > 0) this.microshaders.swap('lightMask', this.before);
+    this.level = 0;
+  }
+}

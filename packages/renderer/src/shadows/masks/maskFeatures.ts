@@ -1,0 +1,73 @@
+import { BasicShadowMap, type Light, VSMShadowMap } from 'three';
+import { classifyLight } from '../../lights/classifyLight';
+import { softSizeOf } from '../slots/AreaShadowLight';
+import type { ShadowSlot } from '../slots/ShadowSlot';
+
+/** Bits of what shaders can have code for; `defines` has the name of each in maskFeatures.glsl. */
+export const maskFeatures = {
+  maps: 1,
+  cubes: 2,
+  cascades: 4,
+  basic: 8,
+  pcf: 16,
+  variance: 32,
+  cookies: 64,
+  unshadowed: 128,
+  unbounded: 256,
+  bounded: 512,
+  point: 1024,
+  profiles: 2048,
+  soft: 4096,
+} as const;
+
+const defines: Record<keyof typeof maskFeatures, string> = {
+  maps: 'FAROL_SHADOW_MAPS',
+  cubes: 'FAROL_SHADOW_CUBES',
+  cascades: 'FAROL_SHADOW_CASCADES',
+  basic: 'FAROL_BASIC_SHADOWS',
+  pcf: 'FAROL_PCF_SHADOWS',
+  variance: 'FAROL_VARIANCE_SHADOWS',
+  cookies: 'FAROL_LIGHT_COOKIES',
+  unshadowed: 'FAROL_UNSHADOWED_MASKS',
+  unbounded: 'FAROL_UNBOUNDED_MASKS',
+  bounded: 'FAROL_BOUNDED_MASKS',
+  point: 'FAROL_POINT_MASKS',
+  profiles: 'FAROL_LIGHT_PROFILES',
+  soft: 'FAROL_SOFT_SHADOWS',
+};
+
+/** The loop of shading.glsl that meets a light, and so must know of masks. */
+export function maskLoopOf(light: Light): number {
+  const kind = classifyLight(light);
+  if (kind === 'directional' || kind === 'unbounded') return maskFeatures.unbounded;
+  return kind === 'point' ? maskFeatures.point : maskFeatures.bounded;
+}
+
+/** What shaders need code for because of a light. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
+export function maskFeaturesOf(
+  { hasShadow, isCube, cascades, cookie, profile, light, hasLeftMap }: ShadowSlot,
+  type: number,
+): number {
+  // area lights ask for their masks themselves
+  if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
+  let features = maskLoopOf(light);
+  // shaders then take the path of lights that are no plain points
+  if (hasLeftMap) features |= maskFeatures.bounded;
+  if (profile !== null) features |= maskFeatures.profiles;
+  if (!hasShadow && cookie === null) return features | maskFeatures.unshadowed;
+  features |= isCube ? maskFeatures.cubes : maskFeatures.maps;
+  if (cascades > 0) features |= maskFeatures.cascades;
+  if (cookie !== null) features |= maskFeatures.cookies;
+  if (!hasShadow) return features | maskFeatures.unshadowed;
+  if (type === VSMShadowMap) return features | maskFeatures.variance;
+  return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
+}
+
+/** Text of the chunk `maskFeatures` for some features: code for others would slow shaders down. */
+export function maskFeaturesChunk(features: number): string {
+  const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
+  for (const [name, define] of Object.entries(defines)) {
+    if ((features & maskFeatures[name as keyof typeof maskFeatures]) !== 0) lines.push(`#define ${define}`);
+  }
+  return `${lines.join('\n')}\n`;
+}

@@ -1,0 +1,87 @@
+import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
+import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
+
+/** What a mask does with its shadow map. */
+export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
+
+/** What a mask has of an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
+export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
+
+/** Where the whole number in `place` has its parts (bits); the width of a face has those below `lookup`. */
+export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
+
+/**
+ * A mask in the light table: what a shadow map, a cookie, a profile and layers let through of a light. Its texels lie in three records.
+ * Offsets for TypeScript (`MASK`) and getters for GLSL (microshader `maskRecord`) are made from this table. A pixel reads
+ * `place`, `filtering` and what of the matrix it needs of every light that reaches it, the others seldom.
+ */
+export const maskRecord = {
+  /** Of a map: columns of the matrix from view space to the map (0 to 1, depth 0 to 1). Of a cube: only `position`. */
+  columnX: {
+    /** Where a point light was as its map was drawn (view space, m). */
+    position: 'xyz',
+  },
+  columnY: {},
+  columnZ: {},
+  columnW: {},
+  place: {
+    /** Corner of the map's region (texels). */
+    corner: 'xy',
+    /** Texels across a face. */
+    width: ['int', `int(t.z) & ${(1 << PLACE_BITS.lookup) - 1}`],
+    /** One of `shadowLookups`. */
+    lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
+    /** One of `cookieShapes`. */
+    cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
+    /** Of a map: `extent` counts. Of a cube: `position` counts, since the light has left its map. */
+    isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
+    /** Texels round a face of a cube. */
+    border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
+    /** How far along their normals surfaces look the map up (m). */
+    normalBias: 'w',
+  },
+  /**
+   * For a map: bias, with the sign of the depth buffer; radius of the filter, as part of the width, of the height; of a variance
+   * shadow map 1 where depth grows with distance, -1 where it is reversed. Of a cube: a and b of depth = a + b / distance along
+   * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
+   */
+  filtering: { intensity: 'w' },
+  /** Of a map, but for `cookieFilter`. */
+  extent: {
+    /** Texels up the map, and number of its cascades. */
+    heightAndCascades: 'xy',
+    /** `ShadowBounds` knows the depths. */
+    hasBounds: ['bool', 't.z != 0.0'],
+    /** Sampling of the cookie, see `imageFilter`. */
+    cookieFilter: ['int', 'int(t.w)'],
+  },
+  /** Region of the photometric profile: corner, size (texels). */
+  profile: {},
+  /** Region of the cookie: corner, size of its first level without borders (texels); of a cube: corner, side of a face. With three cascades: fit of the third. */
+  cookie: {},
+  layers: {
+    /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
+    layers: 'xy',
+    /** From a pixel to the next, across and up: change of the view ray at distance 1, or, below 0, of an orthographic one (m). */
+    pixelSpan: 'zw',
+  },
+  /**
+   * How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. Of a light with a
+   * profile: where its horizontal angle is 0, and where its vertical angle is 0 (view space, unit length).
+   */
+  firstFit: {
+    profileAcross: 'xyz',
+    /** One of `cookieShapes`, but `profile`. */
+    profileCookie: ['int', 'int(t.w)'],
+  },
+  secondFit: { profileDown: 'xyz' },
+} as const satisfies RecordLayout;
+
+/** Where the texels of a mask begin (floats). */
+export const MASK = texelOffsets(maskRecord);
+
+export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
+
+/** Cascades that a directional light has at most beside the whole map, and where their fits lie (floats). */
+export const MOST_CASCADES = 3;
+export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

@@ -1,0 +1,107 @@
+import {
+  type IUniform,
+  NoBlending,
+  RGIntegerFormat,
+  type Texture,
+  UnsignedShortType,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { wordTarget } from '../../gpu/wordTarget';
+import { comparesDepths } from '../atlas/comparesDepths';
+import type { RegionDrawer } from '../draw/RegionDrawer';
+import type { ShadowSlot } from '../slots/ShadowSlot';
+import type { TextureAtlas } from '../atlas/TextureAtlas';
+
+/** Texels a side of a block; shadowBounds.glsl and tileShadows.glsl have the number too. */
+const BLOCK = 8;
+/** Frames for which a map must have been at rest. */
+const REST = 2;
+/** Texels read a frame; the map that exceeds them is the last. */
+const BUDGET = 12_000_000;
+
+/**
+ * Least and greatest depth of each block of 8 × 8 texels of the atlas of depths, for maps at rest. A block at the edge of a map
+ * also counts texels beside the map: bounds may be wider than need be, never narrower.
+ */
+export class ShadowBounds {
+  readonly target: WebGLRenderTarget = wordTarget(RGIntegerFormat, UnsignedShortType, 'RG16UI');
+  private readonly depths: IUniform<Texture | null> = { value: null };
+  private readonly pass = new FullscreenPass({
+    program: 'shadow bounds',
+    fragment: 'shadowBounds',
+    uniforms: { farol_shadowDepths: this.depths },
+    blending: NoBlending,
+  });
+  private isCompiled = false;
+  private readonly wanted: ShadowSlot[] = [];
+  private left = BUDGET;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    private readonly drawer: RegionDrawer,
+  ) {}
+
+  get bytes(): number {
+    return this.target.width * this.target.height * 4;
+  }
+
+  /** True when the frame has bounds to find. */
+  get hasWork(): boolean {
+    return this.wanted.length > 0;
+  }
+
+  begin(): void {
+    this.wanted.length = 0;
+    this.left = BUDGET;
+  }
+
+  /** Takes up a map that the frame does not draw. @param rested - frames since something changed in the map */
+  keep(slot: ShadowSlot, rested: number): void {
+    if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
+    const { region } = slot.placement;
+    this.left -= region!.width * region!.height;
+    this.wanted.push(slot);
+  }
+
+  /** Finds the bounds of the maps that were taken up. Call once the maps of the frame are drawn. */
+  render(atlas: TextureAtlas): void {
+    const { webgl, target } = this;
+    if (!this.isCompiled) this.compile();
+    if (!this.hasWork) return;
+    const blocks = Math.ceil(atlas.target!.width / BLOCK);
+    if (target.width !== blocks) target.setSize(blocks, blocks);
+    const texture = atlas.target!.depthTexture!;
+    this.depths.value = texture;
+    comparesDepths(webgl, texture, false);
+    this.drawer.bind(target);
+    for (const slot of this.wanted) {
+      this.draw(slot);
+      slot.map.bound();
+    }
+    comparesDepths(webgl, texture, true);
+  }
+
+  dispose(): void {
+    this.target.dispose();
+    this.pass.dispose();
+    this.isCompiled = false;
+  }
+
+  /** Compiles the program with the first map, not in a later frame that would hitch. */
+  private compile(): void {
+    this.isCompiled = true;
+    this.drawer.bind(this.target);
+    this.pass.compile(this.drawer);
+  }
+
+  private draw({ placement }: ShadowSlot): void {
+    const { x, y, width, height } = placement.region!;
+    const left = Math.floor(x / BLOCK);
+    const bottom = Math.floor(y / BLOCK);
+    const right = Math.ceil((x + width) / BLOCK);
+    const top = Math.ceil((y + height) / BLOCK);
+    this.drawer.drawPart(this.pass, left, bottom, right - left, top - bottom);
+  }
+}

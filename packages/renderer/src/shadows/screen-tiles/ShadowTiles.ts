@@ -1,0 +1,114 @@
+import { type IUniform, NoBlending, type Texture, type WebGLRenderTarget } from 'three';
+import type { Frame } from '../../frame/Frame';
+import type { GBuffer } from '../../gbuffer/GBuffer';
+import { FullscreenPass } from '../../gpu/FullscreenPass';
+import { gbufferUniforms, setGBufferUniforms } from '../../passes/gbuffer/gbufferUniforms';
+import { wordTarget } from '../../gpu/wordTarget';
+import type { MaskUniforms } from '../../lighting/maskUniforms';
+import { textureHandle } from '../../three/handles';
+
+/** Pixels a side of a tile; lightLoopClustered.glsl has the number too. A tile of the light grid holds a whole number of these. */
+const TILE = 8;
+/** Pixels a side of the blocks whose depths are bounded first. */
+const BLOCK = 4;
+/** Words of lights at most, a bit a light: 512 lights. */
+const MOST_WORDS = 16;
+const LIGHTS_PER_WORD = 32;
+
+/**
+ * Which lights light all surfaces in a tile of the picture, and which none, as far as the bounds of their shadow maps tell: pixels
+ * there need not sample those maps.
+ */
+export class ShadowTiles {
+  /** Maps of the frame that have bounds, see `ShadowBounds`. */
+  bounded = 0;
+  private readonly planes = wordTarget();
+  private readonly marks = wordTarget();
+  private readonly uniforms = gbufferUniforms();
+  private readonly own = {
+    farol_tilePlanes: { value: this.planes.texture },
+    farol_shadowBounds: { value: null } as IUniform<Texture | null>,
+  };
+  private readonly planePass = this.make('tile planes', 'tilePlane');
+  private readonly markPass = this.make('tile shadows', 'tileShadows');
+  private isCompiled = false;
+
+  get bytes(): number {
+    return (this.planes.width * this.planes.height + this.marks.width * this.marks.height) * 16;
+  }
+
+  /**
+   * Marks the tiles of a frame, once its G-buffer and light grid are there.
+   * @param bounds - of the shadow maps
+   */
+  render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
+    const mask = frame.uniforms as unknown as MaskUniforms;
+    const { lights } = frame;
+    const words = Math.min(MOST_WORDS, 2 * Math.ceil(lights.grid!.count / (2 * LIGHTS_PER_WORD)));
+    // depth is not linear over a surface where it is logarithmic, and too coarse here where positions need stored distances
+    const linear = !frame.webgl.capabilities.logarithmicDepthBuffer && !frame.storesDistance && !frame.queue.reachesFar;
+    const finds = this.bounded > 0 && lights.bounded > 0 && linear;
+    mask.farol_tileShadows.value = this.marks.texture;
+    mask.farol_tileShadowWords.value = finds ? words : 0;
+    if (!this.isCompiled) this.compile(frame, bounds);
+    if (!finds) {
+      this.giveStorage(frame);
+      return;
+    }
+    setGBufferUniforms(this.uniforms, gbuffer, frame);
+    const x = Math.ceil(frame.width / TILE);
+    const y = Math.ceil(frame.height / TILE);
+    this.draw(frame, this.planes, this.planePass, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+    this.draw(frame, this.marks, this.markPass, (x * words) / 2, y);
+  }
+
+  dispose(): void {
+    this.planes.dispose();
+    this.marks.dispose();
+    this.planePass.dispose();
+    this.markPass.dispose();
+    this.isCompiled = false;
+  }
+
+  private draw(frame: Frame, target: WebGLRenderTarget, pass: FullscreenPass, width: number, height: number): void {
+    if (target.width < width || target.height < height) {
+      target.setSize(Math.max(target.width, width), Math.max(target.height, height));
+    }
+    target.viewport.set(0, 0, width, height);
+    pass.drawTo(frame, target);
+  }
+
+  /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
+  private giveStorage(frame: Frame): void {
+    if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
+  }
+
+  private make(program: string, fragment: string): FullscreenPass {
+    return new FullscreenPass({
+      program,
+      fragment,
+      shared: [
+        'farol_lightTable',
+        'farol_lightCounts',
+        'farol_worldAxes',
+        'farol_gridMasks',
+        'farol_grid',
+        'farol_tileShadowWords',
+      ],
+      uniforms: { ...this.uniforms, ...this.own },
+      defines: { FAROL_TILE: `${TILE}` },
+      blending: NoBlending,
+    });
+  }
+
+  /** Compiles both programs with the first map, not once a map is at rest, in a frame that would hitch. */
+  private compile(frame: Frame, bounds: WebGLRenderTarget): void {
+    this.isCompiled = true;
+    this.own.farol_shadowBounds.value = bounds.texture;
+    frame.bind(bounds);
+    frame.bind(this.planes);
+    this.planePass.compile(frame);
+    frame.bind(this.marks);
+    this.markPass.compile(frame);
+  }
+}

@@ -1,0 +1,52 @@
+import { type Light, MathUtils, PointLight, type RectAreaLight } from 'three';
+import type { FarolLightData } from '../../lights/FarolLightData';
+
+/** Texels across a face of the map, before it is fitted to the picture: by default, least, most. */
+const TEXELS = 1024;
+const LEAST_TEXELS = 16;
+const MOST_TEXELS = 8192;
+/** By default (m): a bias of depths would be larger the farther a surface is. */
+const NORMAL_BIAS = 0.03;
+/** Near plane of the map (m). */
+const NEAR = 0.05;
+
+const stands = new WeakMap<RectAreaLight, AreaShadowLight>();
+
+/** The point light at the centre of an area light, from which its shadow map is drawn: three's RectAreaLight has no shadow. */
+export class AreaShadowLight extends PointLight {
+  readonly isAreaShadowLight = true;
+  /** Half the size of the area light, as a disc (m): its shadows are that soft. */
+  size = 0;
+
+  private constructor() {
+    super();
+    this.castShadow = true;
+    this.shadow.camera.near = NEAR;
+  }
+
+  /** That of an area light, where the light is now. @param range - beyond which the light gives nothing (m), 0 for none */
+  static follow(light: RectAreaLight, range: number): AreaShadowLight {
+    let stand = stands.get(light);
+    if (stand === undefined) stands.set(light, (stand = new AreaShadowLight()));
+    stand.matrixWorld.copy(light.matrixWorld);
+    stand.distance = range;
+    stand.layers.mask = light.layers.mask;
+    stand.size = 0.5 * Math.sqrt(light.width * light.height);
+    const { shadowMapSize, shadowNormalBias } = (light.userData.farol ?? {}) as FarolLightData;
+    // NaN: the default
+    stand.shadow.mapSize.setScalar(MathUtils.clamp(Math.round(shadowMapSize!) || TEXELS, LEAST_TEXELS, MOST_TEXELS));
+    stand.shadow.normalBias = shadowNormalBias! >= 0 ? shadowNormalBias! : NORMAL_BIAS;
+    return stand;
+  }
+
+  /** That of an area light; undefined before `follow`. */
+  static of(light: RectAreaLight): AreaShadowLight | undefined {
+    return stands.get(light);
+  }
+}
+
+/** Half the size of the area light that casts a map's shadows (m); 0 for another light. */
+export function softSizeOf(light: Light): number {
+  const stand = light as Partial<AreaShadowLight>;
+  return stand.isAreaShadowLight === true ? stand.size! : 0;
+}

@@ -1,0 +1,349 @@
+import {
+  type Camera,
+  Frustum,
+  type LightShadow,
+  Object3D,
+  Matrix4,
+  OrthographicCamera,
+  type PointLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import { rangeOf } from '../../lights/lightRange';
+import { sphereOutsidePlanes } from '../../lights/sphereOutsidePlanes';
+import { AtlasMap } from '../atlas/AtlasMap';
+import { AtlasPlacement } from '../atlas/AtlasPlacement';
+import { MapDetail } from '../atlas/MapDetail';
+import type { AtlasTenant } from '../atlas/TextureAtlas';
+import type { CookieSlot } from './CookieSlot';
+import { needsFineDepth } from './fineDepth';
+import { fitCascade } from './fitCascade';
+import { placeShadowCamera } from './placeShadowCamera';
+import { isBeyond, makeReach, setReach } from './reach';
+import { aimCubeFace, makeCubeFaces, ShadowFace } from './ShadowFace';
+import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
+import { MATTERING_RANGE } from './sufficientDetail';
+import { setReversedDepth } from '../../three/reversedDepth';
+import { standInOf } from '../../three/standInOf';
+import { SHADOW_FRUSTUM } from '../../three/shadowFrustum';
+
+/** How far across a face a sample of the filter lies at most (radii): the disk is slanted at the face's corners. */
+const FARTHEST = 1.17;
+/** Texels of a border at most; three bits of a mask hold its power of two. */
+const LARGEST_BORDER = 128;
+
+const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
+const position = new Vector3();
+const fitted = new Float64Array(4);
+
+function cascadeCamera(): OrthographicCamera {
+  const camera = new OrthographicCamera();
+  camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
+  return camera;
+}
+
+/**
+ * The shadow map of one light: its cameras, its region of the atlas, and what the region holds. What three would change of the
+ * light's own shadow (camera, matrix) is changed on a proxy that inherits the settings, then left as three would leave it.
+ */
+export class ShadowSlot implements AtlasTenant {
+  readonly isCube: boolean;
+  /** The light's own shadow, of which only what three changes too is changed. */
+  readonly shadow: LightShadow;
+  /** One face a cascade, the whole map last; six of a cube. */
+  readonly faces: ShadowFace[];
+  /** Maps of what is near the camera, beside the whole one. */
+  readonly cascades: number;
+  /** Maps a side of the square that the cascades form. */
+  readonly side: number;
+  /** How coordinates of the whole map become those of each cascade: scale and shift of x, scale and shift of y. */
+  readonly fits: Float64Array;
+  /** World space to the map, 0 to 1, and depth; of a point light: from world space to the vector from the light. */
+  readonly matrix = new Matrix4();
+  /** Near and far planes of the map's cameras (m). */
+  near = 0;
+  far = 0;
+
+  /** Where the map lies; written by the atlas. */
+  readonly placement = new AtlasPlacement();
+  /** What the region holds. */
+  readonly map = new AtlasMap();
+  /** How far the size is reduced because pictures show no more; set by `chooseDetail` and the atlas. */
+  readonly detail = new MapDetail();
+
+  // of the frame, as the slots are collected
+  /** The scene in which the light was last lit. */
+  root: Object3D | null = null;
+  /** Last frame in which the light was lit. */
+  lastLit = 0;
+  /** Share of the picture that the light covers, 0 to 1. */
+  coverage = 1;
+  /** The light casts shadows. */
+  casts = false;
+  /** The image that the light throws. */
+  cookie: CookieSlot | null = null;
+  /** The photometric profile that scales the light. */
+  profile: CookieSlot | null = null;
+  /** Layers of the casters, as bits. */
+  layers = 1;
+
+  // of the frame, as its maps are assigned
+  /** The light has a map to be lit with. */
+  hasShadow = false;
+  /** Its mask's record, counted from the frame's first mask; -1 for none. */
+  record = -1;
+
+  // of the draw, by `plan`
+  /** What the faces reach, in world space. */
+  readonly reach = makeReach();
+  /** The faces that draw anything, as bits. */
+  drawnFaces = 63;
+
+  /** Proxy of the light's shadow. */
+  private readonly own: PrivateLightShadow;
+  /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
+  private readonly endless: ShadowLight;
+  /** The light's own camera, once it is where three would put it. */
+  private placedCamera: Camera | null = null;
+  /** `matrix`, `near` and `far` at the last `follow`. */
+  private readonly before = new Float64Array(18);
+  /** Radius (texels) and samples of the blur at the last `follow`. */
+  private readonly blur = new Float64Array(2);
+
+  /** @param cascades - maps of a directional light, the whole one included */
+  constructor(
+    readonly light: ShadowLight,
+    cascades = 1,
+  ) {
+    this.isCube = light.isPointLight === true;
+    const shadow = light.shadow as unknown as PrivateLightShadow;
+    this.shadow = shadow;
+    this.own = standInOf(shadow, Object.prototype);
+    this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
+    const camera = shadow.camera.clone();
+    // the host need not have done so: three does it with the first map
+    (camera as unknown as ShadowCamera).updateProjectionMatrix();
+    this.define('camera', camera);
+    this.define('matrix', this.matrix);
+    this.define(SHADOW_FRUSTUM, new Frustum());
+    this.faces = this.isCube ? makeCubeFaces() : [new ShadowFace(camera)];
+    this.cascades = Math.max(0, cascades - 1);
+    this.side = cascades > 1 ? 2 : 1;
+    this.fits = new Float64Array(4 * this.cascades);
+    // the whole map is the last
+    for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
+  }
+
+  /** Texels across a face that the light's settings ask for. */
+  get wantedWidth(): number {
+    return Math.max(1, Math.round(this.light.shadow.mapSize.x));
+  }
+
+  /** Texels up a face that the light's settings ask for. */
+  get wantedHeight(): number {
+    return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
+  }
+
+  /** Notes the scene in which the light is lit: another scene casts other shadows. */
+  enter(root: Object3D): void {
+    if (this.root !== root) this.map.change();
+    this.root = root;
+  }
+
+  /** Notes the layers of the casters, as bits. */
+  setLayers(layers: number): void {
+    if (this.layers !== layers) this.map.change();
+    this.layers = layers;
+  }
+
+  /**
+   * Follows the light and its settings; the map is stale when what it shows has changed.
+   * @param camera - that the picture is drawn for
+   * @param blurs - the map is blurred once it is drawn, as variance shadow maps are. Default false
+   */
+  follow(reversedDepth: boolean, camera: Camera, blurs = false): void {
+    const { radius, blurSamples } = this.shadow;
+    if (blurs && (radius !== this.blur[0] || blurSamples !== this.blur[1])) this.map.change();
+    this.blur[0] = radius;
+    this.blur[1] = blurSamples;
+    if (this.isCube) this.followPoint(reversedDepth);
+    else this.followMap(reversedDepth);
+    const refitted = this.cascades > 0 && this.fit(camera);
+    const { before, matrix } = this;
+    let same = !refitted && before[16] === this.near && before[17] === this.far;
+    for (let i = 0; i < 16; i++) {
+      if (before[i] === matrix.elements[i]) continue;
+      before[i] = matrix.elements[i];
+      same = false;
+    }
+    before[16] = this.near;
+    before[17] = this.far;
+    if (same && this.placedCamera === this.shadow.camera) return;
+    placeShadowCamera(this.light, this.own, this.far, reversedDepth);
+    this.placedCamera = this.shadow.camera;
+    if (same) return;
+    this.map.change();
+    if (this.isCube && this.placement.faceWidth > 0) this.aimFaces();
+  }
+
+  /** True when a sphere (world space, m) may be in one of the maps. */
+  reaches(x: number, y: number, z: number, radius: number): boolean {
+    if (radius === Infinity) return true;
+    if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
+    // beyond a range nothing is lit; without one, the corners of the cube of far planes count
+    const e = this.matrix.elements;
+    const reach = radius + this.far * (this.range < Infinity ? 1 : Math.sqrt(3));
+    const dx = x + e[12];
+    const dy = y + e[13];
+    const dz = z + e[14];
+    return dx * dx + dy * dy + dz * dz <= reach * reach;
+  }
+
+  /** Distance beyond which the light lights nothing (m); Infinity when it has no range. */
+  get range(): number {
+    return rangeOf((this.light as PointLight).distance) || Infinity;
+  }
+
+  /** False when no part of a box (as `casterBox` gives it) is within the range of the light. */
+  reachesBox(box: Float64Array): boolean {
+    return !isBeyond(this.reach, box, 0);
+  }
+
+  /** Tangent of half the angle that a face of a cube shows, its border included. */
+  get widening(): number {
+    const { faceWidth, border } = this.placement;
+    return (faceWidth + 2 * border) / faceWidth;
+  }
+
+  /** Radius of the filter (texels of a map of the size asked for); of a cube no more than the border holds. */
+  get filterRadius(): number {
+    const { radius } = this.shadow;
+    if (!this.isCube) return radius;
+    const most = ((LARGEST_BORDER - 0.5) / FARTHEST) * (this.wantedWidth / this.placement.faceWidth);
+    return Math.max(-most, Math.min(most, radius));
+  }
+
+  /**
+   * How far from a surface its shadow is looked up, along the surface's normal (m). A map of less detail needs more: half of what
+   * its texels are wider, at the distance where `sufficientDetail` looks.
+   */
+  get normalBias(): number {
+    const { detail, isCube, wantedWidth, shadow } = this;
+    const { level } = detail;
+    if (level === 0) return shadow.normalBias;
+    const scale = isCube ? 1 : this.own.camera.projectionMatrix.elements[0];
+    return shadow.normalBias + (MATTERING_RANGE * this.range * (2 ** level - 1)) / (scale * wantedWidth);
+  }
+
+  /** A point light has moved away from where its map was drawn, and nothing has the map drawn anew. */
+  get hasLeftMap(): boolean {
+    const map = this.matrix.elements;
+    const light = this.light.matrixWorld.elements;
+    if (!this.isCube || !this.hasShadow) return false;
+    return map[12] !== -light[12] || map[13] !== -light[13] || map[14] !== -light[14];
+  }
+
+  /** Depths of 16 bits are too coarse for the map. */
+  get needsFineDepth(): boolean {
+    const { near, far, isCube, own, wantedWidth } = this;
+    const camera = own.camera as unknown as ShadowCamera;
+    const scale = isCube ? 1 : camera.projectionMatrix.elements[0];
+    const isPerspective = isCube || camera.isPerspectiveCamera === true;
+    return needsFineDepth(near, far, scale, wantedWidth, this.shadow.bias, isPerspective);
+  }
+
+  /** Texels round a face of a cube that the filter reaches at most, a power of two. */
+  borderOf(faceWidth: number): number {
+    if (!this.isCube) return 0;
+    const reach = Math.abs(this.shadow.radius * faceWidth) / this.wantedWidth || 0;
+    return 2 ** Math.ceil(Math.log2(Math.max(1, Math.min(FARTHEST * reach + 0.5, LARGEST_BORDER))));
+  }
+
+  /** Puts the faces where the atlas has placed the map. */
+  placed(): void {
+    const { region, faceWidth, faceHeight, border } = this.placement;
+    const width = faceWidth + 2 * border;
+    const height = faceHeight + 2 * border;
+    this.faces.forEach((face, i) => {
+      const columns = this.isCube ? 3 : this.side;
+      face.x = region!.x + (i % columns) * width;
+      face.y = region!.y + Math.floor(i / columns) * height;
+      face.width = width;
+      face.height = height;
+    });
+    if (this.isCube) this.aimFaces();
+  }
+
+  /** Has the map drawn in this frame, all of it or only what is visible of each face. @returns texels drawn to */
+  plan(isPartial: boolean): number {
+    let texels = 0;
+    this.map.plan(isPartial);
+    this.drawnFaces = 0;
+    setReach(this.reach, this.faces[0].camera.matrixWorld.elements, this.range, this.widening, 0);
+    this.faces.forEach((face, i) => {
+      face.plan(isPartial);
+      texels += face.texels;
+      if (face.texels > 0) this.drawnFaces |= 1 << i;
+    });
+    return texels;
+  }
+
+  private followMap(reversedDepth: boolean): void {
+    const { light, own } = this;
+    const camera = own.camera as unknown as ShadowCamera;
+    const host = light.shadow.camera as unknown as ShadowCamera;
+    let changed = camera.reversedDepth !== reversedDepth;
+    setReversedDepth(camera, reversedDepth);
+    for (const name of CAMERA_NUMBERS) {
+      if (camera[name] === host[name]) continue;
+      camera[name] = host[name];
+      changed = true;
+    }
+    const far = (light.isSpotLight === true && rangeOf((light as SpotLight).distance)) || host.far;
+    if (camera.far !== far) {
+      camera.far = far;
+      changed = true;
+    }
+    if (changed) camera.updateProjectionMatrix();
+    own.updateMatrices(far === host.far ? this.endless : light);
+    this.near = camera.near;
+    this.far = camera.far;
+    this.faces[this.cascades].update();
+  }
+
+  /** Fits the cascades round what the camera sees. @returns whether that changed them */
+  private fit(camera: Camera): boolean {
+    const { cascades, fits, faces } = this;
+    const whole = this.own.camera as unknown as OrthographicCamera;
+    const { x, y } = this.light.shadow.mapSize;
+    let changed = false;
+    for (let i = 0; i < cascades; i++) {
+      fitCascade(faces[i], whole, camera, cascades - i, x, y, fitted);
+      for (let k = 0; k < 4; k++) {
+        changed ||= fits[i * 4 + k] !== fitted[k];
+        fits[i * 4 + k] = fitted[k];
+      }
+    }
+    return changed;
+  }
+
+  private followPoint(reversedDepth: boolean): void {
+    const { light, matrix } = this;
+    const host = light.shadow.camera as unknown as ShadowCamera;
+    this.near = host.near;
+    this.far = rangeOf((light as PointLight).distance) || host.far;
+    position.setFromMatrixPosition(light.matrixWorld);
+    matrix.makeTranslation(-position.x, -position.y, -position.z);
+    for (const face of this.faces) setReversedDepth(face.camera, reversedDepth);
+  }
+
+  private aimFaces(): void {
+    const { elements } = this.matrix;
+    position.set(-elements[12], -elements[13], -elements[14]);
+    for (let i = 0; i < 6; i++) aimCubeFace(this.faces[i], i, position, this.near, this.far, this.widening);
+  }
+
+  private define(name: string, value: unknown): void {
+    Object.defineProperty(this.own, name, { value, writable: true, configurable: true, enumerable: true });
+  }
+}

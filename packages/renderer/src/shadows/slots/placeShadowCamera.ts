@@ -1,0 +1,47 @@
+import { Vector3 } from 'three';
+import type { PrivateLightShadow, ShadowCamera, ShadowLight } from './ShadowLight';
+import { setReversedDepth } from '../../three/reversedDepth';
+import { copyShadowFrustum } from '../../three/shadowFrustum';
+
+const ahead = new Vector3();
+
+/**
+ * Leaves the shadow of a light as three's WebGLShadowMap would: the shadow's camera where the map is drawn from (of a point light:
+ * the last of six faces), its matrix and frustum.
+ * @param proxy - of the light's shadow, on which three's own `updateMatrices` has been run
+ * @param far - plane of the map (m)
+ */
+export function placeShadowCamera(
+  light: ShadowLight,
+  proxy: PrivateLightShadow,
+  far: number,
+  reversedDepth: boolean,
+): void {
+  const shadow = light.shadow as unknown as PrivateLightShadow;
+  const camera = shadow.camera as unknown as ShadowCamera;
+  setReversedDepth(camera, reversedDepth);
+  camera.far = far;
+  if (light.isPointLight === true) {
+    camera.updateProjectionMatrix();
+    camera.position.setFromMatrixPosition(light.matrixWorld);
+    camera.up.set(0, -1, 0);
+    camera.lookAt(ahead.copy(camera.position).setZ(camera.position.z - 1));
+    camera.updateMatrixWorld();
+    shadow.matrix.makeTranslation(-camera.position.x, -camera.position.y, -camera.position.z);
+    return;
+  }
+  const from = proxy.camera as unknown as ShadowCamera;
+  if (camera.isPerspectiveCamera) {
+    camera.fov = from.fov;
+    camera.aspect = from.aspect;
+  }
+  camera.position.copy(from.position);
+  camera.quaternion.copy(from.quaternion);
+  camera.matrix.copy(from.matrix);
+  camera.matrixWorld.copy(from.matrixWorld);
+  camera.matrixWorldInverse.copy(from.matrixWorldInverse);
+  camera.projectionMatrix.copy(from.projectionMatrix);
+  camera.projectionMatrixInverse.copy(from.projectionMatrixInverse);
+  shadow.matrix.copy(proxy.matrix);
+  copyShadowFrustum(proxy, shadow);
+}

@@ -1,0 +1,133 @@
+import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, RGFormat, Vector4, WebGLRenderTarget } from 'three';
+import { targetBytes } from '../../gpu/targetBytes';
+import * as chunks from './chunks';
+import type { ThinGBuffer } from '../../frame/ThinGBuffer';
+import type { Frame } from '../../frame/Frame';
+import { thinGBufferLayout } from './thinGBufferLayout';
+import { hasAreaLights } from './hasAreaLights';
+import { isLightBufferMaterial } from './isLightBufferMaterial';
+import { resetObject, setObject } from './objectAttribute';
+import { thinGBufferTwins, type ThinGBufferTwins } from './thinGBufferTwins';
+import type { RenderItem } from '../../frame/RenderItem';
+import { drawLayers } from './drawLayers';
+import { gridFit, gridTexels } from './gridFit';
+import { objectNumber } from './objectNumbers';
+import type { Pass } from '../../frame/Pass';
+
+/** How large the buffers of lighting are, and what is in them. */
+export interface ThinGBufferOptions {
+  /** Of `Frame.inferredScale`, in place of the picture's size. */
+  readonly scaled: boolean;
+  /** Transparent things are in it too, each layer in one texel of each two by two. */
+  readonly stipple: boolean;
+}
+
+/**
+ * Draws what the light buffer can light, with no more than lights need to know of it: normal, specular lobe, depth, and
+ * which object it is.
+ * @see Engel 2009, The Light Pre-Pass Renderer; Kircher and Lawrance 2009, Inferred Lighting; thesis 2.2.3.3.2
+ */
+export class ThinGBufferPass implements Pass, ThinGBuffer {
+  readonly name = 'thin g-buffer';
+  readonly reads = [] as const;
+  readonly writes = ['thin-gbuffer', 'scene-depth'] as const;
+  readonly microShaders = { ...chunks };
+  readonly fit = new Vector4(1, 1, 0, 0);
+  readonly items: RenderItem[] = [];
+  private made: WebGLRenderTarget | null = null;
+  private hasAreas = false;
+  private readonly scaleUniform = { value: 1 };
+  private readonly twins: ThinGBufferTwins;
+
+  constructor(private readonly options: ThinGBufferOptions) {
+    this.twins = thinGBufferTwins(this.scaleUniform, { value: this.fit });
+  }
+
+  get bytes(): number {
+    return this.made === null ? 0 : targetBytes(this.made);
+  }
+
+  /** Made by `render`. */
+  get target(): WebGLRenderTarget {
+    return this.made!;
+  }
+
+  get scale(): number {
+    return this.scaleUniform.value;
+  }
+
+  render(frame: Frame): void {
+    this.prepareTarget(frame);
+    this.hasAreas = hasAreaLights(frame);
+    const { items } = this;
+    items.length = 0;
+    try {
+      for (const item of frame.queue.opaque) {
+        if (!item.splits || item.layered || !isLightBufferMaterial(item.material, this.hasAreas)) continue;
+        setObject(frame.gl, objectNumber(items.length), 0);
+        frame.drawTwin(item, this.twins.opaque);
+        items.push(item);
+      }
+      if (this.options.stipple) this.drawTransparent(frame);
+    } finally {
+      resetObject(frame.gl);
+    }
+    frame.resources.put('thin-gbuffer', this);
+    frame.resources.put('scene-depth', this.target.depthTexture!);
+  }
+
+  isStippled(item: RenderItem): boolean {
+    const { material, lit } = item;
+    return (
+      this.options.stipple &&
+      lit &&
+      !item.ownShader &&
+      !item.layered &&
+      material.depthTest &&
+      material.depthFunc === LessEqualDepth &&
+      isLightBufferMaterial(material, this.hasAreas)
+    );
+  }
+
+  dispose(): void {
+    this.made?.depthTexture?.dispose();
+    this.made?.dispose();
+    this.made = null;
+    this.items.length = 0;
+  }
+
+  private prepareTarget(frame: Frame): void {
+    const scale = this.options.scaled ? frame.inferredScale : 1;
+    const width = gridTexels(frame.width, scale);
+    const height = gridTexels(frame.height, scale);
+    this.scaleUniform.value = scale;
+    gridFit(frame.width, frame.height, scale, this.fit);
+    // a buffer that stores distances keeps them: cameras may take turns
+    if (frame.storesDistance && this.made?.textures.length === 1) this.dispose();
+    const target = (this.made ??= makeTarget(frame.storesDistance));
+    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    frame.bind(target);
+    frame.clear(1, true);
+  }
+
+  private drawTransparent(frame: Frame): void {
+    let layer = 0;
+    for (const item of frame.queue.transparent) {
+      if (this.isStippled(item)) layer = drawLayers(frame, item, this.twins.stippled, this.items.length, layer);
+    }
+  }
+}
+
+/** @param storesDistance - with an attachment more, of how far each texel is, see storedDistance.glsl */
+function makeTarget(storesDistance: boolean): WebGLRenderTarget {
+  const target = new WebGLRenderTarget(1, 1, {
+    count: storesDistance ? 2 : 1,
+    format: thinGBufferLayout.format,
+    type: thinGBufferLayout.type,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    depthTexture: new DepthTexture(1, 1, FloatType),
+  });
+  if (storesDistance) target.textures[1].format = RGFormat;
+  return target;
+}

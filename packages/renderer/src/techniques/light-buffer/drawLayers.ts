@@ -1,0 +1,31 @@
+import { DoubleSide } from 'three';
+import type { Frame } from '../../frame/Frame';
+import type { ForwardTwins } from '../../materials/forwardTwin';
+import { setObject } from './objectAttribute';
+import type { TwinKind } from '../../materials/TwinKind';
+import type { RenderItem } from '../../frame/RenderItem';
+import { objectNumber, stippleCorner } from './objectNumbers';
+
+/**
+ * Draws the layers of a transparent item, one or, as three does with a double-sided one, back faces then front faces, each
+ * with its own object number and corner of the stipple.
+ * @param opaque - number of opaque items, which have the first object numbers
+ * @param layer - number of layers before, in the frame
+ * @returns number of layers with these
+ */
+export function drawLayers(frame: Frame, item: RenderItem, twins: ForwardTwins, opaque: number, layer: number): number {
+  const { material } = item;
+  const bothSides = material.side === DoubleSide && !material.forceSinglePass;
+  if (!bothSides) {
+    drawLayer(frame, item, twins.whole, opaque, layer);
+    return layer + 1;
+  }
+  drawLayer(frame, item, twins.back, opaque, layer);
+  drawLayer(frame, item, twins.front, opaque, layer + 1);
+  return layer + 2;
+}
+
+function drawLayer(frame: Frame, item: RenderItem, twin: TwinKind, opaque: number, layer: number): void {
+  setObject(frame.gl, objectNumber(opaque + layer), stippleCorner(layer));
+  frame.drawTwin(item, twin);
+}

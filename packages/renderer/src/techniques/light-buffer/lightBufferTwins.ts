@@ -1,0 +1,22 @@
+import type { IUniform } from 'three';
+import type { View } from '../../frame/views';
+import { forwardTwins, type ForwardTwins } from '../../materials/forwardTwin';
+import { withObject } from './objectAttribute';
+import type { TwinKind } from '../../materials/TwinKind';
+
+/**
+ * Lit materials that take their direct light from the light buffer.
+ * @param uniforms - of lightBufferFilter.glsl
+ */
+export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: View) => ForwardTwins {
+  return forwardTwins('lightLoopBuffer', (kind: TwinKind) =>
+    withObject({
+      ...kind,
+      role: 'light-buffer',
+      patch(shader, source, header) {
+        kind.patch(shader, source, header);
+        Object.assign(shader.uniforms, uniforms);
+      },
+    }),
+  );
+}

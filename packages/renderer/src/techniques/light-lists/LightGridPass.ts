@@ -1,0 +1,70 @@
+import { BINS } from '../../lights/DepthBins';
+import type { Frame } from '../../frame/Frame';
+import { WordTable } from '../../gpu/WordTable';
+import type { LightLists } from '../../frame/LightLists';
+import type { Pass, Resource } from '../../frame/Pass';
+
+/** Sent when there are no lights to list: a texture must be bound all the same. */
+const NO_WORDS = new Uint32Array(4);
+const PLAIN: LightLists = { loop: 'lightLoopClustered', defines: {} };
+const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TILE_SHADOWS: '' } };
+
+const float = new Float32Array(1);
+const bits = new Int32Array(float.buffer);
+
+/** Brings the light grid, made on the CPU with the light table, to the GPU. The lights are to be ordered 'by-grid'. */
+export class LightGridPass implements Pass {
+  readonly name = 'light lists';
+  readonly reads: readonly Resource[];
+  readonly writes = ['light-lists'] as const;
+  private readonly masks = new WordTable(4);
+  private readonly bins = new WordTable(1);
+
+  /** @param lit - 'gbuffer' where the lists light one: tiles of it that shadow maps leave wholly lit or dark are found too */
+  constructor(private readonly lit: 'gbuffer' | null = null) {
+    this.reads = lit === null ? [] : [lit];
+  }
+
+  get bytes(): number {
+    return this.masks.bytes + this.bins.bytes;
+  }
+
+  render(frame: Frame): void {
+    if (frame.fields !== null) return this.warmUp(frame);
+    const { masks, bins } = this;
+    const { uniforms } = frame;
+    const { bounded, firstBounded } = frame.lights;
+    const grid = frame.lights.grid!;
+    const words = bounded > 0 ? grid.masks : NO_WORDS;
+    const rows = bounded > 0 ? Math.max(1, (grid.tilesY * grid.words) / 4) : 1;
+    const width = bounded > 0 ? Math.max(1, grid.tilesX) : 1;
+    masks.upload(frame.webgl, words, width, rows);
+    bins.upload(frame.webgl, grid.bins, BINS, 1);
+    frame.uploadedBytes += masks.uploadedBytes + bins.uploadedBytes;
+    uniforms.farol_gridMasks.value = masks.texture;
+    uniforms.farol_gridBins.value = bins.texture;
+    const sizes = uniforms.farol_grid.value;
+    sizes[0] = Math.log2(grid.tileSize);
+    sizes[1] = grid.tilesY;
+    sizes[2] = bounded > 0 ? grid.deepWords : 0;
+    sizes[3] = firstBounded;
+    // the start is sent as the float whose bits it is: as a value it would be rounded
+    bits[0] = grid.depthStart;
+    const depth = uniforms.farol_gridDepth.value;
+    depth[0] = grid.depthShift;
+    depth[1] = float[0];
+    depth[2] = grid.depthScale;
+    if (this.lit !== null) frame.findTileShadows?.(frame.resources.get(this.lit));
+    this.warmUp(frame);
+  }
+
+  warmUp(frame: Frame): void {
+    const lists = this.lit === null ? PLAIN : WITH_TILES;
+    frame.resources.put('light-lists', frame.fields?.makeClusters(frame) ?? lists);
+  }
+
+  dispose(): void {
+    this.masks.dispose();
+    this.bins.dispose();
+  }
+}

@@ -1,0 +1,26 @@
+import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
+import type { Pass } from '../../frame/Pass';
+import { addBuiltinMicroShaders } from '../../renderer/builtinMicroShaders';
+import { lightLoopClustered, lightTiles, tiledOutput } from './chunks';
+import { LightGridPass } from './LightGridPass';
+import { TiledOutputPass } from './TiledOutputPass';
+import { forwardTail } from '../forwardTail';
+
+export { rankByGrid } from './rankByGrid';
+
+addBuiltinMicroShaders({ lightLoopClustered, lightTiles, tiledOutput });
+
+/** The passes of 'clustered-forward'. */
+export function clusteredForwardPasses(): Pass[] {
+  return [new LightGridPass(), ...forwardTail('lightLoopClustered', ['light-lists'])];
+}
+
+/** The passes of 'clustered-deferred'. */
+export function clusteredDeferredPasses(): Pass[] {
+  return [
+    new GBufferPass(),
+    new LightGridPass('gbuffer'),
+    new TiledOutputPass(),
+    ...forwardTail('lightLoopClustered', ['light-lists']),
+  ];
+}

@@ -1,0 +1,16 @@
+import type { Camera } from 'three';
+import { LightGrid } from '../../lights/LightGrid';
+import type { PictureSize } from '../../lights/PictureSize';
+import { projectionFar, projectionNear } from '../../lights/projectionDepths';
+import type { LightTable } from '../../lighting/LightTable';
+
+/** Makes the light grid of a table; the lights with a range get its ranks as records. */
+export function rankByGrid(lights: LightTable, camera: Camera, { width, height }: PictureSize): void {
+  const grid = (lights.grid ??= new LightGrid());
+  const { elements } = camera.projectionMatrix;
+  const cones = lights.cones > 0 ? lights.axes : null;
+  const near = projectionNear(elements);
+  grid.update(lights.boundeds.length, lights.bounds, elements, near, projectionFar(elements), width, height, cones);
+  lights.rank = grid.order;
+  lights.bounded = grid.count;
+}

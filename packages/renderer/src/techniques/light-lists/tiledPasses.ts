@@ -1,0 +1,43 @@
+import { DepthPrepass } from '../../passes/forward/DepthPrepass';
+import type { Pass } from '../../frame/Pass';
+import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
+import { addBuiltinMicroShaders } from '../../renderer/builtinMicroShaders';
+import {
+  lightLoopTiled,
+  lightTileLists,
+  lightTiles,
+  tileDepth,
+  tileDepthBlocks,
+  tileMask,
+  tileSummary,
+  tiledOutput,
+} from './chunks';
+import { LightTilesPass } from './LightTilesPass';
+import { TiledOutputPass } from './TiledOutputPass';
+import { forwardTail } from '../forwardTail';
+
+export { rankByDepth } from './rankByDepth';
+
+addBuiltinMicroShaders({
+  ...{ lightLoopTiled, lightTileLists, lightTiles, tileDepth, tileDepthBlocks, tileMask, tileSummary, tiledOutput },
+});
+
+/** The passes of 'tiled-forward'. */
+export function tiledForwardPasses(): Pass[] {
+  return [new LightTilesPass('none'), ...forwardTail('lightLoopTiled', ['light-lists'])];
+}
+
+/** The passes of 'forward-plus'. */
+export function forwardPlusPasses(): Pass[] {
+  return [
+    new DepthPrepass(),
+    new LightTilesPass('slices'),
+    // the lists know only what is opaque: what lies before it is lit by all lights
+    ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll'),
+  ];
+}
+
+/** The passes of 'tiled-deferred'. */
+export function tiledDeferredPasses(): Pass[] {
+  return [new GBufferPass(), new LightTilesPass('slices'), new TiledOutputPass(), ...forwardTail('lightLoopAll')];
+}

@@ -1,0 +1,296 @@
+import {
+  type Material,
+  DepthStencilFormat,
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  NearestFilter,
+  NoToneMapping,
+  Sphere,
+  Vector3,
+  Vector4,
+  WebGLRenderTarget,
+  type BufferGeometry,
+  Object3D,
+} from 'three';
+import { blendsFloats } from '../../gpu/checkDevice';
+import type { FieldDraws } from '../../frame/FieldDraws';
+import type { AccumulatedLight } from '../../frame/AccumulatedLight';
+import type { Frame } from '../../frame/Frame';
+import { targetBytes } from '../../gpu/targetBytes';
+import * as chunks from './chunks';
+import { coneIntersectsSphere } from '../../lights/coneIntersectsSphere';
+import { projectedSphereBounds } from '../../lights/projectedSphereBounds';
+import { additiveTwin, baseTwin, fieldTwin, lightMark } from './multipassTwins';
+import type { RenderItem } from '../../frame/RenderItem';
+import type { Pass } from '../../frame/Pass';
+import { isDrawnAsCanvas } from '../../three/drawnAsCanvas';
+import { isDepthReversed, setScissor, testScissor, unmaskDepth, unmaskStencil } from '../../three/state';
+
+const rectangle = new Float64Array(4);
+const scissor = new Vector4();
+const centre = new Vector3();
+const NO_MARK = new Int32Array(1);
+const { onBeforeRender } = Object3D.prototype;
+/** Share of the picture that a light with a range must lie over to be drawn with ambient light, over all objects. */
+const FIRST_SHARE = 0.25;
+
+/**
+ * Multipass lighting: ambient, environment and emissive once, together with one light that lights much of the picture; then
+ * each other light added by a draw of its own over the objects that its range reaches, inside the rectangle that its volume
+ * covers on screen.
+ * Sums in 32-bit floats where the device blends them (EXT_float_blend) and the host's target has one sample; else in half
+ * floats.
+ * @see thesis 2.2.1.3 and 3.2.3.1
+ */
+export class MultipassLightsPass implements Pass {
+  readonly name = 'multipass lights';
+  readonly microShaders = { ...chunks };
+  readonly reads = [] as const;
+  readonly writes = ['accumulated-light'] as const;
+  private target: WebGLRenderTarget | null = null;
+  private fogged = true;
+  /** What the pass hands over; made with its target and for either place of fog. */
+  private result: AccumulatedLight | null = null;
+  private readonly items: RenderItem[] = [];
+  /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
+  private spheres = new Float64Array(256);
+  private slot: 0 | 1 = 0;
+  /** Objects whose additive program is linked, with the material that the program is for. */
+  private readonly compiled = new WeakMap<Object3D, Material>();
+
+  get bytes(): number {
+    return this.target === null ? 0 : targetBytes(this.target);
+  }
+
+  render(frame: Frame): void {
+    this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
+    this.items.length = 0;
+    // of the frame that this one is drawn inside of, by a callback
+    const mark = lightMark.value;
+    try {
+      this.prepareTarget(frame);
+      this.drawLights(frame);
+    } finally {
+      lightMark.value = mark;
+    }
+    const { texture, depthTexture, samples } = this.target!;
+    if (samples > 0) frame.resolve(this.target!);
+    if (this.result?.texture !== texture || this.result.hasFog !== this.fogged)
+      this.result = { texture, depth: depthTexture!, hasFog: this.fogged };
+    frame.resources.put('accumulated-light', this.result);
+  }
+
+  dispose(): void {
+    this.target?.depthTexture?.dispose();
+    this.target?.dispose();
+    this.target = this.result = null;
+  }
+
+  private drawLights(frame: Frame): void {
+    const { items } = this;
+    const base = baseTwin(frame.view, this.fogged);
+    const { opaque } = frame.queue;
+    const first = this.firstLight(frame);
+    frame.uniforms.farol_lightIndex.value = first;
+    // by index: an iterator allocates until the loop is compiled
+    for (let i = 0; i < opaque.length; i++) {
+      const item = opaque[i];
+      if (!item.splits || !this.sums(item.material, frame)) continue;
+      frame.drawTwin(item, base);
+      item.drawn = true;
+      items.push(item);
+    }
+    if (items.length === 0) return;
+    this.compile(frame);
+    this.findSpheres(frame);
+    const { lights } = frame;
+    for (let i = first === 0 ? 1 : 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
+    const { webgl } = frame;
+    for (let k = 0; k < lights.bounded; k++) {
+      if (lights.firstBounded + k === first || !this.cutTo(frame, lights.rank[k])) continue;
+      setScissor(webgl, scissor);
+      testScissor(webgl, true);
+      this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
+    }
+    testScissor(webgl, false);
+    if (frame.fields !== null) this.drawFields(frame, frame.fields);
+  }
+
+  /**
+   * Record of the light that is drawn together with ambient light: one that reaches everything, else the one with the largest
+   * rectangle on screen, unless that is small; -1 for none.
+   */
+  private firstLight(frame: Frame): number {
+    const { lights, view } = frame;
+    if (view !== 'final' && view !== 'grid') return -1; // other views show the lights alone
+    if (lights.directional + lights.unbounded > 0) return 0;
+    let first = -1;
+    let largest = FIRST_SHARE * frame.width * frame.height;
+    for (let k = 0; k < lights.bounded; k++) {
+      if (!this.cutTo(frame, lights.rank[k]) || scissor.z * scissor.w < largest) continue;
+      first = lights.firstBounded + k;
+      largest = scissor.z * scissor.w;
+    }
+    return first;
+  }
+
+  /** Adds the lights of all fields at once, each pixel those of its tile: a draw a light would be a draw for thousands. */
+  private drawFields(frame: Frame, fields: FieldDraws<Frame>): void {
+    fields.makeFieldTiles(frame);
+    frame.bind(this.target!);
+    if (lightMark.value === 255) this.unmark(frame);
+    else lightMark.value++;
+    const kind = fieldTwin(frame.view, this.fogged);
+    // tiles begin at the corner of this pass's target, not of the host's viewport
+    const offset = frame.uniforms.farol_offset.value;
+    offset.set(0, 0);
+    for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);
+    offset.set(frame.viewport.x, frame.viewport.y);
+  }
+
+  /** True for a material that three would tone map, fog and dither as the output pass does all pixels. */
+  private sums(material: Material, frame: Frame): boolean {
+    if (this.fogged) return true;
+    if (material.dithering) return false;
+    // the output pass fogs by depth, which is too coarse here
+    if (frame.storesDistance && frame.scene.fog) return false;
+    if (!material.toneMapped && frame.webgl.toneMapping !== NoToneMapping) return false;
+    return (material as Material & { fog?: boolean }).fog !== false || !frame.scene.fog;
+  }
+
+  private prepareTarget(frame: Frame): void {
+    const { width, height, gl, samples } = frame;
+    if (this.target !== null && this.target.samples !== samples) this.dispose();
+    this.target ??= new WebGLRenderTarget(1, 1, {
+      samples,
+      type: samples === 0 && blendsFloats(gl) ? FloatType : HalfFloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      stencilBuffer: true,
+      depthTexture: depthAndStencil(),
+    });
+    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    frame.bind(this.target);
+    frame.clear(1, false);
+    // at once: by itself either costs a pass over the other
+    lightMark.value = 1;
+    unmaskDepth(frame.webgl);
+    unmaskStencil(frame.webgl);
+    gl.clearBufferfi(gl.DEPTH_STENCIL, 0, isDepthReversed(frame.webgl) ? 0 : 1, 0);
+  }
+
+  /** Forgets which light was added to which pixel. */
+  private unmark(frame: Frame): void {
+    lightMark.value = 1;
+    unmaskStencil(frame.webgl);
+    frame.gl.clearBufferiv(frame.gl.STENCIL, 0, NO_MARK);
+  }
+
+  /** Draws new objects with the additive twin over no pixels, so that the first light to reach one compiles nothing. */
+  private compile(frame: Frame): void {
+    const { webgl } = frame;
+    let scissored = false;
+    for (let i = 0; i < this.items.length; i++) {
+      const item = this.items[i];
+      if (this.compiled.get(item.object) === item.material) continue;
+      this.compiled.set(item.object, item.material);
+      // a target that the host's code sets takes the scissor away, and the light would be added once more
+      if (item.object.onBeforeRender !== onBeforeRender) continue;
+      if (!scissored) {
+        setScissor(webgl, scissor.set(0, 0, 0, 0));
+        testScissor(webgl, true);
+        scissored = true;
+      }
+      frame.drawTwin(item, additiveTwin(frame.view, this.slot, this.fogged));
+    }
+    if (!scissored) return;
+    testScissor(webgl, false);
+    this.turn();
+  }
+
+  /** Takes the other twin: three sets uniforms, the light among them, only when another material is drawn than before. */
+  private turn(): void {
+    this.slot = this.slot === 0 ? 1 : 0;
+  }
+
+  private drawLight(frame: Frame, record: number, bounded: number): void {
+    const { lights } = frame;
+    frame.uniforms.farol_lightIndex.value = record;
+    if (lightMark.value === 255) this.unmark(frame);
+    else lightMark.value++;
+    const kind = additiveTwin(frame.view, this.slot, this.fogged);
+    let drawn = false;
+    const { spheres, items } = this;
+    const b = bounded * 4;
+    // last object first: of surfaces at one depth the last shows, and the light's mark keeps it from the others
+    for (let i = items.length - 1; i >= 0; i--) {
+      if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
+        const { bounds, axes } = lights;
+        const at = i * 4;
+        const dx = spheres[at] - bounds[b];
+        const dy = spheres[at + 1] - bounds[b + 1];
+        const dz = spheres[at + 2] - bounds[b + 2];
+        const reach = spheres[at + 3] + bounds[b + 3];
+        if (dx * dx + dy * dy + dz * dz > reach * reach) continue;
+        if (axes[b + 3] > -1 && !coneIntersectsSphere(bounds, axes, b, spheres, at)) continue;
+      }
+      frame.drawTwin(items[i], kind);
+      drawn = true;
+    }
+    // where nothing was drawn, the twin drawn last is another still
+    if (drawn) this.turn();
+  }
+
+  /** Puts the rectangle of a light into `scissor`. @returns false if it covers no pixel */
+  private cutTo(frame: Frame, k: number): boolean {
+    const { bounds } = frame.lights;
+    const { camera, width, height } = frame;
+    if (!projectedSphereBounds(bounds, k * 4, camera.projectionMatrix.elements, rectangle)) return false;
+    const x0 = Math.max(0, Math.floor((rectangle[0] * 0.5 + 0.5) * width));
+    const y0 = Math.max(0, Math.floor((rectangle[1] * 0.5 + 0.5) * height));
+    const x1 = Math.min(width, Math.ceil((rectangle[2] * 0.5 + 0.5) * width));
+    const y1 = Math.min(height, Math.ceil((rectangle[3] * 0.5 + 0.5) * height));
+    scissor.set(x0, y0, x1 - x0, y1 - y0);
+    return x1 > x0 && y1 > y0;
+  }
+
+  private findSpheres(frame: Frame): void {
+    const { items } = this;
+    if (this.spheres.length < items.length * 4) this.spheres = new Float64Array(items.length * 8);
+    for (let i = 0; i < items.length; i++) {
+      const { object, geometry } = items[i];
+      const bound = boundingSphereOf(object, geometry);
+      const at = i * 4;
+      if (bound === null || !object.frustumCulled) {
+        this.spheres[at + 3] = Infinity;
+        continue;
+      }
+      centre.copy(bound.center).applyMatrix4(object.matrixWorld).applyMatrix4(frame.camera.matrixWorldInverse);
+      const displacement = items[i].material as {
+        displacementMap?: unknown;
+        displacementScale?: number;
+        displacementBias?: number;
+      };
+      const more = displacement.displacementMap
+        ? Math.abs(displacement.displacementScale ?? 0) + Math.abs(displacement.displacementBias ?? 0)
+        : 0;
+      this.spheres[at] = centre.x;
+      this.spheres[at + 1] = centre.y;
+      this.spheres[at + 2] = centre.z;
+      this.spheres[at + 3] = (bound.radius + more) * object.matrixWorld.getMaxScaleOnAxis();
+    }
+  }
+}
+
+/** The sphere that three culls an object by, in the object's space. */
+function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | null {
+  const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
+  return own ?? geometry.boundingSphere;
+}
+
+function depthAndStencil(): DepthTexture {
+  const texture = new DepthTexture(1, 1, FloatType);
+  texture.format = DepthStencilFormat;
+  return texture;
+}

@@ -1,0 +1,102 @@
+import {
+  AddEquation,
+  CustomBlending,
+  KeepStencilOp,
+  LessEqualDepth,
+  NotEqualStencilFunc,
+  OneFactor,
+  ReplaceStencilOp,
+  ShaderChunk,
+} from 'three';
+import type { View } from '../../frame/views';
+import { isCountView } from '../../frame/views';
+import { litTwin } from '../../materials/litTwin';
+import { replaceChunk, replacePart } from '../../three/replaceChunk';
+import type { LightLoop } from '../../materials/LightLoop';
+import type { TwinKind } from '../../materials/TwinKind';
+
+const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
+
+/** Ambient, environment, emissive, what three itself lights, and one light: the first pass of multipass lighting. */
+const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne' });
+const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne', properties: { fog: false } });
+const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
+
+/** @param fogged - false leaves fog to the output */
+export function baseTwin(view: View, fogged: boolean): TwinKind {
+  return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
+}
+
+/** Stencil value of the light being drawn, 1 to 255: of several surfaces at one depth, the light is added to one. */
+export const lightMark = { value: 1 };
+
+const ADDITIVE = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+  blendEquationAlpha: null,
+  blendSrcAlpha: null,
+  blendDstAlpha: null,
+  depthFunc: LessEqualDepth,
+  depthWrite: false,
+  stencilWrite: true,
+  stencilFunc: NotEqualStencilFunc,
+  stencilFuncMask: 255,
+  stencilWriteMask: 255,
+  stencilFail: KeepStencilOp,
+  stencilZFail: KeepStencilOp,
+  stencilZPass: ReplaceStencilOp,
+  get stencilRef() {
+    return lightMark.value;
+  },
+} as const;
+
+/** An environment map that is mixed in is affine in the light: a light's own pass takes only the linear part. */
+const ENVIRONMENT = `#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_CUBE ) && defined( ENVMAP_BLENDING_MIX )
+  outgoingLight *= 1.0 - specularStrength * reflectivity;
+#elif !defined( USE_ENVMAP ) || !defined( ENVMAP_BLENDING_ADD )
+  #include <envmap_fragment>
+#endif`;
+
+function onlyThisLight(text: string): string {
+  // fog fades this light's part; the colour of the fog came with the base pass
+  const fog = replacePart(ShaderChunk.fog_fragment, 'fogColor', 'vec3(0.0)');
+  let own = replaceChunk(text, 'lights_fragment_end', () => 'totalEmissiveRadiance = vec3(0.0);');
+  // toon has none
+  if (own.includes('#include <envmap_fragment>')) own = replaceChunk(own, 'envmap_fragment', () => ENVIRONMENT);
+  own = replaceChunk(own, 'fog_fragment', () => fog);
+  return `#define OPAQUE\n${replaceChunk(own, 'dithering_fragment', () => '')}`;
+}
+
+const additive = (count: boolean, fogged = true, loop: LightLoop = 'lightLoopOne') =>
+  litTwin({
+    // slots share one program; the change of slot makes three send the light's index
+    key: `${count ? 'additive-count' : 'additive'}-${loop}`,
+    loop,
+    withThreeLights: false,
+    properties: fogged ? ADDITIVE : Object.defineProperties({ fog: false }, Object.getOwnPropertyDescriptors(ADDITIVE)),
+    rewrite: onlyThisLight,
+    atEnd: count ? 'gl_FragColor = vec4(farol_lightsEvaluated, 0.0, 0.0, 0.0);' : 'gl_FragColor.a = 0.0;',
+  });
+const additives = [additive(false), additive(false)];
+const additivesUnfogged = [additive(false, false), additive(false, false)];
+const counters = [additive(true), additive(true)];
+
+const field = additive(false, true, 'lightLoopField');
+const fieldUnfogged = additive(false, false, 'lightLoopField');
+const fieldCounter = additive(true, true, 'lightLoopField');
+
+/** The lights of fields, added to what is there. @param fogged - false leaves fog to the output */
+export function fieldTwin(view: View, fogged: boolean): TwinKind {
+  return isCountView(view) ? fieldCounter : fogged ? field : fieldUnfogged;
+}
+
+/**
+ * One light, added to what is there. Two kinds of one program, to be used in turns light by light: three sends a
+ * material's uniforms only when the material changes.
+ * @param fogged - false leaves fog to the output
+ */
+export function additiveTwin(view: View, slot: 0 | 1, fogged: boolean): TwinKind {
+  return (isCountView(view) ? counters : fogged ? additives : additivesUnfogged)[slot];
+}

@@ -1,0 +1,107 @@
+import { type Camera, type Material, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { isPlainOpaque } from '../../gbuffer/shadingModel';
+import { hasNodes } from '../hasNodes';
+import type { RenderItem } from '../../frame/RenderItem';
+import { type RenderList, type RenderLists, renderListsOf } from '../RenderList';
+import type { RenderQueue } from '../../frame/RenderQueue';
+import { standInOf } from '../standInOf';
+
+/** What is drawn: a `Frame`. */
+interface DrawnFrame {
+  readonly webgl: WebGLRenderer;
+  readonly scene: Scene;
+  readonly camera: Camera;
+  readonly queue: RenderQueue;
+}
+
+/** A host's scene as three is shown it, with the list that its draws go to. */
+interface NodeView {
+  readonly view: Object3D;
+  readonly list: RenderList;
+  /** Where the list is from: others once a lost context is restored. */
+  readonly lists: RenderLists;
+}
+
+const NOTHING = () => undefined;
+
+/**
+ * Draws what has a node material (TSL) by three's own `render` inside the frame, with three's lights and shadow maps: three
+ * alone tells its nodes handler of objects and lights. All else of the scene is kept out of three's lists.
+ */
+export class NodeDraws {
+  private readonly views = new WeakMap<Object3D, NodeView>();
+  private current!: NodeView;
+  private getList!: RenderLists['get'];
+  /** The one item to draw; null for all plain opaque ones. */
+  private item: RenderItem | null = null;
+  /** Whether three has drawn its shadow maps in this frame. */
+  private hasMaps = false;
+
+  begin(): void {
+    this.hasMaps = false;
+  }
+
+  /** Draws an item into the bound target; with the first plain opaque one all of them, marked as drawn. */
+  draw({ webgl, scene, camera, queue }: DrawnFrame, item: RenderItem): void {
+    this.current = this.viewOf(webgl, scene);
+    this.item = item.plain ? null : item;
+    this.render(webgl, camera);
+    if (item.plain) for (const other of queue.opaque) if (other.nodes && other.plain) other.drawn = true;
+  }
+
+  private render(webgl: WebGLRenderer, camera: Camera): void {
+    const { info, shadowMap, autoClear } = webgl;
+    const { autoReset } = info;
+    const { render } = shadowMap;
+    const { view, lists } = this.current;
+    this.getList = lists.get;
+    try {
+      lists.get = this.giveList;
+      webgl.autoClear = info.autoReset = false;
+      if (this.hasMaps) shadowMap.render = NOTHING;
+      webgl.render(view, camera);
+      this.hasMaps = true;
+    } finally {
+      lists.get = this.getList;
+      webgl.autoClear = autoClear;
+      info.autoReset = autoReset;
+      shadowMap.render = render;
+    }
+  }
+
+  private readonly giveList: RenderLists['get'] = (scene, depth) =>
+    scene === this.current.view ? this.current.list : this.getList(scene, depth);
+
+  private viewOf(webgl: WebGLRenderer, source: Scene): NodeView {
+    const lists = renderListsOf(webgl);
+    let known = this.views.get(source);
+    if (known?.lists === lists) return known;
+    const isScene = source.isScene === true;
+    const view = isScene ? standInOf(source, Object3D.prototype) : new Object3D();
+    const own = {
+      matrixWorldAutoUpdate: false,
+      onBeforeRender: NOTHING,
+      onAfterRender: NOTHING,
+      ...(isScene ? { background: null } : { children: [source] }),
+    };
+    for (const [name, value] of Object.entries(own)) Object.defineProperty(view, name, { value, writable: true });
+    const list = lists.get(view, 0);
+    const { push } = list;
+    list.push = (object, geometry, material, groupOrder, z, group, camera) => {
+      const { overrideMaterial = null } = source as Partial<Scene>;
+      const drawn = overrideMaterial !== null && material.allowOverride ? overrideMaterial : material;
+      const { item } = this;
+      const isWanted =
+        item === null
+          ? hasNodes(drawn) && isPlainOpaque(drawn) && !transmits(material)
+          : object === item.object && group === item.group && drawn === item.material;
+      if (isWanted) push(object, geometry, material, groupOrder, z, group, camera);
+    };
+    this.views.set(source, (known = { view, list, lists }));
+    return known;
+  }
+}
+
+function transmits(material: Material): boolean {
+  return ((material as Material & { transmission?: number }).transmission ?? 0) > 0;
+}

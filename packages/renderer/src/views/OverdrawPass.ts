@@ -1,0 +1,57 @@
+import { HalfFloatType, Vector2, type Texture } from 'three';
+import type { Frame } from '../frame/Frame';
+import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
+import { canCountOverdraw, overdrawTwin } from '../materials/overdrawTwin';
+import type { RenderItem } from '../frame/RenderItem';
+import { FullscreenPass } from '../gpu/FullscreenPass';
+import { PassTarget } from '../gpu/PassTarget';
+
+/** Counts how often a material is shaded at each pixel, in the order in which the technique draws. For the view 'overdraw'. */
+export class OverdrawPass {
+  private readonly target = new PassTarget({ type: HalfFloatType, depthBuffer: true });
+  private readonly counts = new FullscreenPass({
+    program: 'count view',
+    fragment: 'countView',
+    shared: 'all',
+    asThree: true,
+    uniforms: { farol_overdrawMap: { value: null as Texture | null }, farol_offset: { value: new Vector2() } },
+  });
+
+  get bytes(): number {
+    return this.target.bytes;
+  }
+
+  /** @param depthFirst - the technique draws depth before it shades */
+  render(frame: Frame, depthFirst: boolean): void {
+    const target = this.target.of(frame.width, frame.height);
+    frame.bind(target);
+    frame.clear(1, true);
+    if (depthFirst) {
+      for (const item of frame.queue.opaque) {
+        if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      }
+    }
+    this.count(frame, frame.queue.opaque);
+    this.count(frame, frame.queue.transmissive);
+    this.count(frame, frame.queue.transparent);
+    frame.resources.put('overdraw', target.texture);
+  }
+
+  /** Shows the counts alone, for techniques that have no output pass. */
+  show(frame: Frame): void {
+    const { uniforms } = this.counts;
+    uniforms.farol_overdrawMap.value = frame.resources.get('overdraw');
+    uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    frame.bindTarget();
+    this.counts.draw(frame);
+  }
+
+  dispose(): void {
+    this.target.dispose();
+    this.counts.dispose();
+  }
+
+  private count(frame: Frame, items: readonly RenderItem[]): void {
+    for (const item of items) if (canCountOverdraw(item.material)) frame.drawTwin(item, overdrawTwin);
+  }
+}

@@ -1,0 +1,35 @@
+import { addMicroShaders } from '../microshaders/addMicroShaders';
+import type { MicroShaderRegistry } from '../microshaders';
+import * as chunks from './chunks';
+import { OverdrawPass } from './OverdrawPass';
+import { SurfaceViewPass } from './SurfaceViewPass';
+
+/** Its chunks, by name. */
+export const microShaders = { ...chunks };
+
+/** What draws the views that no technique draws. */
+export interface ViewPasses {
+  readonly overdraw: OverdrawPass;
+  readonly surfaceView: SurfaceViewPass;
+  /** Bytes of the targets. */
+  readonly bytes: number;
+  dispose(): void;
+}
+
+/** The renderer fetches this when such a view is first asked for. */
+export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
+  addMicroShaders(registry, 'views', microShaders);
+  const overdraw = new OverdrawPass();
+  const surfaceView = new SurfaceViewPass();
+  return {
+    overdraw,
+    surfaceView,
+    get bytes() {
+      return overdraw.bytes + surfaceView.bytes;
+    },
+    dispose() {
+      overdraw.dispose();
+      surfaceView.dispose();
+    },
+  };
+}
