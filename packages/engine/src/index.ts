@@ -4,7 +4,7 @@
  */
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
-export { followEffects } from './app/followEffects';
+export { followEffects } from './picture/followEffects';
 export { techniqueLimits, type TechniqueLimits } from './picture/techniqueLimits';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
@@ -12,11 +12,11 @@ export { watchPixelRatio } from './app/watchPixelRatio';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 
 export { Component } from './core/Component';
-export { createRandom } from './core/createRandom';
+export { createRandom } from './base/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
-export { hitPoint, type MeshCaster, rayHits } from './picking/rayHits';
+export { hitPoint, type MeshCaster, rayHits } from './core/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
 export type {
@@ -40,7 +40,7 @@ export type {
 } from './core/SceneGraph';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
 export type { SceneView, SceneViews } from './core/SceneViews';
-export type { SceneSettings } from './core/SceneSettings';
+export type { SceneSettings } from './settings/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
@@ -75,14 +75,14 @@ export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export { objectsByName, targetOfTrack } from './animation/bindClip';
-export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
+export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './assets/clips/ClipData';
 export { ClipPreview } from './animation/ClipPreview';
-export { clipText } from './animation/clipText';
+export { clipText } from './assets/clips/clipText';
 export { cubicBezier } from './animation/cubicBezier';
 export { modelBelow, modelsBelow, type ModelInScene } from './animation/modelsBelow';
 export type { NodeProperty } from './animation/Channel';
 export type { ClipWrap } from './animation/clipEvents';
-export { ClipError, parseClip } from './animation/parseClip';
+export { ClipError, parseClip } from './assets/clips/parseClip';
 export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
 export { valueAt } from './animation/valueAt';
 
@@ -99,7 +99,7 @@ export {
 } from './components/objectsOfModel';
 export { isUnpackable, type KeptPart, keptTogether } from './components/keptTogether';
 export { isOfSubtree, type ModelSubtree, partsText, subtreeOf } from './assets/modelNodes';
-export { ClipAsset } from './assets/ClipAsset';
+export { ClipAsset } from './assets/clips/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';

@@ -2,7 +2,7 @@ import type { Object3D } from 'three';
 import { BaseComponent } from '../core/Component';
 import type { Component, GameObject, Scene, SceneChange, SceneSystem } from '../core/SceneGraph';
 import { type Channel, FieldChannel, NodeChannel, type NodeProperty } from './Channel';
-import type { ClipEvent } from './ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 
 /** What the system asks to play, as `Animation` does. */
 export interface Animated extends Component {

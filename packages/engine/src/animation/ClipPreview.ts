@@ -1,5 +1,5 @@
 import type { Component, GameObject } from '../core/SceneGraph';
-import type { ClipData } from './ClipData';
+import type { ClipData } from '../assets/clips/ClipData';
 import { trackTarget } from './trackTarget';
 import { valueAt } from './valueAt';
 

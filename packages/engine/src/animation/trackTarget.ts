@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import type { Component, GameObject } from '../core/SceneGraph';
-import type { ClipTrack } from './ClipData';
+import type { ClipTrack } from '../assets/clips/ClipData';
 import { problemWithTrack } from './TrackCurve';
 
 /** The object at a path of names below another, '' for that one itself; the first one in the order of the tree. */

@@ -1,5 +1,5 @@
 import type { GameObject, Scene } from '../core/SceneGraph';
-import { skyFields } from '../picture/pictureFields';
+import { skyFields } from '../settings/pictureFields';
 import { type BakeSources, bakeSources } from './bakeSources';
 
 /** Fields that change nothing of baked light. */

@@ -4,7 +4,7 @@ import { ModelRenderer } from '../components/ModelRenderer';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { gameObjectOf } from '../core/gameObjectOf';
 import type { GameObject, Scene } from '../core/SceneGraph';
-import { takesLightmap } from './lightmappedMaterial';
+import { takesLightmap } from '../core/baked/lightmappedMaterial';
 
 /** What of a scene takes part when its light is baked. */
 export interface BakeSources {

@@ -1,6 +1,6 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
 import { AnimationSystem, type Animated } from '../animation/AnimationSystem';
-import type { ClipEvent } from '../animation/ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 import type { ClipWrap } from '../animation/clipEvents';
 import { ClipPlayer } from '../animation/ClipPlayer';
 import { modelBelow } from '../animation/modelsBelow';

@@ -1,5 +1,5 @@
 import type { FieldValue } from '@farol/editing/fields';
-import type { Prefab } from '../prefabs/Prefab';
+import type { Prefab } from './Prefab';
 import { type FieldOwner, remake } from '../fields/FieldOwner';
 import { moveGameObject } from './moveGameObject';
 import { scriptClasses } from './scriptClasses';

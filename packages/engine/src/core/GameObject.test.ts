@@ -10,7 +10,7 @@ import { Transform } from '../core/Transform';
 import { component } from '../fields/component';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { createRandom } from './createRandom';
+import { createRandom } from '../base/createRandom';
 import { Component } from './Component';
 import { GameObject } from './GameObject';
 import { gameObjectOf } from './gameObjectOf';

@@ -1,9 +1,9 @@
 import { shortText } from '@farol/editing';
 import type { FieldValue } from '@farol/editing/fields';
 import { Object3D } from 'three';
-import type { PrefabLink } from '../prefabs/Prefab';
+import type { PrefabLink } from './Prefab';
 import { builtinComponents } from './builtinComponents';
-import { createId } from './createId';
+import { createId } from '../base/createId';
 import { setGameObjectOf } from './gameObjectOf';
 import { makeRotationLazy } from './LazyEuler';
 import { moveGameObject } from './moveGameObject';

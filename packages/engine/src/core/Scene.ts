@@ -2,7 +2,7 @@ import { shortText } from '@farol/editing';
 import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
-import { PrefabTable } from '../prefabs/PrefabTable';
+import { PrefabTable } from './PrefabTable';
 import { AuthoredState } from './AuthoredState';
 import { builtinComponents } from './builtinComponents';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
@@ -22,12 +22,12 @@ import type {
 import { SceneIndex } from './SceneIndex';
 import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
-import { SceneBake } from './SceneBake';
+import { SceneBake } from './baked/SceneBake';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
-import { SceneSettings } from './SceneSettings';
+import { SceneSettings } from '../settings/SceneSettings';
 
 export interface SceneOptions {
   name?: string;

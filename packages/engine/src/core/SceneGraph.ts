@@ -12,13 +12,13 @@ import type {
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAsset } from '../assets/FieldAsset';
 import type { FieldOwner } from '../fields/FieldOwner';
-import type { PrefabLink } from '../prefabs/Prefab';
-import type { PrefabTable } from '../prefabs/PrefabTable';
+import type { PrefabLink } from './Prefab';
+import type { PrefabTable } from './PrefabTable';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import type { RequiredEffect } from './RequiredEffect';
 import type { SceneMicroShaders } from './SceneMicroShaders';
 import type { SceneViews } from './SceneViews';
-import type { SceneSettings } from './SceneSettings';
+import type { SceneSettings } from '../settings/SceneSettings';
 import type { Vector3Input } from './toVector3';
 
 /**

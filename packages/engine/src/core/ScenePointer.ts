@@ -1,5 +1,5 @@
 import { type Intersection, Vector2, Vector3 } from 'three';
-import { hitPoint } from '../picking/rayHits';
+import { hitPoint } from './rayHits';
 import { callEvent } from './callEvent';
 import type { EnginePointerEvent } from './events';
 import { gameObjectOf } from './gameObjectOf';

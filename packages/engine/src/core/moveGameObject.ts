@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import { Matrix4, type Object3D } from 'three';
-import { maximumDepth } from './maximumDepth';
+import { maximumDepth } from '../base/maximumDepth';
 import type { GameObject, GameObjectContainer, MoveOptions } from './SceneGraph';
 
 /** Checks that an object is not put below itself. @returns how many objects deep the container lies; 0 for a scene */

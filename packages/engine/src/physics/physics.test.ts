@@ -4,7 +4,7 @@ import { Collider } from '../components/Collider';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RigidBody } from '../components/RigidBody';
 import { Component } from '../core/Component';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/SceneGraph';
 import { serialize } from '../files/serialize';

@@ -6,7 +6,7 @@ import type { FileComponent, FileObject } from '../files/FarolFile';
 import { mapReferences } from './copyObjects';
 import { isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import { instantiatePrefab } from './instantiatePrefab';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 import type { PrefabEdit } from './PrefabEdit';
 

@@ -6,7 +6,7 @@ import type { FileComponent, FileObject } from '../files/FarolFile';
 import { InstanceUpdate } from './InstanceUpdate';
 import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';
 import { readPrefab } from './makePrefab';
-import { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+import { type Prefab, PrefabError, type PrefabLink } from '../core/Prefab';
 import { objectsOf } from './prefabData';
 import type { PrefabEdit } from './PrefabEdit';
 import { planPrefabChange, type PrefabPlan } from './planPrefabChange';

@@ -3,7 +3,7 @@ import type { FileComponent, FileObject } from '../files/FarolFile';
 import { viewedValue } from '../fields/storedValues';
 import type { Component } from '../core/SceneGraph';
 import { componentKey } from './instances';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 
 const indices = new WeakMap<Prefab, ReadonlyMap<string, FileObject>>();
 

@@ -19,7 +19,7 @@ import { instantiatePrefab } from './instantiatePrefab';
 import { makePrefab } from './makePrefab';
 import { fieldOverride, overridesOf } from './overrides';
 import { changePrefab, planPrefabChange, type PrefabPlan } from './planPrefabChange';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
 
 class Follower extends component({ target: object(null, { help: 'What it follows.' }) }) {

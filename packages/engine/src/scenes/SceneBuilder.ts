@@ -1,6 +1,6 @@
 import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type { ComponentClass } from '../core/SceneGraph';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { Camera } from '../components/Camera';

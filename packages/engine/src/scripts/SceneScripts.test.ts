@@ -7,7 +7,7 @@ import { Scene } from '../core/Scene';
 import { UnknownComponent } from '../core/UnknownComponent';
 import { serialize } from '../files/serialize';
 import { SceneScripts } from './SceneScripts';
-import { inNode } from './inNode';
+import { inNode } from './testInNode';
 
 const spin = (
   fields: string,

@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { createRandom } from '../../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
 
 /** A curtain of 2.2 m × 3.4 m in folds, hanging from y = 0; two sheets back to back, so that nothing is double sided. */

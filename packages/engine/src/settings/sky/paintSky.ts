@@ -1,4 +1,4 @@
-import { createRandom } from '../../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 import { cloudNoise } from './cloudNoise';
 import type { SkyBox, SkyClouds, SkyDisc, SkyLook } from './skyLooks';
 

@@ -9,9 +9,9 @@ import {
   type Object3D,
   RGBAFormat,
 } from 'three';
-import type { RequiredEffect } from '../core/RequiredEffect';
-import type { Scene, ShownLight } from '../core/SceneGraph';
-import type { BakeData, LightmapData, LightmappedMesh } from './BakeData';
+import type { RequiredEffect } from '../RequiredEffect';
+import type { Scene, ShownLight } from '../SceneGraph';
+import type { BakeData, LightmapData, LightmappedMesh } from '../../assets/bake/BakeData';
 import { fitsGeometry, lightmappedGeometry } from './lightmappedGeometry';
 import { lightmappedMaterial, takesLightmap } from './lightmappedMaterial';
 import { MovedObjects } from './MovedObjects';

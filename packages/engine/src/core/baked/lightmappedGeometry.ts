@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
-import type { LightmappedMesh } from './BakeData';
+import type { LightmappedMesh } from '../../assets/bake/BakeData';
 
 /** Attributes of a geometry for vertices that come from its own. */
 function gathered(attribute: BufferAttribute | InterleavedBufferAttribute, source: Uint32Array): BufferAttribute {

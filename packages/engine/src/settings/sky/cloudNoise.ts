@@ -1,4 +1,4 @@
-import { createRandom } from '../../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 
 const SIZE = 256;
 const random = createRandom(7);

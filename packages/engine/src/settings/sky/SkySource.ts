@@ -1,5 +1,5 @@
 import type { ValuesOf } from '@farol/editing/fields';
-import { LateCode } from '../../core/LateCode';
+import { LateCode } from '../../base/LateCode';
 import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
 import type { Sky, SunPlace } from './makeSky';
 

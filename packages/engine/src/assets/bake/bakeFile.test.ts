@@ -1,11 +1,11 @@
 import { deflateRawSync } from 'node:zlib';
 import { DataUtils } from 'three';
 import { describe, expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 import type { BakeData, LightmapData } from './BakeData';
 import { packLightmap, unpackLightmap } from './lightmapCode';
 import { readBake } from './readBake';
-import { gradient } from './testing/smallBake';
+import { gradient } from '../../bake/testing/smallBake';
 import { writeBake } from './writeBake';
 
 /** A colour as a screen shows it, 0 to 255. */

@@ -1,5 +1,5 @@
 import type { Material, Texture } from 'three';
-import { derivedMaterial } from '../assets/derivedMaterial';
+import { derivedMaterial } from '../../assets/derivedMaterial';
 
 /**
  * A material with a lightmap: all else it has from another one, live, which is not changed.

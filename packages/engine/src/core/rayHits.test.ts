@@ -1,6 +1,6 @@
 import { BoxGeometry, GLBufferAttribute, Mesh, PerspectiveCamera, Ray, Vector2, Vector3 } from 'three';
 import { expect, it } from 'vitest';
-import { Scene } from '../core/Scene';
+import { Scene } from './Scene';
 import { hitPoint, rayHits } from './rayHits';
 
 it('rays go through what has its vertices on the GPU alone', () => {

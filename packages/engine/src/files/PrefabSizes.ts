@@ -1,5 +1,5 @@
-import type { FileObject } from '../files/FarolFile';
-import type { Prefab } from './Prefab';
+import type { FileObject } from './FarolFile';
+import type { Prefab } from '../core/Prefab';
 
 /** Prefabs, each once, that objects hold whole instances of, by how often. */
 function innerOf(objects: readonly FileObject[]): Map<string, number> {

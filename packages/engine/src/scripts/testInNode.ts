@@ -1,6 +1,6 @@
 import * as three from 'three';
 import * as engine from '../index';
-import * as fields from '../fields/index';
+import * as fields from '../fields';
 import { compileScript } from './compileScript';
 import { takeGiven } from './runInPage';
 import { ScriptError } from './ScriptError';

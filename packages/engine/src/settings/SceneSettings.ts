@@ -3,11 +3,11 @@ import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as Th
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
-import { bakeFields } from '../bake/bakeFields';
-import { physicsFields } from '../physics/physicsFields';
-import { fogFields, pictureFields, skyFields } from '../picture/pictureFields';
-import type { Sky } from '../picture/sky/makeSky';
-import { SkySource } from '../picture/sky/SkySource';
+import { bakeFields } from './bakeFields';
+import { physicsFields } from './physicsFields';
+import { fogFields, pictureFields, skyFields } from './pictureFields';
+import type { Sky } from './sky/makeSky';
+import { SkySource } from './sky/SkySource';
 
 export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields };
 

@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
-import type { BakedLight } from '../bake/BakedLight';
+import type { BakedLight } from '../../assets/bake/BakedLight';
 import { bakeCode, loadBakeCode } from './bakeCode';
-import type { Scene, SceneBake as SceneBakeType, ShownLight } from './SceneGraph';
+import type { Scene, SceneBake as SceneBakeType, ShownLight } from '../SceneGraph';
 
 /** Types of components that baked light changes something for. */
 const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];

@@ -1,8 +1,8 @@
 import { number, string } from '@farol/editing/fields';
-import type { ClipData } from '../animation/ClipData';
-import { clipText } from '../animation/clipText';
-import { parseClip } from '../animation/parseClip';
-import { DataAsset } from './FieldAsset';
+import type { ClipData } from './ClipData';
+import { clipText } from './clipText';
+import { parseClip } from './parseClip';
+import { DataAsset } from '../FieldAsset';
 
 /** What a clip is made of. */
 export const clipFields = {

@@ -1,6 +1,6 @@
 import { DataUtils } from 'three';
 import { expect, test } from 'vitest';
-import { createRandom } from '../../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 import { halfOf } from './halfOf';
 
 test("is three's half float: of every power of 2, of what lies between, of what is too large", () => {

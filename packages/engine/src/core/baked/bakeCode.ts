@@ -1,7 +1,7 @@
-import { LateCode } from './LateCode';
+import { LateCode } from '../../base/LateCode';
 
 const late = new LateCode(
-  () => import('../bake/ShownBake'),
+  () => import('./ShownBake'),
   'The code of baked light could not be fetched: see that the network is there, and open it again.',
 );
 

@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import { describeValue, type FieldValue, isFieldValue, isTriple } from '@farol/editing/fields';
-import { copyValue } from '../fields/FieldOwner';
+import { copyValue } from '../../fields/FieldOwner';
 import type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './ClipData';
 
 /** A clip's text that is none: says clip, track and key. */

@@ -1,6 +1,6 @@
 import type { ProbeBox } from '@farol/renderer/light-probes';
 import { DataUtils } from 'three';
-import { counted } from '../core/counted';
+import { counted } from '../../base/counted';
 import type { LightmapData, LightmappedMesh, ProbeData } from './BakeData';
 import { BakedLight } from './BakedLight';
 import { inflate, unpackLightmap } from './lightmapCode';
