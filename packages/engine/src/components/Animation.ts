@@ -5,7 +5,7 @@ import type { ClipWrap } from '../animation/clipEvents';
 import { ClipPlayer } from '../animation/ClipPlayer';
 import { modelBelow } from '../animation/modelsBelow';
 import type { Scene } from '../core/SceneGraph';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 
 /** How `Animation.play` plays; what is absent is as the fields say. */
 export interface PlayOptions {

@@ -9,7 +9,7 @@ import {
 } from 'three';
 import type { MaterialValues } from '../assets/materialFields';
 import { materialFields } from '../assets/materialFields';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/SceneGraph';
 import { decalCode, decalsEffect, loadDecalCode } from './decalCode';

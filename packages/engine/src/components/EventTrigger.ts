@@ -5,7 +5,7 @@ import type { EngineKeyEvent } from '../core/events';
 import type { Component, CostlyEvents, GameObject, ObjectPointerEvent } from '../core/SceneGraph';
 import { tellFault } from '../core/tellFault';
 import { UnknownComponent } from '../core/UnknownComponent';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import { methodsOf } from '../triggers/methodsOf';
 import { TriggerCalls } from '../triggers/TriggerCalls';
 

@@ -7,7 +7,7 @@ import { type ModelSubtree, subtreeOf } from '../assets/modelNodes';
 import type { Scene } from '../core/SceneGraph';
 import { MorphTargets, morphTargetFields } from './MorphTargets';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { FieldViews } from '../fields/FieldOwner';
 
 type Light = ThreeLight & { target?: Object3D };

@@ -1,7 +1,7 @@
 import { asset, boolean } from '@farol/editing/fields';
 import { type BufferGeometry, type Material, Mesh } from 'three';
 import { creaseAngleField, materialFields } from '../assets/materialFields';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { FieldViews } from '../fields/FieldOwner';
 import type { Scene } from '../core/SceneGraph';
 import { shapeOf } from '../core/ShapeSource';

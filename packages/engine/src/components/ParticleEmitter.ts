@@ -1,7 +1,7 @@
 import type { AssetType } from '@farol/editing/fields';
 import type { ParticleEmitter as ThreeEmitter } from '@farol/renderer/particles';
 import { type BufferGeometry, Mesh, type Object3D, type Texture } from 'three';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/SceneGraph';
 import { ObjectRenderer } from './ObjectRenderer';

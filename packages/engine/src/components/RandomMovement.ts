@@ -1,5 +1,5 @@
 import { number, vector3, type Vector3Tuple } from '@farol/editing/fields';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import { createRandom } from '../base/createRandom';
 
 /** Shares of the two waves of each axis; together 1, so that the object stays within its extent. */

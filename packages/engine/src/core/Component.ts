@@ -1,4 +1,5 @@
-import { type FieldTable, type FieldValue, sameValue } from '@farol/editing/fields';
+import { type FieldTable, type FieldValue, sameValue, type ValuesOf } from '@farol/editing/fields';
+import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, BaseFieldOwner, own } from '../fields/FieldOwner';
 import { savedFields } from '../fields/savedFields';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
@@ -177,3 +178,29 @@ export type Component = ComponentType;
 
 /** The class to extend for a component without fields; `component({ … })` makes one with fields. */
 export const Component = BaseComponent;
+
+/** Base class with a property for each field: its static members have defaults, `typeName` and `help` are to be given. */
+export type ComponentBase<F extends FieldTable> = Pick<
+  ComponentClass,
+  'typeName' | 'version' | 'unique' | 'help' | 'effect' | 'callable'
+> & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
+
+/** Methods that the engine calls where a class has them: a field of such a name would be called. */
+const called = /^(?:start|lateUpdate|on[A-Z]\w*)$/;
+
+/**
+ * The base class of a component with these fields, each a typed property of the instance:
+ * `class RandomMovement extends component({ speed: number(1, { unit: 'm/s', help: '…' }) }) { … }`.
+ * @throws Error when a field has the name of a member, or of a method that the engine calls
+ */
+export function component<const F extends FieldTable>(fields: F): ComponentBase<F> {
+  for (const name of Object.keys(fields)) {
+    if (called.test(name))
+      throw new Error(`The field '${name}' has the name of a method that is called: give it another name.`);
+  }
+  abstract class Fielded extends BaseComponent {
+    static override readonly fields = fields;
+  }
+  defineFieldProperties(Fielded.prototype, fields);
+  return Fielded as never;
+}

@@ -1,6 +1,6 @@
 import { checkFieldValue, euler, FieldError, type FieldValue, vector3, type Vector3Tuple } from '@farol/editing/fields';
 import { Euler, Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import { component } from '../fields/component';
+import { component } from './Component';
 import type { ComponentClass, Transform as TransformType } from './SceneGraph';
 import { toVector3, type Vector3Input } from './toVector3';
 

@@ -9,7 +9,7 @@ import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
 import { deserialize } from '../files/deserialize';

@@ -7,7 +7,7 @@ import { Scene } from '../core/Scene';
 import { UnknownComponent } from '../core/UnknownComponent';
 import { serialize } from '../files/serialize';
 import { SceneScripts } from './SceneScripts';
-import { inNode } from './testInNode';
+import { inNode } from './testing/inNode';
 
 const spin = (
   fields: string,

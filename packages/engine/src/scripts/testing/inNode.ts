@@ -1,10 +1,10 @@
 import * as three from 'three';
-import * as engine from '../index';
-import * as fields from '../fields';
-import { compileScript } from './compileScript';
-import { takeGiven } from './runInPage';
-import { ScriptError } from './ScriptError';
-import type { SceneScriptsOptions } from './SceneScripts';
+import * as engine from '../../index';
+import * as fields from '../../componentFields';
+import { compileScript } from '../compileScript';
+import { takeGiven } from '../runInPage';
+import { ScriptError } from '../ScriptError';
+import type { SceneScriptsOptions } from '../SceneScripts';
 
 /** What scripts get in tests, run in Node. */
 export const inNode: SceneScriptsOptions = {
