@@ -135,6 +135,7 @@ export const importRules = [
   { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [lazyFolder] },
   ...engineRules,
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'] },
+  { from: 'packages/scenes', may: ['packages/scenes', 'three', '@farol/editing', '@farol/engine'] },
   {
     from: 'packages/bake',
     may: ['packages/bake', 'three', 'three-mesh-bvh', 'xatlas-wasm'],

@@ -8,6 +8,7 @@ import { sourceFiles } from './sourceFiles.mjs';
 const workspaces = [
   'packages/renderer',
   'packages/engine',
+  'packages/scenes',
   'packages/editing',
   'packages/bake',
   'packages/attach',

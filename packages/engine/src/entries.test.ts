@@ -75,6 +75,7 @@ const names = {
     'valueAt',
   ],
   assets: [
+    'addMeshPack',
     'AssetLibrary',
     'AssetError',
     'MaterialAsset',
@@ -126,7 +127,6 @@ describe('what is loaded with the main entry', () => {
   });
 
   test.each([
-    ['scenes', []],
     ['prefabs', []],
     ['files', []],
     ['fuzz', []],

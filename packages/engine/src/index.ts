@@ -1,6 +1,6 @@
 /**
- * What the author of a game or a page needs. Declarations of fields, files, prefabs and the demo scenes have entries of
- * their own: `@farol/engine/fields`, `/files`, `/prefabs`, `/scenes`.
+ * What the author of a game or a page needs. Declarations of fields, files, prefabs and builders of meshes have
+ * entries of their own: `@farol/engine/fields`, `/files`, `/prefabs`, `/builders`; demo scenes are `@farol/scenes`.
  */
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
@@ -107,4 +107,5 @@ export { sourceOfMaterial } from './assets/derivedMaterial';
 export { SurfaceAsset } from './assets/SurfaceAsset';
 export { Sound } from './assets/Sound';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
+export { addMeshPack, type MeshPack } from './assets/meshPacks';
 export { Model, ModelClip } from './assets/Model';

@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { MeshBuilder, type Surface } from '../../geometry/MeshBuilder';
+import { MeshBuilder, type Surface } from '@farol/engine/builders';
 import type { MeshMakers } from '../registerMeshes';
 import { templePlan, templeSize } from './templePlan';
 

@@ -1,4 +1,4 @@
-import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { AssetLibrary } from '@farol/engine';
 import { registerMeshes } from './registerMeshes';
 import { atriumMeshes } from './sponza/atriumMeshes';
 import { templeMeshes } from './temple/templeMeshes';

@@ -1,7 +1,7 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { createRandom } from '../../base/createRandom';
-import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
+import { createRandom } from '@farol/engine';
+import { MeshBuilder, type Profile } from '@farol/engine/builders';
 
 /** A curtain of 2.2 m × 3.4 m in folds, hanging from y = 0; two sheets back to back, so that nothing is double sided. */
 export function curtainMesh(): BufferGeometry {

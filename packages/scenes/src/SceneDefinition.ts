@@ -1,6 +1,5 @@
 import { checkFieldValue, FieldError, type FieldTable, type FieldValue } from '@farol/editing/fields';
-import type { AssetLibrary } from '../assets/AssetLibrary';
-import type { Scene } from '../core/SceneGraph';
+import type { AssetLibrary, Scene } from '@farol/engine';
 
 /** What every function that makes a scene takes besides its own parameters. */
 export interface SceneBuildOptions {

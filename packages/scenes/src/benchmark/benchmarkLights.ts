@@ -1,4 +1,4 @@
-import type { Scene } from '../../core/SceneGraph';
+import type { Scene } from '@farol/engine';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 import { addLightGrid } from './addLightGrid';

@@ -1,15 +1,18 @@
 import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
-import type { ComponentClass } from '../core/SceneGraph';
-import { createRandom } from '../base/createRandom';
-import { GameObject } from '../core/GameObject';
-import { Scene } from '../core/Scene';
-import { Camera } from '../components/Camera';
-import { KeyController } from '../components/KeyController';
-import { Light } from '../components/Light';
-import { MouseController } from '../components/MouseController';
-import { lightShadows, meshShadows } from '../components/newShadows';
-import { ObjectRenderer } from '../components/ObjectRenderer';
-import { RandomMovement } from '../components/RandomMovement';
+import {
+  Camera,
+  type ComponentClass,
+  createRandom,
+  GameObject,
+  KeyController,
+  Light,
+  lightShadows,
+  meshShadows,
+  MouseController,
+  ObjectRenderer,
+  RandomMovement,
+  Scene,
+} from '@farol/engine';
 import { hueColour } from './hueColour';
 import type { SceneBuildOptions } from './SceneDefinition';
 

@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import type { Scene } from '../../core/SceneGraph';
+import type { Scene } from '@farol/engine';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 import { registerSceneAssets } from '../registerSceneAssets';

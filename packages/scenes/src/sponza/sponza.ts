@@ -1,6 +1,5 @@
 import { Box3, type Object3D, Vector3 } from 'three';
-import { importModel } from '../../components/importModel';
-import type { Scene } from '../../core/SceneGraph';
+import { importModel, type Scene } from '@farol/engine';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';

@@ -1,6 +1,5 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
-import type { Scene } from '../../core/SceneGraph';
-import type { GameObject } from '../../core/SceneGraph';
+import type { GameObject, Scene } from '@farol/engine';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';

@@ -1,3 +1,5 @@
+import { addMeshPack } from '@farol/engine';
+
 /** The scenes that the apps offer, and what another one is made with. */
 export { scenes } from './scenes';
 
@@ -11,3 +13,6 @@ export { temple } from './temple/temple';
 export { preloadSceneCode } from './preloadSceneCode';
 export { registerSceneAssets } from './registerSceneAssets';
 export { defineScene, type SceneBuildOptions, type SceneDefinition, type SceneParameters } from './SceneDefinition';
+
+// scene files may name the meshes of these scenes
+addMeshPack(async () => (await import('./registerSceneAssets')).registerSceneAssets);

@@ -1,8 +1,7 @@
 import { BoxGeometry } from 'three';
 import { expect, test } from 'vitest';
-import { AssetLibrary } from '../assets/AssetLibrary';
-import { deserialize } from '../files/deserialize';
-import { serialize } from '../files/serialize';
+import { AssetLibrary } from '@farol/engine';
+import { deserialize, serialize } from '@farol/engine/files';
 import { scenes } from './index';
 import { registerSceneAssets } from './registerSceneAssets';
 
@@ -38,4 +37,10 @@ test('a file that names them opens in a library that has none, and an unknown na
   await expect(deserialize(text)).rejects.toThrow(/the mesh 'temple\/obelisk', which is unknown/);
   scene.dispose();
   copy.dispose();
+});
+
+test.each(['dragons', 'niceScene'])('%s needs nothing but the library', async (name) => {
+  const scene = await scenes[name].build({ lights: 1 });
+  expect(scene.find('Dragon')!.getComponent('ObjectRenderer')).toBeTruthy();
+  scene.dispose();
 });

@@ -1,5 +1,5 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
-import type { MeshBuilder } from '../../geometry/MeshBuilder';
+import type { MeshBuilder } from '@farol/engine/builders';
 
 export interface ArchPanel {
   /** Width of the wall in metres. */

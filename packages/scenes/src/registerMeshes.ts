@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import type { AssetLibrary } from '../assets/AssetLibrary';
+import type { AssetLibrary } from '@farol/engine';
 
 /** Makers of meshes by asset name. */
 export type MeshMakers = Readonly<Record<string, () => BufferGeometry>>;

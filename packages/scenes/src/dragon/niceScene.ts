@@ -1,5 +1,4 @@
-import { lightShadows } from '../../components/newShadows';
-import type { Scene } from '../../core/SceneGraph';
+import { lightShadows, type Scene } from '@farol/engine';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 

@@ -1,6 +1,6 @@
 import type { FieldValue } from '@farol/editing/fields';
-import type { GameObject } from '../../core/SceneGraph';
-import { textureName } from '../../textures/builtinTextures';
+import type { GameObject } from '@farol/engine';
+import { textureName } from '@farol/engine/builders';
 import type { SceneBuilder } from '../SceneBuilder';
 import { registerMeshes } from '../registerMeshes';
 import { atriumMeshes } from './atriumMeshes';

@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import { AssetLibrary } from '../../assets/AssetLibrary';
-import { Light } from '../../components/Light';
+import { AssetLibrary, Light } from '@farol/engine';
 import { temple } from './temple';
 
 const assets = new AssetLibrary();

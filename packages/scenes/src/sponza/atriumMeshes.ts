@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { MeshBuilder, type Profile } from '../../geometry/MeshBuilder';
+import { MeshBuilder, type Profile } from '@farol/engine/builders';
 import type { MeshMakers } from '../registerMeshes';
 import { addArchPanel } from './addArchPanel';
 import { atriumPlan, bayWidth } from './atriumPlan';
