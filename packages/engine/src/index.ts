@@ -19,25 +19,13 @@ export { gameObjectOf } from './core/gameObjectOf';
 export { hitPoint, type MeshCaster, rayHits } from './core/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
-export type {
-  AddComponentOptions,
-  CameraComponent,
-  ComponentClass,
-  CostlyEvents,
-  MoveOptions,
-  ObjectPointerEvent,
-  SceneChange,
-  SceneSystem,
-  SceneSystemClass,
-} from './core/SceneGraph';
-/** The same types as the classes of these names have: declarations that a compiler writes need a name for each. */
-export type {
-  Component as ComponentType,
-  ComponentRegistry as ComponentRegistryType,
-  GameObject as GameObjectType,
-  Scene as SceneType,
-  Transform as TransformType,
-} from './core/SceneGraph';
+export type { CameraComponent } from './core/CameraComponent';
+export type { ComponentClass } from './core/ComponentClass';
+export type { AddComponentOptions } from './core/GameObject';
+export type { SceneChange } from './core/SceneChange';
+export type { SceneSystem, SceneSystemClass } from './core/SceneSystem';
+export type { CostlyEvents, ObjectPointerEvent } from './core/events';
+export type { MoveOptions } from './core/moveGameObject';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
 export type { SceneView, SceneViews } from './core/SceneViews';
 export type { SceneSettings } from './settings/SceneSettings';

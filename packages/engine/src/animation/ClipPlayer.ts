@@ -1,7 +1,7 @@
 import type { ClipAsset } from '../assets/clips/ClipAsset';
 import type { ModelClip } from '../assets/Model';
 import type { Object3D } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { AnimationSystem } from './AnimationSystem';
 import { bindModelClip, bindOwnClip, type BoundClip } from './bindClip';
 import type { ClipEvent } from '../assets/clips/ClipData';

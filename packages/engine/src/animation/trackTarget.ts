@@ -1,5 +1,6 @@
 import { shortText } from '@farol/editing';
-import type { Component, GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { ClipTrack } from '../assets/clips/ClipData';
 import { problemWithTrack } from './TrackCurve';
 

@@ -1,4 +1,5 @@
-import type { GameObject, Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import { skyFields } from '../settings/pictureFields';
 import { type BakeSources, bakeSources } from './bakeSources';
 

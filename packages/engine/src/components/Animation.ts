@@ -4,7 +4,7 @@ import type { ClipEvent } from '../assets/clips/ClipData';
 import type { ClipWrap } from '../animation/clipEvents';
 import { ClipPlayer } from '../animation/ClipPlayer';
 import { modelBelow } from '../animation/modelsBelow';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
 /** How `Animation.play` plays; what is absent is as the fields say. */

@@ -1,6 +1,6 @@
 import { asset, number, string } from '@farol/editing/fields';
 import { LoopedClip } from '../animation/LoopedClip';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
 /**

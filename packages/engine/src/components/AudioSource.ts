@@ -1,5 +1,5 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
 const whenPositional = { field: 'positional', equals: [true] } as const;

@@ -10,7 +10,7 @@ import {
 } from 'three';
 import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 import { applyLightFields } from './applyLightFields';
 import { lightFields } from './lightFields';

@@ -14,7 +14,7 @@ import { createRandom } from '../base/createRandom';
 import { GameObject } from './GameObject';
 import { gameObjectOf } from './gameObjectOf';
 import { Scene } from './Scene';
-import type { SceneChange } from './SceneGraph';
+import type { SceneChange } from './SceneChange';
 
 class Listener extends Component {
   static override readonly typeName: string = 'Listener';

@@ -6,7 +6,7 @@ import { component, Component } from './Component';
 import { serialize } from '../files/serialize';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
-import type { SceneSystem } from './SceneGraph';
+import type { SceneSystem } from './SceneSystem';
 
 const calls: string[] = [];
 

@@ -9,7 +9,7 @@ import {
   type Vector2,
 } from 'three';
 import { hasReadableVertices } from '@farol/renderer/vertex-data';
-import type { Scene } from './SceneGraph';
+import type { Scene } from './Scene';
 
 /**
  * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to `hits`.

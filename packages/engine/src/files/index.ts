@@ -15,7 +15,7 @@ export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/unpack';
 
-export type { ComponentData } from '../core/SceneGraph';
+export type { ComponentData } from '../core/ComponentClass';
 export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';
 export { assetFields } from '../fields/assetFields';
 export { cancellable } from '../base/cancellable';

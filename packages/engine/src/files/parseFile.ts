@@ -4,7 +4,7 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
 import { isFileAssetType } from '../assets/loadAsset';
 import { builtinComponents } from '../components/index';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { sceneFields } from '../settings/SceneSettings';
 import { assetUses, type AssetUse } from './assetUses';
 import { checkDepth } from './checkDepth';

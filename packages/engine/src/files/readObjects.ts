@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import { describeValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { objectFields } from '../fields/objectFields';
 import type { FileComponent, FileObject } from './FarolFile';
 import { counted } from '../base/counted';

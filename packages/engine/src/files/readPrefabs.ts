@@ -1,5 +1,5 @@
 import { describeValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import type { Prefab } from '../core/Prefab';
 import { PrefabSizes } from './PrefabSizes';
 import type { FileObject } from './FarolFile';

@@ -6,7 +6,7 @@ import { RigidBody } from '../components/RigidBody';
 import { Component } from '../core/Component';
 import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { serialize } from '../files/serialize';
 import type { CollisionEvent } from './CollisionEvent';
 import { PhysicsSystem } from './PhysicsSystem';

@@ -1,5 +1,5 @@
 import type { FieldTable } from '@farol/editing/fields';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { type ComponentBase, component } from '../core/Component';
 import { PhysicsSystem } from './PhysicsSystem';
 

@@ -1,6 +1,6 @@
 import type { ToneMapping } from 'three';
 import { Camera } from '../components/Camera';
-import type { CameraComponent } from '../core/SceneGraph';
+import type { CameraComponent } from '../core/CameraComponent';
 import type { SceneSettings } from '../settings/SceneSettings';
 import { toneMappings } from '../settings/toneMappings';
 

@@ -3,7 +3,8 @@ import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type Web
 import { followEffects } from './followEffects';
 import { LateCode } from '../base/LateCode';
 import { needsPackage } from '../base/needsPackage';
-import type { CameraComponent, Scene } from '../core/SceneGraph';
+import type { CameraComponent } from '../core/CameraComponent';
+import type { Scene } from '../core/Scene';
 import type { PictureChain } from './chain/PictureChain';
 import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';

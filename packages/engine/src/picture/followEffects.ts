@@ -1,6 +1,6 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
 import type { RequiredEffect } from '../core/RequiredEffect';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 
 /** The effects that scenes have brought into one renderer. */
 interface OwnEffects {

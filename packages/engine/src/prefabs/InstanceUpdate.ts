@@ -1,7 +1,7 @@
 import { sameValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { mapReferences } from './copyObjects';
 import { isOwnOfInstance, keyOf, objectsBySource } from './instances';

@@ -1,7 +1,7 @@
 import { sameValue } from '@farol/editing/fields';
 import { withViewedValue } from '../fields/storedValues';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { InstanceUpdate } from './InstanceUpdate';
 import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';

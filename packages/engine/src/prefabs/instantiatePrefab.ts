@@ -1,7 +1,7 @@
 import { builtinComponents } from '../components/index';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { createId } from '../base/createId';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { makeObjects } from '../files/makeObjects';
 import { copyObjects } from './copyObjects';
 import type { Prefab } from '../core/Prefab';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { builtinComponents } from '../components/index';
 import { createId } from '../base/createId';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { serializeObject } from '../files/serialize';
 import { copyObjects } from './copyObjects';
 import { instanceRootOf } from './instances';

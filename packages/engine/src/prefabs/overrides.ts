@@ -1,6 +1,6 @@
 import { type FieldValue, sameValue } from '@farol/editing/fields';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileObject } from '../files/FarolFile';
 import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import type { Prefab } from '../core/Prefab';

@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
-import type { GameObject } from '../core/SceneGraph';
-import type { Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import { makeObjects } from '../files/makeObjects';
 import { counted } from '../base/counted';
 import { fileLimits } from '../files/fileLimits';

@@ -1,7 +1,7 @@
 import { checkFieldValue, type Field, type FieldValue } from '@farol/editing/fields';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { viewedValue } from '../fields/storedValues';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { componentKey } from './instances';
 import type { Prefab } from '../core/Prefab';
 

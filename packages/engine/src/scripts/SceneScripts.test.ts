@@ -1,6 +1,6 @@
 import { expect, test, vi } from 'vitest';
 import { builtinComponents } from '../components/index';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';

@@ -2,7 +2,7 @@ import type { FieldValue, ValuesOf } from '@farol/editing/fields';
 import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
-import { type AssetNames, BaseFieldOwner } from '../fields/FieldOwner';
+import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
 import { bakeFields } from './bakeFields';
 import { physicsFields } from './physicsFields';
 import { fogFields, pictureFields, skyFields } from './pictureFields';
@@ -18,7 +18,7 @@ export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
  * What belongs to a scene as a whole: all that makes its picture beside the objects, and gravity. Writes background, environment and fog
  * to its three scene; by the rest a `PictureRenderer` draws.
  */
-export class SceneSettings extends BaseFieldOwner {
+export class SceneSettings extends FieldOwner {
   static readonly fields = sceneFields;
 
   private environmentTexture: Texture | null = null;

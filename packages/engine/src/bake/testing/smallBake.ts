@@ -1,5 +1,5 @@
 import { DataUtils, type Mesh } from 'three';
-import type { Scene } from '../../core/SceneGraph';
+import type { Scene } from '../../core/Scene';
 import type { BakeData, LightmapData, LightmappedMesh } from '../../assets/bake/BakeData';
 import { bakeSignature } from '../bakeSignature';
 import { bakeSources } from '../bakeSources';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { Mesh } from 'three';
 import { gameObjectOf } from '../gameObjectOf';
-import type { Scene } from '../SceneGraph';
+import type { Scene } from '../Scene';
 
 /** Updates of the world matrices between two looks. */
 const UPDATES = 30;

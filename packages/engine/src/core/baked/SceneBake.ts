@@ -1,23 +1,26 @@
 import type { Object3D } from 'three';
 import type { BakedLight } from '../../assets/bake/BakedLight';
 import { bakeCode, loadBakeCode } from './bakeCode';
-import type { Scene, SceneBake as SceneBakeType, ShownLight } from '../SceneGraph';
+import type { Scene } from '../Scene';
+import type { ShownBake } from './ShownBake';
 
 /** Types of components that baked light changes something for. */
 const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];
 
-/** See the interface. */
-export class SceneBake implements SceneBakeType {
-  private shown: ShownLight | null = null;
+/** The baked light of a scene, by its setting `bakedLight`; what shows it comes with the asset. */
+export class SceneBake {
+  private shown: ShownBake | null = null;
   private light: BakedLight | null = null;
   private suspensions = 0;
 
   constructor(private readonly scene: Scene) {}
 
+  /** Whether the scene is lit by it. */
   get isShown(): boolean {
     return this.shown !== null;
   }
 
+  /** Takes the baked light off the scene while light is baked anew. @returns a function that ends it */
   suspend(): () => void {
     this.suspensions++;
     this.update();
@@ -52,14 +55,17 @@ export class SceneBake implements SceneBakeType {
     return null;
   }
 
+  /** @internal Whether a light is in lightmaps and probes, and is not drawn. @param light - id of the component */
   hides(light: string): boolean {
     return this.shown !== null && this.shown.hides(light);
   }
 
+  /** @internal Gives the meshes of a component their lightmaps. @param component - its id */
   dress(component: string, root: Object3D): void {
     this.shown?.dress(component, root);
   }
 
+  /** @internal Gives meshes that leave the scene back what they had. */
   undress(root: Object3D): void {
     this.shown?.undress(root);
   }

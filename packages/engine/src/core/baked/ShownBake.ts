@@ -10,7 +10,7 @@ import {
   RGBAFormat,
 } from 'three';
 import type { RequiredEffect } from '../RequiredEffect';
-import type { Scene, ShownLight } from '../SceneGraph';
+import type { Scene } from '../Scene';
 import type { BakeData, LightmapData, LightmappedMesh } from '../../assets/bake/BakeData';
 import { fitsGeometry, lightmappedGeometry } from './lightmappedGeometry';
 import { lightmappedMaterial, takesLightmap } from './lightmappedMaterial';
@@ -42,7 +42,7 @@ function textureOf({ width, height, data }: LightmapData, channel: number): Data
 const listOf = (materials: Materials): readonly Material[] => (Array.isArray(materials) ? materials : [materials]);
 
 /** Baked light as one scene shows it. */
-export class ShownBake implements ShownLight {
+export class ShownBake {
   private readonly textures: readonly DataTexture[];
   private readonly meshes = new Map<string, LightmappedMesh[]>();
   private readonly lights: ReadonlySet<string>;
@@ -70,10 +70,12 @@ export class ShownBake implements ShownLight {
     this.moved = new MovedObjects(scene, this.dressed);
   }
 
+  /** Whether all light of a Light is in it. @param light - id of the component */
   hides(light: string): boolean {
     return this.lights.has(light);
   }
 
+  /** Gives the meshes below `root`, which a component draws, their lightmaps. @param component - its id */
   dress(component: string, root: Object3D): void {
     const list = this.meshes.get(component);
     if (!list) return;
@@ -86,6 +88,7 @@ export class ShownBake implements ShownLight {
     });
   }
 
+  /** Gives the meshes below `root` back what they had. */
   undress(root: Object3D): void {
     root.traverse((object) => {
       const mesh = object as Mesh;
@@ -94,6 +97,7 @@ export class ShownBake implements ShownLight {
     });
   }
 
+  /** Leaves the scene as it is without it. */
   end(): void {
     for (const [mesh, dressed] of [...this.dressed]) this.undressMesh(mesh, dressed);
     for (const [source, made] of [...this.materials]) this.forget(source, made);
