@@ -21,7 +21,6 @@ export const longFiles = [
   'apps/viewer/src/Viewer.ts',
   'packages/engine/src/assets/AssetLibrary.ts',
   'packages/engine/src/core/Scene.ts',
-  'packages/engine/src/core/SceneGraph.ts',
   'packages/renderer/src/FarolRenderer.ts',
   'packages/renderer/src/frame/Frame.ts',
   'packages/renderer/src/lazy/shadows/ShadowMaps.ts',
@@ -74,7 +73,7 @@ export function tinyFiles(files, imports) {
   /** @type {Map<string, string[]>} */
   const importers = new Map();
   for (const [path, targets] of imports) {
-    for (const target of new Set([...targets.static, ...targets.fetched]))
+    for (const target of new Set([...targets.static, ...targets.types, ...targets.fetched]))
       importers.set(target, [...(importers.get(target) ?? []), path]);
   }
   return [...files.keys()].filter((path) => {

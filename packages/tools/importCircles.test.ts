@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { circleLimits, circlesOverLimit, importCircles, importGraph } from './importCircles.mjs';
+import { circleLimits, circlesAcrossFolders, circlesOverLimit, importCircles, importGraph } from './importCircles.mjs';
 import { sourceFiles } from './sourceFiles.mjs';
 
-const circlesOf = (files: Record<string, string>, kind: 'static' | 'fetched' = 'static'): string[][] =>
+const circlesOf = (files: Record<string, string>, kind: 'static' | 'fetched' | 'types' = 'static'): string[][] =>
   importCircles(importGraph(new Map(Object.entries(files))), kind);
 
 describe('import circles', () => {
@@ -13,6 +13,7 @@ describe('import circles', () => {
       const limits = circleLimits.map((row) => ({ folder: row.folder, files: row[kind] }));
       expect(circlesOverLimit(importCircles(graph, kind), limits)).toEqual([]);
     }
+    expect(circlesAcrossFolders(importCircles(graph, 'types'))).toEqual([]);
   });
 
   it('are found through values, types, re-exports, folders and types of import()', () => {
@@ -24,7 +25,23 @@ describe('import circles', () => {
       'p/e.ts': "export * from './a';",
       'p/f.ts': "import { a } from './a';",
     };
-    expect(circlesOf(files)).toEqual([['p/a.ts', 'p/b.ts', 'p/c.tsx', 'p/d/index.ts', 'p/e.ts']]);
+    expect(circlesOf(files, 'types')).toEqual([['p/a.ts', 'p/b.ts', 'p/c.tsx', 'p/d/index.ts', 'p/e.ts']]);
+    expect(circlesOf(files)).toEqual([]);
+    expect(circlesOf(files, 'fetched')).toEqual([]);
+  });
+
+  it('are of values where only the names of an import are types: its module is loaded', () => {
+    const files = { 'p/a.ts': "import { type B } from './b';", 'p/b.ts': "import { a } from './a';" };
+    expect(circlesOf(files)).toEqual([['p/a.ts', 'p/b.ts']]);
+  });
+
+  it('of types may be within one folder, however deep', () => {
+    expect(circlesAcrossFolders([['p/src/core/a.ts', 'p/src/core/x/b.ts']])).toEqual([]);
+    expect(circlesAcrossFolders([['e2e/pages/a.ts', 'e2e/pages/b.ts']])).toEqual([]);
+    expect(circlesAcrossFolders([['p/src/core/a.ts', 'p/src/files/b.ts']])).toEqual([
+      'a circle over p/src/core, p/src/files: p/src/core/a.ts, p/src/files/b.ts',
+    ]);
+    expect(circlesAcrossFolders([['p/src/a.ts', 'p/src/core/b.ts']])).toHaveLength(1);
   });
 
   it('are told apart, the largest first, and may be one file', () => {

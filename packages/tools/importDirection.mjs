@@ -33,6 +33,55 @@ const editorFolders = [
   'plugins',
 ];
 
+/**
+ * Floors of the engine's sources, each after those that it may import. Folders of one floor do not know each other.
+ *
+ * Assets are below scenes: a library is used by many scenes and knows none. Components are above animation, audio and physics:
+ * a component is the thin part that an author sees, over the records and the system that do its work.
+ */
+const engineFloors = [
+  // slices of long work, code fetched late, random numbers
+  ['base'],
+  ['fields'],
+  // unpacking with limits, and the error of files that are refused
+  ['guard'],
+  ['geometry', 'textures', 'profiles'],
+  ['assets'],
+  // settings of a scene as fields, and the sky that they paint
+  ['settings'],
+  // scenes, GameObjects, the base of components, baked light that is shown
+  ['core'],
+  ['animation', 'audio', 'physics', 'triggers'],
+  ['components'],
+  // baking: collecting what is baked
+  ['bake', 'files', 'picture', 'scripts'],
+  ['prefabs'],
+  ['app'],
+];
+
+/**
+ * Packages besides three, the editing's and the renderer's that a folder of the engine may import.
+ *
+ * @type {Readonly<Record<string, readonly string[]>>}
+ */
+const engineOptional = {
+  physics: ['@dimforge/rapier3d-compat'],
+  picture: ['postprocessing'],
+  scripts: ['sucrase'],
+};
+
+const engine = 'packages/engine/src';
+
+const engineRules = engineFloors.flatMap((floor, i) =>
+  floor.map((folder) => ({
+    from: `${engine}/${folder}`,
+    may: [engine, 'three', '@farol/editing', '@farol/renderer', ...(engineOptional[folder] ?? [])],
+    not: ['index', 'componentFields', ...engineFloors.slice(i).flat()]
+      .filter((each) => each !== folder)
+      .map((each) => `${engine}/${each}`),
+  })),
+);
+
 const editorRules = editorFolders.map((folder, i) => ({
   from: `apps/editor/src/${folder}`,
   may: ['*', ...editorFolders.slice(0, i + 1).map((each) => `apps/editor/src/${each}`)],
@@ -49,7 +98,7 @@ const editorRules = editorFolders.map((folder, i) => ({
  * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
  * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
  * optional effects, or serve authors: its core knows none of them. That what is fetched late is not in the core is held by
- * `coreViolations`. The engine's core and assets know no component, file or demo scene; their tests may.
+ * `coreViolations`. The engine's folders are in floors, see `engineFloors`; their tests may look up.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
@@ -79,29 +128,9 @@ export const importRules = [
     fetches: [effects],
   },
   { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [effects] },
-  {
-    from: 'packages/engine/src/core',
-    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'],
-    not: ['packages/engine/src/components', 'packages/engine/src/files', 'packages/engine/src/scenes'],
-  },
-  {
-    from: 'packages/engine/src/assets',
-    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'],
-    not: ['packages/engine/src/components', 'packages/engine/src/files', 'packages/engine/src/scenes'],
-  },
-  {
-    from: 'packages/engine/src/picture/chain',
-    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', 'postprocessing'],
-  },
-  {
-    from: 'packages/engine/src/physics',
-    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', '@dimforge/rapier3d-compat'],
-  },
-  {
-    from: 'packages/engine/src/scripts',
-    may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer', 'sucrase'],
-  },
+  ...engineRules,
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'] },
+  { from: 'packages/scenes', may: ['packages/scenes', 'three', '@farol/editing', '@farol/engine'] },
   {
     from: 'packages/bake',
     may: ['packages/bake', 'three', 'three-mesh-bvh', 'xatlas-wasm'],
@@ -197,7 +226,7 @@ function violation(path, specifier, kind, { from, may, not = [], types = [], fet
 
 /** @param {string} path */
 function isTest(path) {
-  return /\.(test|bench)\.tsx?$|(^|\/)(\w+\.config|test\w+)\.ts$/.test(path);
+  return /\.(test|bench)\.tsx?$|\/testing\/|(^|\/)(\w+\.config|test\w+)\.ts$/.test(path);
 }
 
 /**

@@ -5,12 +5,24 @@ import { entriesOf, leftToHost, publishedPackages } from './publishedPackages.mj
 import { root } from './root.mjs';
 
 const packages = publishedPackages();
+/** The built-in components register themselves, the demo scenes their meshes. */
+const sideEffects: Readonly<Record<string, readonly string[]>> = {
+  'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
+  'packages/scenes': ['./src/index.ts', './dist/index.js'],
+};
 const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 
 it('finds the packages that are not private', () => {
   const names = packages.map(({ manifest }) => manifest.name);
   expect(names).toEqual(
-    expect.arrayContaining(['@farol/attach', '@farol/bake', '@farol/editing', '@farol/engine', '@farol/renderer']),
+    expect.arrayContaining([
+      '@farol/attach',
+      '@farol/bake',
+      '@farol/editing',
+      '@farol/engine',
+      '@farol/renderer',
+      '@farol/scenes',
+    ]),
   );
   expect(names).not.toContain('@farol/tools');
 });
@@ -36,9 +48,7 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
       license: 'MIT',
       author: 'The Farol authors',
       type: 'module',
-      // the built-in components register themselves
-      sideEffects:
-        folder === 'packages/engine' ? ['./src/components/index.ts', './dist/chunks/components/index.js'] : false,
+      sideEffects: sideEffects[folder] ?? false,
       homepage: `${home}/tree/main/${folder}#readme`,
       repository: { type: 'git', url: `git+${home}.git`, directory: folder },
       bugs: { url: `${home}/issues` },

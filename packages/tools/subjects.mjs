@@ -38,7 +38,7 @@ export const subjects = [
   ['packages/engine/src/picture', ['editor/picture']],
   ['packages/engine/src/prefabs', ['editor/files']],
   ['packages/engine/src/profiles', ['editor/profiles']],
-  ['packages/engine/src/scenes', ['render/everyScene']],
+  ['packages/scenes', ['render/everyScene']],
   ['packages/engine/src/scripts', ['editor/scripts']],
   ['packages/engine', ['editor/journey', 'viewer/url']],
 

@@ -1,7 +1,7 @@
 import { type Command, type CommandStack, Signal, t } from '@farol/editing';
 import { type AssetLibrary, audioOutput, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
-import { type SceneParameters, scenes } from '@farol/engine/scenes';
+import { type SceneParameters, scenes } from '@farol/scenes';
 import { MathUtils } from 'three';
 import { actions } from './actions';
 import { allActions } from './actions/allActions';

@@ -1,5 +1,5 @@
 import { preloadFileCode } from '@farol/engine/files';
-import { preloadSceneCode } from '@farol/engine/scenes';
+import { preloadSceneCode } from '@farol/scenes';
 
 /** Once the page has nothing else to do. */
 const idle = (): Promise<void> =>

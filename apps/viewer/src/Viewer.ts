@@ -9,7 +9,7 @@ import {
 } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { cancellable, type FileMap } from '@farol/engine/files';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';

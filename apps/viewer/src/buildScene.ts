@@ -1,6 +1,6 @@
 import type { AssetLibrary, Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { scenes, sponza } from '@farol/engine/scenes';
+import { scenes, sponza } from '@farol/scenes';
 import type { Group, WebGLRenderer } from 'three';
 import { fetchModel } from './model/fetchModel';
 

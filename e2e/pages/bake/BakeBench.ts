@@ -1,7 +1,7 @@
 import { type Bake, bakeLightmaps, type BakeOptions } from '@farol/bake';
 import type { Scene } from '@farol/engine';
 import { writeBake } from '@farol/engine/bake';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import * as THREE from 'three';
 import { type BakeDifference, compareBakes } from './compareBakes';

@@ -75,6 +75,7 @@ const names = {
     'valueAt',
   ],
   assets: [
+    'addMeshPack',
     'AssetLibrary',
     'AssetError',
     'MaterialAsset',
@@ -126,8 +127,7 @@ describe('what is loaded with the main entry', () => {
   });
 
   test.each([
-    ['scenes', []],
-    ['prefabs', ['prefabs/Prefab.ts', 'prefabs/PrefabTable.ts']],
+    ['prefabs', []],
     ['files', []],
     ['fuzz', []],
   ])('of %s: %j', (folder, needed) => {
@@ -136,6 +136,6 @@ describe('what is loaded with the main entry', () => {
 
   test('holds nothing that reads the bytes of an asset; the text of a clip is read where it is played', () => {
     const readers = loaded.filter((path) => /(read|check|parse|pack)[A-Z]\w+\.ts$/.test(path));
-    expect(readers).toEqual(['animation/parseClip.ts']);
+    expect(readers).toEqual(['assets/clips/parseClip.ts']);
   });
 });

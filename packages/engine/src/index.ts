@@ -1,10 +1,10 @@
 /**
- * What the author of a game or a page needs. Declarations of fields, files, prefabs and the demo scenes have entries of
- * their own: `@farol/engine/fields`, `/files`, `/prefabs`, `/scenes`.
+ * What the author of a game or a page needs. Declarations of fields, files, prefabs and builders of meshes have
+ * entries of their own: `@farol/engine/fields`, `/files`, `/prefabs`, `/builders`; demo scenes are `@farol/scenes`.
  */
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
-export { followEffects } from './app/followEffects';
+export { followEffects } from './picture/followEffects';
 export { techniqueLimits, type TechniqueLimits } from './picture/techniqueLimits';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
@@ -12,35 +12,23 @@ export { watchPixelRatio } from './app/watchPixelRatio';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 
 export { Component } from './core/Component';
-export { createRandom } from './core/createRandom';
+export { createRandom } from './base/createRandom';
 export type { EngineKeyEvent, EnginePointerEvent } from './core/events';
 export { GameObject } from './core/GameObject';
 export { gameObjectOf } from './core/gameObjectOf';
-export { hitPoint, type MeshCaster, rayHits } from './picking/rayHits';
+export { hitPoint, type MeshCaster, rayHits } from './core/rayHits';
 export type { RequiredEffect } from './core/RequiredEffect';
 export { Scene, type SceneOptions } from './core/Scene';
-export type {
-  AddComponentOptions,
-  CameraComponent,
-  ComponentClass,
-  CostlyEvents,
-  MoveOptions,
-  ObjectPointerEvent,
-  SceneChange,
-  SceneSystem,
-  SceneSystemClass,
-} from './core/SceneGraph';
-/** The same types as the classes of these names have: declarations that a compiler writes need a name for each. */
-export type {
-  Component as ComponentType,
-  ComponentRegistry as ComponentRegistryType,
-  GameObject as GameObjectType,
-  Scene as SceneType,
-  Transform as TransformType,
-} from './core/SceneGraph';
+export type { CameraComponent } from './core/CameraComponent';
+export type { ComponentClass } from './core/ComponentClass';
+export type { AddComponentOptions } from './core/GameObject';
+export type { SceneChange } from './core/SceneChange';
+export type { SceneSystem, SceneSystemClass } from './core/SceneSystem';
+export type { CostlyEvents, ObjectPointerEvent } from './core/events';
+export type { MoveOptions } from './core/moveGameObject';
 export type { SceneMicroShaders } from './core/SceneMicroShaders';
 export type { SceneView, SceneViews } from './core/SceneViews';
-export type { SceneSettings } from './core/SceneSettings';
+export type { SceneSettings } from './settings/SceneSettings';
 export type { Vector3Input } from './core/toVector3';
 
 export { ComponentRegistry, type ComponentRegistryOptions } from './core/ComponentRegistry';
@@ -75,14 +63,14 @@ export { PhysicsSystem } from './physics/PhysicsSystem';
 export { Transform } from './core/Transform';
 
 export { objectsByName, targetOfTrack } from './animation/bindClip';
-export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './animation/ClipData';
+export type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './assets/clips/ClipData';
 export { ClipPreview } from './animation/ClipPreview';
-export { clipText } from './animation/clipText';
+export { clipText } from './assets/clips/clipText';
 export { cubicBezier } from './animation/cubicBezier';
 export { modelBelow, modelsBelow, type ModelInScene } from './animation/modelsBelow';
 export type { NodeProperty } from './animation/Channel';
 export type { ClipWrap } from './animation/clipEvents';
-export { ClipError, parseClip } from './animation/parseClip';
+export { ClipError, parseClip } from './assets/clips/parseClip';
 export { objectAtPath, pathBelow, trackTarget, type TrackTarget } from './animation/trackTarget';
 export { valueAt } from './animation/valueAt';
 
@@ -99,7 +87,7 @@ export {
 } from './components/objectsOfModel';
 export { isUnpackable, type KeptPart, keptTogether } from './components/keptTogether';
 export { isOfSubtree, type ModelSubtree, partsText, subtreeOf } from './assets/modelNodes';
-export { ClipAsset } from './assets/ClipAsset';
+export { ClipAsset } from './assets/clips/ClipAsset';
 export { FieldAsset, type FieldAssetHost, type FieldAssetType } from './assets/FieldAsset';
 export { MaterialAsset } from './assets/MaterialAsset';
 export { ScriptAsset } from './assets/ScriptAsset';
@@ -107,4 +95,5 @@ export { sourceOfMaterial } from './assets/derivedMaterial';
 export { SurfaceAsset } from './assets/SurfaceAsset';
 export { Sound } from './assets/Sound';
 export type { FetchBytes, FetchOptions } from './assets/loadAsset';
+export { addMeshPack, type MeshPack } from './assets/meshPacks';
 export { Model, ModelClip } from './assets/Model';

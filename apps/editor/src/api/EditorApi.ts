@@ -2,7 +2,7 @@ import type { Command, CommandStack, Signal } from '@farol/editing';
 import type { ComponentRegistry, Scene } from '@farol/engine';
 import type { CustomField } from '@farol/engine/fields';
 import type { UnpackQuestion } from '@farol/engine/files';
-import type { SceneParameters } from '@farol/engine/scenes';
+import type { SceneParameters } from '@farol/scenes';
 import type { Sample } from './Sample';
 import type { ComponentType } from 'react';
 import type { PanelLayout } from '../layout/PanelLayout';

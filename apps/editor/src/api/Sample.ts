@@ -1,4 +1,4 @@
-import { type SceneDefinition, scenes } from '@farol/engine/scenes';
+import { type SceneDefinition, scenes } from '@farol/scenes';
 
 /** A scene to look at and to learn from. */
 export interface Sample {

@@ -1,1 +1,1 @@
-export { registerSceneAssets } from '@farol/engine/scenes';
+export { registerSceneAssets } from '@farol/scenes';

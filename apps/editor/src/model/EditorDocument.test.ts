@@ -1,6 +1,6 @@
 import { SetFields } from '@farol/editing';
 import { EventTrigger, GameObject, Light } from '@farol/engine';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { copyObjects, pasteObjects } from './clip';

@@ -5,7 +5,6 @@ import {
   audioOutput,
   builtinComponents,
   ComponentRegistry,
-  type ComponentRegistryType,
   KeyController,
   MouseController,
   type Scene,
@@ -38,7 +37,7 @@ const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (l
 const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
 
 /** Runs the scripts of a scene; fulfilled when its components are of their classes. */
-export type RunScripts = (scene: Scene, registry: ComponentRegistryType) => Promise<void>;
+export type RunScripts = (scene: Scene, registry: ComponentRegistry) => Promise<void>;
 
 /** A scene, and how its scripts run; null for not at all. */
 interface Opened {

@@ -1,6 +1,6 @@
 import type { LightKind, Shading } from './lightKinds';
 
-/** Scene of a case: one of `scenes` of `@farol/engine/scenes`, or `own`, the scene that another app handed over. */
+/** Scene of a case: one of `scenes` of `@farol/scenes`, or `own`, the scene that another app handed over. */
 export interface SceneChoice {
   /** Key in `scenes`, or `own`. */
   readonly name: string;

@@ -9,7 +9,7 @@ export interface SceneWords {
 
 const lit = ['lights', 'pixels', 'overdraw', 'shadows', 'kind', 'shading'] as const;
 
-/** Scenes by key in `@farol/engine/scenes`; `own` is the scene that the editor or the viewer handed over. */
+/** Scenes by key in `@farol/scenes`; `own` is the scene that the editor or the viewer handed over. */
 export const sceneWords: Readonly<Record<string, SceneWords>> = {
   benchmarkLights: {
     label: 'Planes',

@@ -1,6 +1,6 @@
 import { AssetLibrary, builtinComponents, ComponentRegistry, type Scene } from '@farol/engine';
 import { deserialize, readSceneFile } from '@farol/engine/files';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { type Texture, WebGLRenderer } from 'three';
 import type { LabCase } from '../plan/LabPlan';
 import { buildStageScene } from './buildStageScene';

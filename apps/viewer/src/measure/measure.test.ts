@@ -1,6 +1,6 @@
 import { AssetLibrary, Light, ModelRenderer } from '@farol/engine';
 import { deserialize, packObj, readSceneFile } from '@farol/engine/files';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { AnimationClip, BufferGeometry, Float32BufferAttribute, Group, Mesh, MeshStandardMaterial } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { LoadedModel } from '../model/loadModel';

@@ -1,6 +1,6 @@
 import type { Scene } from '@farol/engine';
 import { openBeside } from '@farol/engine/files';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import type { LoadedModel } from '../model/loadModel';
 import type { ViewerState } from '../state/ViewerState';
 import { labFragment, ownSceneFragment } from './labFragment';

@@ -1,5 +1,5 @@
 import type { Field } from '@farol/engine/fields';
-import { scenes } from '@farol/engine/scenes';
+import { scenes } from '@farol/scenes';
 import { techniques } from '@farol/renderer';
 import { type EffectName, effects } from '@farol/renderer/effects';
 import GUI, { type Controller } from 'lil-gui';

@@ -22,10 +22,10 @@ import { Model } from '../assets/Model';
 import { Animation } from '../components/Animation';
 import '../components/index';
 import { ModelRenderer } from '../components/ModelRenderer';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { clipText } from './clipText';
+import { clipText } from '../assets/clips/clipText';
 
 const FRAME = 1 / 60;
 

@@ -1,8 +1,11 @@
 import type { Object3D } from 'three';
-import { BaseComponent } from '../core/Component';
-import type { Component, GameObject, Scene, SceneChange, SceneSystem } from '../core/SceneGraph';
+import { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import type { SceneChange } from '../core/SceneChange';
+import type { SceneSystem } from '../core/SceneSystem';
 import { type Channel, FieldChannel, NodeChannel, type NodeProperty } from './Channel';
-import type { ClipEvent } from './ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 
 /** What the system asks to play, as `Animation` does. */
 export interface Animated extends Component {
@@ -159,7 +162,7 @@ export class AnimationSystem implements SceneSystem {
 
   /** As `GameObject.callMethod`; a component that throws keeps the others from nothing. What every component has is not called. */
   private callMethod(gameObject: GameObject, { method, value }: ClipEvent): void {
-    if (method in BaseComponent.prototype) return;
+    if (method in Component.prototype) return;
     for (const component of [...gameObject.components]) {
       const found = (component as unknown as Record<string, unknown>)[method];
       if (typeof found !== 'function') continue;

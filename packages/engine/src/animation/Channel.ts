@@ -1,6 +1,6 @@
 import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import { Euler, type Object3D, Quaternion } from 'three';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { sizeOfField } from './TrackCurve';
 
 /**

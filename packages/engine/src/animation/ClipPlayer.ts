@@ -1,10 +1,10 @@
-import type { ClipAsset } from '../assets/ClipAsset';
+import type { ClipAsset } from '../assets/clips/ClipAsset';
 import type { ModelClip } from '../assets/Model';
 import type { Object3D } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { AnimationSystem } from './AnimationSystem';
 import { bindModelClip, bindOwnClip, type BoundClip } from './bindClip';
-import type { ClipEvent } from './ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 import { type ClipWrap, passEvents, wrapTime } from './clipEvents';
 import { modelsBelow, type ModelInScene } from './modelsBelow';
 

@@ -1,5 +1,6 @@
-import type { Component, GameObject } from '../core/SceneGraph';
-import type { ClipData } from './ClipData';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { ClipData } from '../assets/clips/ClipData';
 import { trackTarget } from './trackTarget';
 import { valueAt } from './valueAt';
 

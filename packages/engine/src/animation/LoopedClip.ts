@@ -1,5 +1,5 @@
 import type { ModelClip } from '../assets/Model';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { bindModelClip, type BoundClip } from './bindClip';
 import { FieldChannel, NodeChannel } from './Channel';
 import { wrapTime } from './clipEvents';

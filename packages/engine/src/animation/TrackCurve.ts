@@ -1,5 +1,5 @@
 import { checkFieldValue, type Field, type FieldValue } from '@farol/editing/fields';
-import type { ClipTrack } from './ClipData';
+import type { ClipTrack } from '../assets/clips/ClipData';
 import { cubicBezier } from './cubicBezier';
 
 const LINEAR = 0;

@@ -1,10 +1,10 @@
 import { shortText } from '@farol/editing';
 import { type Interpolant, type KeyframeTrack, type Object3D, PropertyBinding } from 'three';
-import type { ClipAsset } from '../assets/ClipAsset';
+import type { ClipAsset } from '../assets/clips/ClipAsset';
 import type { ModelClip } from '../assets/Model';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { Channel, NodeProperty } from './Channel';
-import type { ClipEvent } from './ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 import type { ModelInScene } from './modelsBelow';
 import { type TrackCurve, curveOf } from './TrackCurve';
 import { trackTarget } from './trackTarget';

@@ -2,15 +2,15 @@ import { angle, boolean, choice, colour, euler, number, vector3 } from '@farol/e
 import { describe, expect, test } from 'vitest';
 import '../components/index';
 import { Light } from '../components/Light';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { serialize } from '../files/serialize';
-import type { ClipData, ClipKey, ClipTrack } from './ClipData';
+import type { ClipData, ClipKey, ClipTrack } from '../assets/clips/ClipData';
 import { ClipPreview } from './ClipPreview';
-import { clipText } from './clipText';
+import { clipText } from '../assets/clips/clipText';
 import { cubicBezier } from './cubicBezier';
-import { parseClip } from './parseClip';
+import { parseClip } from '../assets/clips/parseClip';
 import { objectAtPath, pathBelow } from './trackTarget';
 import { valueAt } from './valueAt';
 

@@ -1,4 +1,4 @@
-import type { ClipEvent } from './ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 
 /** What a clip does at its end: stays there, begins again, or goes back the way it came. */
 export type ClipWrap = 'once' | 'loop' | 'ping-pong';

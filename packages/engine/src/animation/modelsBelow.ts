@@ -1,6 +1,7 @@
 import type { Object3D } from 'three';
 import type { Model } from '../assets/Model';
-import type { Component, GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 
 /** A component that draws a model whole, or parts of it, as ModelRenderer does. */
 export interface ModelInScene extends Component {

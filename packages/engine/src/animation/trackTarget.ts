@@ -1,6 +1,7 @@
 import { shortText } from '@farol/editing';
-import type { Component, GameObject } from '../core/SceneGraph';
-import type { ClipTrack } from './ClipData';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { ClipTrack } from '../assets/clips/ClipData';
 import { problemWithTrack } from './TrackCurve';
 
 /** The object at a path of names below another, '' for that one itself; the first one in the order of the tree. */

@@ -1,5 +1,5 @@
 import type { Field, FieldValue } from '@farol/editing/fields';
-import type { ClipTrack } from './ClipData';
+import type { ClipTrack } from '../assets/clips/ClipData';
 import { curveOf } from './TrackCurve';
 
 const numbers = new Float64Array(3);

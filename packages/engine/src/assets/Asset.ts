@@ -1,7 +1,7 @@
 import type { AssetType, FieldValue } from '@farol/editing/fields';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { BufferGeometry, Material, ShaderMaterial, Texture } from 'three';
-import type { BakedLight } from '../bake/BakedLight';
+import type { BakedLight } from './bake/BakedLight';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';

@@ -9,8 +9,8 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import type { BakedLight } from '../bake/BakedLight';
-import { cancellable } from '../core/cancellable';
+import type { BakedLight } from './bake/BakedLight';
+import { cancellable } from '../base/cancellable';
 import {
   type Asset,
   type AssetChange,
@@ -33,7 +33,7 @@ import {
   typeOfUrl,
 } from './loadAsset';
 import { AddressRefusedError, foreignOrigin } from './foreignOrigin';
-import { ClipAsset } from './ClipAsset';
+import { ClipAsset } from './clips/ClipAsset';
 import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import { LayeredMaterials } from './LayeredMaterials';
 import { MaterialAsset, type MaterialHost } from './MaterialAsset';

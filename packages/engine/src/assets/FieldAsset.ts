@@ -1,5 +1,5 @@
 import { type AssetType, type FieldValue, sameValue } from '@farol/editing/fields';
-import { type AssetNames, BaseFieldOwner, copyValue } from '../fields/FieldOwner';
+import { type AssetNames, FieldOwner, copyValue } from '../fields/FieldOwner';
 
 /** The types of assets that are made of fields, and edited as components are. */
 export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;
@@ -11,7 +11,7 @@ export interface FieldAssetHost extends AssetNames {
 }
 
 /** An asset of a library that is made of fields: kept in files as their values, edited by the same commands as components. */
-export abstract class FieldAsset extends BaseFieldOwner {
+export abstract class FieldAsset extends FieldOwner {
   readonly isFieldAsset = true;
   abstract readonly type: FieldAssetType;
 

@@ -11,7 +11,7 @@ import { describe, expect, test } from 'vitest';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { deserialize } from '../files/deserialize';
 import { parseFile } from '../files/parseFile';

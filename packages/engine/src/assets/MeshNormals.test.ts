@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { Slices } from '../core/Slices';
+import { Slices } from '../base/Slices';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { computeCreaseNormals } from '../geometry/computeCreaseNormals';

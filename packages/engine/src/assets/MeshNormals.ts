@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import { cancellable } from '../core/cancellable';
+import { cancellable } from '../base/cancellable';
 import { computeCreaseNormals, computeCreaseNormalsInSlices } from '../geometry/computeCreaseNormals';
 
 /** Corners of triangles above which normals are computed in slices: about 50 ms of work. */

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { Slices } from '../core/Slices';
+import { Slices } from '../base/Slices';
 import { AssetLibrary } from './AssetLibrary';
 import { checkGltf } from './checkGltf';
 import { checkModel } from './checkModel';

@@ -1,6 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { counted } from '../core/counted';
-import { maximumDepth } from '../core/maximumDepth';
+import { counted } from '../base/counted';
+import { maximumDepth } from '../base/maximumDepth';
 import { absurdSize, LARGEST } from './checkModel';
 import type { GltfLists } from './GltfLists';
 

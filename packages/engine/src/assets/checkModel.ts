@@ -6,7 +6,7 @@ import {
   Matrix4,
   type Object3D,
 } from 'three';
-import { Slices } from '../core/Slices';
+import { Slices } from '../base/Slices';
 
 /** Largest coordinate and scale (m): beyond it cameras, lights and depths have no digits left. */
 export const LARGEST = 1e12;

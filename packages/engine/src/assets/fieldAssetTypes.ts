@@ -1,5 +1,5 @@
 import type { FieldTable } from '@farol/editing/fields';
-import { clipFields } from './ClipAsset';
+import { clipFields } from './clips/ClipAsset';
 import type { FieldAssetType } from './FieldAsset';
 import { materialAssetFields } from './materialAssetFields';
 import { scriptFields } from './ScriptAsset';

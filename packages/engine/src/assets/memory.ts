@@ -1,5 +1,5 @@
 import type { BufferGeometry, Object3D, Texture } from 'three';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { readExrHeader } from '../exr/readExrHeader';
 import type { AssetMemory, DecodedPart } from './Asset';
 import { checkPixels, imageSize, PixelsError } from './imageSize';

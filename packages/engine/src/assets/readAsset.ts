@@ -1,5 +1,5 @@
 import { RepeatWrapping, SRGBColorSpace, Texture } from 'three';
-import { readBake } from '../bake/readBake';
+import { readBake } from './bake/readBake';
 import { fitGeometry } from '../geometry/fitGeometry';
 import { parsePly } from '../geometry/parsePly';
 import type { Asset } from './Asset';

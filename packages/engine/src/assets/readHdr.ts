@@ -1,5 +1,5 @@
 import { DataTexture, DataUtils, HalfFloatType, LinearSRGBColorSpace, RGBAFormat } from 'three';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { checkPixels } from './imageSize';
 
 /** Widths of rows in run lengths of each channel; others are flat. */

@@ -1,4 +1,4 @@
-import { LateCode } from '../core/LateCode';
+import { LateCode } from '../base/LateCode';
 
 const late = new LateCode(
   () => import('@farol/renderer/surfaces'),

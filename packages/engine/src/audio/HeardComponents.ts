@@ -1,4 +1,4 @@
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 
 /** What is read of an AudioSource to make it heard. */
 export interface HeardSource extends Component {

@@ -1,6 +1,7 @@
 import { shortText } from '@farol/editing';
 import { Audio, AudioListener, Matrix4, type Object3D, PositionalAudio } from 'three';
-import type { Scene, SceneSystem } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
+import type { SceneSystem } from '../core/SceneSystem';
 import { tellFault } from '../core/tellFault';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { audioOutput } from './audioOutput';

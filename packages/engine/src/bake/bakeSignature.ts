@@ -1,5 +1,6 @@
-import type { GameObject, Scene } from '../core/SceneGraph';
-import { skyFields } from '../picture/pictureFields';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import { skyFields } from '../settings/pictureFields';
 import { type BakeSources, bakeSources } from './bakeSources';
 
 /** Fields that change nothing of baked light. */

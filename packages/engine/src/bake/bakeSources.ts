@@ -3,8 +3,9 @@ import { Light } from '../components/Light';
 import { ModelRenderer } from '../components/ModelRenderer';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { gameObjectOf } from '../core/gameObjectOf';
-import type { GameObject, Scene } from '../core/SceneGraph';
-import { takesLightmap } from './lightmappedMaterial';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import { takesLightmap } from '../core/baked/lightmappedMaterial';
 
 /** What of a scene takes part when its light is baked. */
 export interface BakeSources {

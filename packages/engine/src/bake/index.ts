@@ -1,10 +1,10 @@
 /** Baked light as data: what is baked of a scene, and the file of it. The baker itself is `@farol/bake`. */
-export type { BakeData, LightmapData, LightmappedMesh, ProbeData } from './BakeData';
-export { BakedLight } from './BakedLight';
-export { bakeFields } from './bakeFields';
+export type { BakeData, LightmapData, LightmappedMesh, ProbeData } from '../assets/bake/BakeData';
+export { BakedLight } from '../assets/bake/BakedLight';
+export { bakeFields } from '../settings/bakeFields';
 export { bakeSignature } from './bakeSignature';
 export { type BakeMesh, type BakeSources, bakeSources, isStaticWithoutLightmap } from './bakeSources';
 export { dampRinging, fillBuriedProbes, probeBox } from './probeGrid';
-export { loadBakeCode } from '../core/bakeCode';
-export { readBake } from './readBake';
-export { writeBake } from './writeBake';
+export { loadBakeCode } from '../core/baked/bakeCode';
+export { readBake } from '../assets/bake/readBake';
+export { writeBake } from '../assets/bake/writeBake';

@@ -12,11 +12,11 @@ import {
 } from 'three';
 import { describe, expect, test } from 'vitest';
 import './index';
-import type { ClipData, ClipEvent, ClipKey, ClipTrack } from '../animation/ClipData';
-import { clipText } from '../animation/clipText';
+import type { ClipData, ClipEvent, ClipKey, ClipTrack } from '../assets/clips/ClipData';
+import { clipText } from '../assets/clips/clipText';
 import { Model } from '../assets/Model';
 import { Component } from '../core/Component';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { serialize } from '../files/serialize';

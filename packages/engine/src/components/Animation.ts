@@ -1,11 +1,11 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
 import { AnimationSystem, type Animated } from '../animation/AnimationSystem';
-import type { ClipEvent } from '../animation/ClipData';
+import type { ClipEvent } from '../assets/clips/ClipData';
 import type { ClipWrap } from '../animation/clipEvents';
 import { ClipPlayer } from '../animation/ClipPlayer';
 import { modelBelow } from '../animation/modelsBelow';
-import type { Scene } from '../core/SceneGraph';
-import { component } from '../fields/component';
+import type { Scene } from '../core/Scene';
+import { component } from '../core/Component';
 
 /** How `Animation.play` plays; what is absent is as the fields say. */
 export interface PlayOptions {

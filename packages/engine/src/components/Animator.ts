@@ -1,7 +1,7 @@
 import { asset, number, string } from '@farol/editing/fields';
 import { LoopedClip } from '../animation/LoopedClip';
-import type { Scene } from '../core/SceneGraph';
-import { component } from '../fields/component';
+import type { Scene } from '../core/Scene';
+import { component } from '../core/Component';
 
 /**
  * Of older files; an `Animation` does what it does. Plays a clip of a model on the objects below, which it finds by their names: those that a model was unpacked into. While

@@ -1,5 +1,5 @@
 import { number } from '@farol/editing/fields';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 
 /** Where a scene is heard from, towards its front. Where none is there, it is heard from the active camera. */
 export class AudioListener extends component({

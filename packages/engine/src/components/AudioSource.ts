@@ -1,6 +1,6 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
-import type { Scene } from '../core/SceneGraph';
-import { component } from '../fields/component';
+import type { Scene } from '../core/Scene';
+import { component } from '../core/Component';
 
 const whenPositional = { field: 'positional', equals: [true] } as const;
 

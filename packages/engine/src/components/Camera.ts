@@ -1,8 +1,8 @@
 import { angle, boolean, choice, number } from '@farol/editing/fields';
 import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { Transform } from '../core/Transform';
-import { toneMappingLabels, toneMappingNames } from '../picture/toneMappings';
+import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 
 const ownFocus = { visibleWhen: { field: 'depthOfField', equals: ['own'] } };
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };

@@ -1,6 +1,7 @@
 import { type Object3D, Quaternion, Vector3 } from 'three';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
-import type { GameObject, Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import { toVector3, type Vector3Input } from '../core/toVector3';
 import { characterFields } from '../physics/characterFields';
 import type { CharacterControl } from '../physics/CharacterControl';

@@ -7,11 +7,10 @@ import {
   NormalBlending,
   SubtractiveBlending,
 } from 'three';
-import type { MaterialValues } from '../assets/materialFields';
-import { materialFields } from '../assets/materialFields';
-import { component } from '../fields/component';
+import { materialFields, type MaterialValues } from '../assets/materialFields';
+import { component } from '../core/Component';
 import type { RequiredEffect } from '../core/RequiredEffect';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { decalCode, decalsEffect, loadDecalCode } from './decalCode';
 
 const blendings = {

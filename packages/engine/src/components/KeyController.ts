@@ -1,7 +1,7 @@
 import { number, string, vector3 } from '@farol/editing/fields';
 import { Vector3 } from 'three';
 import type { EngineKeyEvent } from '../core/events';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 
 const move = new Vector3();
 const axis = new Vector3();

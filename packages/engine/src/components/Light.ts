@@ -10,8 +10,8 @@ import {
 } from 'three';
 import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
-import type { Scene } from '../core/SceneGraph';
-import { component } from '../fields/component';
+import type { Scene } from '../core/Scene';
+import { component } from '../core/Component';
 import { applyLightFields } from './applyLightFields';
 import { lightFields } from './lightFields';
 import { SkyLight } from './SkyLight';

@@ -4,10 +4,10 @@ import { type Bone, type Light as ThreeLight, type Material, type Mesh, Object3D
 import { LoopedClip } from '../animation/LoopedClip';
 import type { Model } from '../assets/Model';
 import { type ModelSubtree, subtreeOf } from '../assets/modelNodes';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { MorphTargets, morphTargetFields } from './MorphTargets';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { FieldViews } from '../fields/FieldOwner';
 
 type Light = ThreeLight & { target?: Object3D };
@@ -143,7 +143,7 @@ export class ModelRenderer extends component({
   }
 
   /** @internal */
-  get fieldViews(): FieldViews | undefined {
+  override get fieldViews(): FieldViews | undefined {
     return this.worn?.views;
   }
 

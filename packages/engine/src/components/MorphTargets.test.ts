@@ -1,7 +1,7 @@
 import { BoxGeometry, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial } from 'three';
 import { expect, test } from 'vitest';
 import './index';
-import { clipText } from '../animation/clipText';
+import { clipText } from '../assets/clips/clipText';
 import { Model } from '../assets/Model';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';

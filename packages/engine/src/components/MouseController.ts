@@ -1,7 +1,7 @@
 import { angle, choice, number, vector3 } from '@farol/editing/fields';
 import { Quaternion, Vector3 } from 'three';
 import type { EnginePointerEvent } from '../core/events';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 
 const BUTTONS: Record<string, number> = { left: 1, right: 2, middle: 4, any: 7 };
 

@@ -1,9 +1,9 @@
 import { asset, boolean } from '@farol/editing/fields';
 import { type BufferGeometry, type Material, Mesh } from 'three';
 import { creaseAngleField, materialFields } from '../assets/materialFields';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { FieldViews } from '../fields/FieldOwner';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { shapeOf } from '../core/ShapeSource';
 import { fitBounds, objectSurfaceFields, ObjectSurface } from './ObjectSurface';
 import { instanceGroupsOf } from './instances/InstanceGroups';
@@ -69,7 +69,7 @@ export class ObjectRenderer extends component({
   }
 
   /** @internal */
-  get fieldViews(): FieldViews | undefined {
+  override get fieldViews(): FieldViews | undefined {
     return this.worn?.views;
   }
 

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import { Model } from '../assets/Model';
 import { loadSurfaceCode } from '../assets/surfaceCode';
 import type { SurfaceAsset } from '../assets/SurfaceAsset';
-import { lightmappedMaterial } from '../bake/lightmappedMaterial';
+import { lightmappedMaterial } from '../core/baked/lightmappedMaterial';
 import { Animation } from './Animation';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
@@ -12,7 +12,7 @@ import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { ModelRenderer } from './ModelRenderer';
 import { ObjectRenderer } from './ObjectRenderer';
-import type { ClipAsset } from '../assets/ClipAsset';
+import type { ClipAsset } from '../assets/clips/ClipAsset';
 
 const RUST = `uniform float amount; // = 0.25 [0, 1, 0.01] Amount
 uniform vec3 rustColor; // = #ff0000 Rust

@@ -4,7 +4,8 @@ import type { LayeredMaterial } from '../assets/LayeredMaterial';
 import type { LayerUser } from '../assets/LayeredMaterials';
 import type { SurfaceAsset } from '../assets/SurfaceAsset';
 import { surfaceMaps, surfaceValueFields, UNIFORM } from '../assets/uniformFields';
-import type { Component, Scene } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { Scene } from '../core/Scene';
 import { StoredViews, type ViewSource } from '../fields/StoredViews';
 import { type Material, type Mesh, Sphere } from 'three';
 

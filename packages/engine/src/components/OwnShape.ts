@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { ObjectRenderer } from './ObjectRenderer';
 
 /** The geometry that a component makes of its fields, and the word to the ObjectRenderer that draws it. */

@@ -2,7 +2,7 @@ import { isFieldVisible } from '@farol/editing/fields';
 import { particleDefaults, particlePresets, type ParticleSettings } from '@farol/renderer/particles';
 import { BoxGeometry, Mesh } from 'three';
 import { expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { particleValues } from './particleSettings';

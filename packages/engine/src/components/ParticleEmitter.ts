@@ -1,9 +1,9 @@
 import type { AssetType } from '@farol/editing/fields';
 import type { ParticleEmitter as ThreeEmitter } from '@farol/renderer/particles';
 import { type BufferGeometry, Mesh, type Object3D, type Texture } from 'three';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import type { RequiredEffect } from '../core/RequiredEffect';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { ObjectRenderer } from './ObjectRenderer';
 import { loadParticleCode, particleCode, particlesEffect } from './particleCode';
 import { type ColliderPose, ColliderPoses } from './ColliderPoses';

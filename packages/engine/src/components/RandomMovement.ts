@@ -1,6 +1,6 @@
 import { number, vector3, type Vector3Tuple } from '@farol/editing/fields';
-import { component } from '../fields/component';
-import { createRandom } from '../core/createRandom';
+import { component } from '../core/Component';
+import { createRandom } from '../base/createRandom';
 
 /** Shares of the two waves of each axis; together 1, so that the object stays within its extent. */
 const SHARES = [0.65, 0.35];

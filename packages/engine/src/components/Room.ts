@@ -1,6 +1,6 @@
 import { boolean, choice, number } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import { fitOpening, isInOpening, type Opening, type OpeningSize } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
 import { OwnShape } from './OwnShape';

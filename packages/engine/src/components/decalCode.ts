@@ -1,4 +1,4 @@
-import { LateCode } from '../core/LateCode';
+import { LateCode } from '../base/LateCode';
 import type { RequiredEffect } from '../core/RequiredEffect';
 
 const late = new LateCode(

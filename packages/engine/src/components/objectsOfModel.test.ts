@@ -26,7 +26,7 @@ import { MaterialAsset } from '../assets/MaterialAsset';
 import { materialValuesOf } from '../assets/materialValuesOf';
 import { Model } from '../assets/Model';
 import { modelParts } from '../assets/modelParts';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { materialAssetFields } from '../assets/materialAssetFields';

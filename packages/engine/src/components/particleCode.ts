@@ -1,5 +1,5 @@
 import type { ParticlePresetName } from '@farol/renderer/particles';
-import { LateCode } from '../core/LateCode';
+import { LateCode } from '../base/LateCode';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { ParticleValues } from './particleSettings';
 

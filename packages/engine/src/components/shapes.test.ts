@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, test } from 'vitest';
 import { bakeSignature } from '../bake/bakeSignature';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import type { ComponentClass } from '../core/SceneGraph';
+import type { ComponentClass } from '../core/ComponentClass';
 import { Collider } from './Collider';
 import { ObjectRenderer } from './ObjectRenderer';
 import { Room } from './Room';

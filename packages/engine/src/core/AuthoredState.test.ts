@@ -5,7 +5,7 @@ import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { serialize } from '../files/serialize';
 import { Component } from './Component';
-import { createRandom } from './createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 

@@ -1,9 +1,14 @@
 import type { FieldValue } from '@farol/editing/fields';
-import type { Prefab } from '../prefabs/Prefab';
+import type { Prefab } from './Prefab';
 import { type FieldOwner, remake } from '../fields/FieldOwner';
 import { moveGameObject } from './moveGameObject';
 import { scriptClasses } from './scriptClasses';
-import type { CameraComponent, Component, GameObject, GameObjectContainer, Scene, SceneChange } from './SceneGraph';
+import type { CameraComponent } from './CameraComponent';
+import type { Component } from './Component';
+import type { GameObject } from './GameObject';
+import type { GameObjectContainer } from './GameObjectContainer';
+import type { Scene } from './Scene';
+import type { SceneChange } from './SceneChange';
 import type { SceneView } from './SceneViews';
 
 interface ComponentRecord {

@@ -1,11 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { FieldTable, FieldValue } from '@farol/editing/fields';
-import type {
-  Component,
-  ComponentClass,
-  ComponentData,
-  ComponentRegistry as ComponentRegistryType,
-} from './SceneGraph';
+import type { Component } from './Component';
+import type { ComponentClass, ComponentData } from './ComponentClass';
 import { fits } from './changeClass';
 import { makeUnknownComponent } from './UnknownComponent';
 
@@ -17,21 +13,25 @@ export interface ComponentRegistryOptions {
   keepUnknown?: boolean;
 }
 
-/** See the interface. */
-class BaseComponentRegistry implements ComponentRegistryType {
+/** The types of components that files and menus may name. */
+export class ComponentRegistry {
+  /** Whether files may hold components of types that nobody registered. */
   readonly keepsUnknown: boolean;
 
   private readonly classes = new Map<string, ComponentClass>();
 
+  /** @param classes - types to begin with, such as those of another registry */
   constructor(classes: Iterable<ComponentClass> = [], { keepUnknown = false }: ComponentRegistryOptions = {}) {
     this.keepsUnknown = keepUnknown;
     for (const each of classes) this.register(each);
   }
 
+  /** Every type by its name, in the order of registration. */
   get types(): ReadonlyMap<string, ComponentClass> {
     return this.classes;
   }
 
+  /** Adds a type. @throws Error when it has no name, or the name is another class's */
   register(componentClass: ComponentClass): this {
     const { typeName } = componentClass;
     if (!typeName) throw new Error(`The class ${componentClass.name} needs a static typeName.`);
@@ -41,14 +41,17 @@ class BaseComponentRegistry implements ComponentRegistryType {
     return this;
   }
 
+  /** Takes a type out: no more of it can be added by name. Components of it that there are stay what they are. */
   unregister(componentClass: ComponentClass): void {
     if (this.classes.get(componentClass.typeName) === componentClass) this.classes.delete(componentClass.typeName);
   }
 
+  /** The fields of a type; none of one that is not known, where those are kept. @throws Error for one that is refused */
   fieldsOf(typeName: string): FieldTable {
     return this.keepsUnknown && !this.classes.has(typeName) ? {} : this.get(typeName).fields;
   }
 
+  /** @throws Error naming the types that there are */
   get(typeName: string): ComponentClass {
     const found = this.classes.get(typeName);
     if (!found) {
@@ -58,6 +61,10 @@ class BaseComponentRegistry implements ComponentRegistryType {
     return found;
   }
 
+  /**
+   * A component on no object from the data of a checked file. Where types that are not known are kept, one of them too, and
+   * values that the class, whose script has changed, does not have or allow are left out.
+   */
   createFrom(data: ComponentData): Component {
     if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);
     if (!this.keepsUnknown) return this.create(data.type, data.values);
@@ -71,17 +78,10 @@ class BaseComponentRegistry implements ComponentRegistryType {
     return component;
   }
 
+  /** A new component on no object. @throws Error for an unknown type, FieldError for a wrong value */
   create(typeName: string, values: Readonly<Record<string, FieldValue>> = {}): Component {
     const component = new (this.get(typeName))();
     for (const name of Object.keys(values)) component.set(name, values[name]);
     return component;
   }
 }
-
-export type ComponentRegistry = ComponentRegistryType;
-
-/** @param classes - types to begin with, such as those of another registry */
-export const ComponentRegistry: new (
-  classes?: Iterable<ComponentClass>,
-  options?: ComponentRegistryOptions,
-) => ComponentRegistry = BaseComponentRegistry;

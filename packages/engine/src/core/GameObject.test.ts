@@ -7,15 +7,14 @@ import { ComponentRegistry } from '../core/ComponentRegistry';
 import { Light } from '../components/Light';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { Transform } from '../core/Transform';
-import { component } from '../fields/component';
+import { component, Component } from './Component';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
-import { createRandom } from './createRandom';
-import { Component } from './Component';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from './GameObject';
 import { gameObjectOf } from './gameObjectOf';
 import { Scene } from './Scene';
-import type { SceneChange } from './SceneGraph';
+import type { SceneChange } from './SceneChange';
 
 class Listener extends Component {
   static override readonly typeName: string = 'Listener';

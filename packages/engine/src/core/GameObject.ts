@@ -1,33 +1,44 @@
 import { shortText } from '@farol/editing';
 import type { FieldValue } from '@farol/editing/fields';
 import { Object3D } from 'three';
-import type { PrefabLink } from '../prefabs/Prefab';
+import type { PrefabLink } from './Prefab';
 import { builtinComponents } from './builtinComponents';
-import { createId } from './createId';
+import { createId } from '../base/createId';
 import { setGameObjectOf } from './gameObjectOf';
 import { makeRotationLazy } from './LazyEuler';
-import { moveGameObject } from './moveGameObject';
-import type {
-  AddComponentOptions,
-  Component,
-  ComponentClass,
-  GameObject as GameObjectType,
-  GameObjectContainer,
-  MoveOptions,
-  Scene,
-} from './SceneGraph';
+import { moveGameObject, type MoveOptions } from './moveGameObject';
+import type { Component } from './Component';
+import type { ComponentClass } from './ComponentClass';
+import type { GameObjectContainer } from './GameObjectContainer';
+import type { Scene } from './Scene';
 import { Transform } from './Transform';
 import { UnknownComponent } from './UnknownComponent';
 
+/** How a component is put on a GameObject. */
+export interface AddComponentOptions {
+  /** Place among the components; at the end when absent. Place 0 is the Transform's. */
+  index?: number;
+  /** Id in place of one made from the object's. */
+  id?: string;
+  enabled?: boolean;
+}
+
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** See the interface. */
-class BaseGameObject implements GameObjectType {
+/**
+ * A thing of the scene. By itself it does nothing: it holds children and components, and passes updates, events and
+ * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
+ */
+export class GameObject implements GameObjectContainer {
   readonly id: string;
   readonly object3D = new Object3D();
+  /** Always there, always the first component. */
   readonly transform: Transform;
+  /** @internal */
   readonly childList: GameObject[] = [];
+  /** @internal What it is directly in. */
   container: GameObjectContainer | null = null;
+  /** @internal */
   sceneOf: Scene | null = null;
 
   private readonly componentList: Component[] = [];
@@ -39,6 +50,7 @@ class BaseGameObject implements GameObjectType {
   private staysInPlace = false;
   private activeWithParents = true;
 
+  /** @param options - `id`: unique in its scene, random when absent */
   constructor(name = 'Object', options: { id?: string } = {}) {
     this.id = options.id ?? createId();
     this.ownName = name;
@@ -68,6 +80,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'tags' });
   }
 
+  /** The object of a prefab that this one is a copy of; null for an object of its own. */
   get prefabLink(): PrefabLink | null {
     return this.link;
   }
@@ -78,6 +91,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'prefab' });
   }
 
+  /** False hides the object and its children, and stops their updates and events. */
   get active(): boolean {
     return this.isActive;
   }
@@ -90,6 +104,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
+  /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
   get locked(): boolean {
     return this.isLocked;
   }
@@ -100,6 +115,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
   }
 
+  /** Whether the object stays where it is: a bake gives what it draws a lightmap. What is below it has a flag of its own. */
   get isStatic(): boolean {
     return this.staysInPlace;
   }
@@ -110,10 +126,12 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'static' });
   }
 
+  /** Locked, or below an object that is. */
   get lockedInHierarchy(): boolean {
     return this.isLocked || (this.parent?.lockedInHierarchy ?? false);
   }
 
+  /** Active, and so are all its ancestors. */
   get activeInHierarchy(): boolean {
     return this.activeWithParents;
   }
@@ -130,19 +148,23 @@ class BaseGameObject implements GameObjectType {
     return this.componentList;
   }
 
+  /** The scene that it is, or is in. */
   get scene(): Scene | null {
     return this.sceneOf;
   }
 
+  /** @internal The three object below which its children's hang. */
   get threeParent(): Object3D {
     return this.object3D;
   }
 
+  /** Adds a child, or moves one that is elsewhere; its local transform stays. @throws Error for a cycle */
   add(child: GameObject, index?: number): this {
     moveGameObject(child, this, index, { keepWorld: false });
     return this;
   }
 
+  /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
   remove(child: GameObject): this {
     if (child.container !== this)
       throw new Error(`'${shortText(child.name)}' is no child of '${shortText(this.name)}'.`);
@@ -150,10 +172,23 @@ class BaseGameObject implements GameObjectType {
     return this;
   }
 
+  /**
+   * Moves the object below another, or to the top of a scene.
+   * @param index - place among the new siblings; at the end when absent
+   * @param options - `keepWorld` (default true): it stays where it is in the world. Under a parent with unequal scales
+   * a rotated object would need shear, which a Transform cannot hold: it then comes as near as it can.
+   * @throws Error when the new parent is the object itself or below it; nothing has changed then
+   */
   reparent(parent: GameObject | Scene, index?: number, options: MoveOptions = {}): void {
     moveGameObject(this, parent, index, { keepWorld: options.keepWorld ?? true });
   }
 
+  /**
+   * Puts a component on the object.
+   * @param type - class, type name, or a component that is on no object
+   * @param values - field values in place of the defaults
+   * @throws Error for an unknown type name or a second component of a unique type; FieldError for a wrong value
+   */
   addComponent<T extends Component>(type: ComponentClass<T> | T, values?: Values, options?: AddComponentOptions): T;
   addComponent(type: string, values?: Values, options?: AddComponentOptions): Component;
   addComponent(
@@ -180,6 +215,7 @@ class BaseGameObject implements GameObjectType {
     return component;
   }
 
+  /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
     if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
@@ -190,6 +226,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
+  /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);
     if (from < 1) throw new Error(`This ${component.typeName} cannot be moved within '${shortText(this.name)}'.`);
@@ -198,6 +235,7 @@ class BaseGameObject implements GameObjectType {
     this.scene?.notify({ kind: 'component-move', gameObject: this, component });
   }
 
+  /** The first component of a class (or of one derived from it), or of a type name; null when there is none. */
   getComponent<T extends Component>(type: ComponentClass<T>): T | null;
   getComponent(type: string): Component | null;
   getComponent(type: string | ComponentClass): Component | null {
@@ -207,6 +245,7 @@ class BaseGameObject implements GameObjectType {
     return null;
   }
 
+  /** All components of a class, or of a type name. */
   getComponents<T extends Component>(type: ComponentClass<T>): T[];
   getComponents(type: string): Component[];
   getComponents(type: string | ComponentClass): Component[] {
@@ -215,12 +254,17 @@ class BaseGameObject implements GameObjectType {
     );
   }
 
+  /** Updates its active components, then its children. A Scene does the same from flat lists. */
   update(deltaSeconds: number, time: number): void {
     if (!this.isActive) return;
     for (const component of this.componentList) if (component.enabled) component.update(deltaSeconds, time);
     for (const child of this.childList) child.update(deltaSeconds, time);
   }
 
+  /**
+   * Calls a method of every component that has it, here and in all children (thesis 3.2.4), active or not.
+   * @returns how many components received the call
+   */
   callMethod(name: string, ...args: unknown[]): number {
     if (name in Object.prototype) throw new Error(`'${name}' is a method of every object: it cannot be propagated.`);
     let receivers = 0;
@@ -240,11 +284,13 @@ class BaseGameObject implements GameObjectType {
     return receivers;
   }
 
+  /** Visits the object and all below it, parents first. */
   traverse(visit: (gameObject: GameObject) => void): void {
     visit(this);
     for (const child of this.childList) child.traverse(visit);
   }
 
+  /** The first object with this id, else with this name, among this one and all below it; null when there is none. */
   find(nameOrId: string): GameObject | null {
     let byName: GameObject | null = null;
     let byId: GameObject | null = null;
@@ -255,12 +301,17 @@ class BaseGameObject implements GameObjectType {
     return byId ?? byName;
   }
 
+  /**
+   * A copy with all below it, with new ids, in no scene. References to objects inside the copy follow it. A whole
+   * instance of a prefab is copied as one; a part of one becomes an object of its own.
+   */
   clone(): GameObject {
     const newIds = new Map<string, string>();
     this.traverse((gameObject) => newIds.set(gameObject.id, createId()));
     return copyOf(this, newIds, new Set());
   }
 
+  /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
   dispose(): void {
     if (this.scene?.holds(this)) return;
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
@@ -273,6 +324,7 @@ class BaseGameObject implements GameObjectType {
     this.componentList.length = 0;
   }
 
+  /** @internal Called when `active` changed here or above. */
   refreshActive(): void {
     const active = this.isActive && (this.parent?.activeInHierarchy ?? true);
     if (active === this.activeWithParents) return;
@@ -321,8 +373,3 @@ function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs
   copy.isStatic = source.isStatic;
   return copy;
 }
-
-export type GameObject = GameObjectType;
-
-/** @param options - `id`: unique in its scene, random when absent */
-export const GameObject: new (name?: string, options?: { id?: string }) => GameObject = BaseGameObject;

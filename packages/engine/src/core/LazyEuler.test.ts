@@ -1,6 +1,6 @@
 import { Euler, type EulerOrder, Object3D, Quaternion, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
-import { createRandom } from './createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from './GameObject';
 
 const orders: readonly EulerOrder[] = ['XYZ', 'YXZ', 'ZXY'];

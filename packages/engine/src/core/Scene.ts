@@ -2,32 +2,29 @@ import { shortText } from '@farol/editing';
 import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { assetFields } from '../fields/assetFields';
-import { PrefabTable } from '../prefabs/PrefabTable';
+import { PrefabTable } from './PrefabTable';
 import { AuthoredState } from './AuthoredState';
 import { builtinComponents } from './builtinComponents';
 import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import { moveGameObject } from './moveGameObject';
+import type { GameObjectContainer } from './GameObjectContainer';
 import type { RequiredEffect } from './RequiredEffect';
-import type {
-  CameraComponent,
-  Component,
-  ComponentClass,
-  ComponentRegistry,
-  GameObject,
-  Scene as SceneType,
-  SceneChange,
-  SceneSystem,
-  SceneSystemClass,
-} from './SceneGraph';
+import type { CameraComponent } from './CameraComponent';
+import type { Component } from './Component';
+import type { ComponentClass } from './ComponentClass';
+import type { ComponentRegistry } from './ComponentRegistry';
+import type { GameObject } from './GameObject';
+import type { SceneChange } from './SceneChange';
+import type { SceneSystem, SceneSystemClass } from './SceneSystem';
 import { SceneIndex } from './SceneIndex';
 import { ScenePointer } from './ScenePointer';
 import { scriptClasses } from './scriptClasses';
-import { SceneBake } from './SceneBake';
+import { SceneBake } from './baked/SceneBake';
 import { SceneMicroShaders } from './SceneMicroShaders';
 import { SceneSystems } from './SceneSystems';
 import { SceneViews } from './SceneViews';
 import { SceneRoot } from './SceneRoot';
-import { SceneSettings } from './SceneSettings';
+import { SceneSettings } from '../settings/SceneSettings';
 
 export interface SceneOptions {
   name?: string;
@@ -37,19 +34,26 @@ export interface SceneOptions {
   registry?: ComponentRegistry;
 }
 
-/** See the interface. */
-class BaseScene implements SceneType {
+/** A world of GameObjects over one three scene. Any number may exist. */
+export class Scene implements GameObjectContainer {
   readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
   /** Types of components that can be added by name: by files, prefabs and menus. Another one must have those in use. */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
+  /** Microshaders that are saved with the scene. */
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
+  /** Views that editors keep with the scene. */
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
+  /** Light of the scene that was baked. */
   readonly baked: SceneBake = new SceneBake(this);
+  /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
+  /** What objects of the scene are copies of. */
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
+  /** @internal */
   readonly childList: GameObject[] = [];
+  /** What the picture is seen through, where that is not the active camera: pointer events on objects go by it. */
   pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
@@ -99,24 +103,35 @@ class BaseScene implements SceneType {
     return this.childList;
   }
 
+  /** How many objects it has, however deep in the tree. */
   get size(): number {
     return this.index.objectsById.size;
   }
 
+  /**
+   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one all
+   * along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the tree.
+   */
   componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
   componentsOf<T extends Component>(type: string): readonly T[];
   componentsOf(type: ComponentClass | string): readonly Component[] {
     return this.index.componentsOf(type);
   }
 
+  /** Whether a component that is active listens to keys. */
   get takesKeys(): boolean {
     return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
 
+  /** The effects of the renderer that components of the scene need; the same array all along. */
   get requiredEffects(): readonly RequiredEffect[] {
     return this.index.effects.array;
   }
 
+  /**
+   * The camera to draw with: the first one that came, unless another was chosen; null when the scene has none.
+   * @throws Error when set to a camera that is not in the scene
+   */
   get activeCamera(): CameraComponent | null {
     return this.currentCamera;
   }
@@ -129,31 +144,41 @@ class BaseScene implements SceneType {
     this.notify({ kind: 'active-camera' });
   }
 
+  /** Simulated time in seconds. */
   get time(): number {
     return this.seconds;
   }
 
+  /** Whether it was updated by more than 0 seconds since it was made or reset. */
   get isSimulated(): boolean {
     return this.wasSimulated;
   }
 
+  /** Grows by one with each edit; simulation leaves it as it is. */
   get revision(): number {
     return this.edits;
   }
 
+  /** Itself. */
   get scene(): Scene {
     return this;
   }
 
+  /** @internal The three object below which its children's hang. */
   get threeParent(): ThreeScene {
     return this.three;
   }
 
+  /**
+   * Adds an object, with all below it, at the top of the tree; out of wherever it was, its local transform kept.
+   * @throws Error naming a duplicate id or an unknown asset; nothing has changed then
+   */
   add(gameObject: GameObject, index?: number): this {
     moveGameObject(gameObject, this, index, { keepWorld: false });
     return this;
   }
 
+  /** Takes an object out of the scene, wherever in the tree it is; it keeps its ids and may be added again. */
   remove(gameObject: GameObject): this {
     if (gameObject.scene !== this)
       throw new Error(`'${shortText(gameObject.name)}' is not in the scene '${shortText(this.name)}'.`);
@@ -161,6 +186,7 @@ class BaseScene implements SceneType {
     return this;
   }
 
+  /** The object with this id, else the first with this name in tree order; null when there is none. */
   find(nameOrId: string): GameObject | null {
     const byId = this.findById(nameOrId);
     if (byId) return byId;
@@ -179,10 +205,12 @@ class BaseScene implements SceneType {
     return this.index.componentsById.get(id) ?? null;
   }
 
+  /** Visits every object, parents first, in tree order. */
   traverse(visit: (gameObject: GameObject) => void): void {
     for (const root of this.childList) root.traverse(visit);
   }
 
+  /** Advances the time; starts, then updates every active component that wants it, then the systems, then `lateUpdate`. @param deltaSeconds - 0 or more */
   update(deltaSeconds: number): void {
     this.seconds += deltaSeconds;
     this.assets.surfaceTime.value = this.seconds;
@@ -217,45 +245,68 @@ class BaseScene implements SceneType {
     }
   }
 
+  /** The system of a class, made when it is first asked for: see `SceneSystem`. */
   system<T extends SceneSystem>(type: SceneSystemClass<T>): T {
     return this.systems.get(type);
   }
 
+  /**
+   * Whether a component of a script is left alone since it threw: it is not called until it is changed, or the scene is reset.
+   * Its `enabled` stays as it is.
+   */
   isSwitchedOff(component: Component): boolean {
     return this.index.switchedOff.has(component);
   }
 
+  /**
+   * Tells of something that a component threw: to `onComponentError`. A component of a script is switched off.
+   * @throws what it was given while that is null
+   */
   reportError(component: Component, error: unknown): void {
     if (scriptClasses.has(component.componentClass)) this.index.switchOff(component);
     if (!this.onComponentError) throw error;
     this.onComponentError(component, error);
   }
 
+  /** @internal A component shows a value that was not authored. */
   noteSimulated(component: Component): void {
     this.simulatedOnes.add(component);
   }
 
+  /** @internal Something of the scene needs an effect of the renderer, or needs it no more. */
   useEffect(effect: RequiredEffect, isUsed: boolean): void {
     this.index.countEffect(effect, isUsed ? 1 : -1);
   }
 
+  /** Puts everything whose motion depends on time alone at `seconds`: the same in every run. */
   setTime(seconds: number): void {
     this.seconds = seconds;
     this.update(0);
   }
 
+  /**
+   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components that
+   * were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as they are now.
+   * Scripts that are edited meanwhile stay as they are edited.
+   */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
   }
 
+  /** @internal An object is about to be disposed of. @returns whether it has only left the scene, since `reset` brings it back */
   holds(gameObject: GameObject): boolean {
     return this.authored?.hold(gameObject) ?? false;
   }
 
+  /** Tells the systems that the simulation is held: sounds pause. The next `update` lets them go on. */
   pause(): void {
     this.systems.pause();
   }
 
+  /**
+   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed since
+   * is taken back too.
+   */
   reset(): void {
     this.pointer.reset();
     for (const component of [...this.index.started.array]) this.destroyed(component);
@@ -309,12 +360,14 @@ class BaseScene implements SceneType {
     }
   }
 
+  /** Calls a method of every component of the scene that has it. @returns how many received the call */
   callMethod(name: string, ...args: unknown[]): number {
     let receivers = 0;
     for (const root of [...this.childList]) receivers += root.callMethod(name, ...args);
     return receivers;
   }
 
+  /** Passes a pointer event on to every active component that wants it, and to those of the object under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
     const components = this.index.pointed.array;
     for (let i = 0; i < components.length; i++) {
@@ -333,10 +386,12 @@ class BaseScene implements SceneType {
     this.pointer.take(event);
   }
 
+  /** Passes a pointer event on to the components of the object under the pointer alone. */
   dispatchObjectPointer(event: EnginePointerEvent): void {
     this.pointer.take(event);
   }
 
+  /** Passes a key event on to every active component that wants it. */
   dispatchKey(event: EngineKeyEvent): void {
     const components = this.index.keyed.array;
     for (let i = 0; i < components.length; i++) {
@@ -352,15 +407,18 @@ class BaseScene implements SceneType {
     }
   }
 
+  /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
   onChange(listener: (change: SceneChange) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
+  /** Calls `listener` whenever three has brought the world matrices of `three` up to date. @returns a function that ends it */
   onMatricesUpdated(listener: () => void): () => void {
     return this.three.onMatricesUpdated(listener);
   }
 
+  /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();
@@ -375,12 +433,14 @@ class BaseScene implements SceneType {
     if (this.ownsAssets) this.assets.dispose();
   }
 
+  /** @internal Counts an edit and tells the listeners. */
   notify(change: SceneChange): void {
     this.edits++;
     this.authored?.note(change);
     for (const listener of this.listeners) listener(change);
   }
 
+  /** @internal @throws Error when an object cannot come in */
   checkSubtree(gameObject: GameObject): void {
     gameObject.traverse((each) => {
       if (this.index.objectsById.has(each.id)) {
@@ -392,6 +452,7 @@ class BaseScene implements SceneType {
     });
   }
 
+  /** @internal @throws Error when a component names an asset that nobody knows */
   checkComponent(component: Component): void {
     for (const { name, assetType } of assetFields(component.fields)) {
       const value = component.getAuthored(name);
@@ -400,6 +461,7 @@ class BaseScene implements SceneType {
     }
   }
 
+  /** @internal */
   subtreeEntered(gameObject: GameObject): void {
     gameObject.sceneOf = this;
     this.index.objectsById.set(gameObject.id, gameObject);
@@ -407,6 +469,7 @@ class BaseScene implements SceneType {
     for (const child of gameObject.children) this.subtreeEntered(child);
   }
 
+  /** @internal */
   subtreeLeaves(gameObject: GameObject): void {
     for (const child of gameObject.children) this.subtreeLeaves(child);
     for (const component of gameObject.components) this.componentLeaves(component);
@@ -415,12 +478,14 @@ class BaseScene implements SceneType {
     gameObject.sceneOf = null;
   }
 
+  /** @internal */
   componentEntered(component: Component): void {
     this.index.addComponent(component);
     component.onEnterScene(this);
     if (!this.currentCamera) this.currentCamera = this.index.cameras.array[0] ?? null;
   }
 
+  /** @internal */
   componentLeaves(component: Component): void {
     if (this.index.started.has(component)) this.destroyed(component);
     component.onLeaveScene(this);
@@ -430,7 +495,3 @@ class BaseScene implements SceneType {
       this.currentCamera = this.index.cameras.array[0] ?? null;
   }
 }
-
-export type Scene = SceneType;
-
-export const Scene: new (options?: SceneOptions) => Scene = BaseScene;

@@ -1,8 +1,9 @@
 import { Component } from './Component';
 import { IndexedList } from './IndexedList';
-import { isCameraComponent } from './isCameraComponent';
+import { type CameraComponent, isCameraComponent } from './CameraComponent';
 import type { RequiredEffect } from './RequiredEffect';
-import type { CameraComponent, ComponentClass, GameObject } from './SceneGraph';
+import type { ComponentClass } from './ComponentClass';
+import type { GameObject } from './GameObject';
 
 const isOf = (component: Component, type: ComponentClass | string): boolean =>
   typeof type === 'string' ? component.typeName === type : component instanceof type;

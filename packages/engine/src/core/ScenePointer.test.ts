@@ -4,10 +4,9 @@ import { Camera } from '../components/Camera';
 import { ObjectRenderer } from '../components/ObjectRenderer';
 import { InputRouter, type InputSurface } from '../app/InputRouter';
 import { Component } from './Component';
-import type { EngineKeyEvent } from './events';
+import type { EngineKeyEvent, ObjectPointerEvent } from './events';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
-import type { ObjectPointerEvent } from './SceneGraph';
 
 const calls: string[] = [];
 

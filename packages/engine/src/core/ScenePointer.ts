@@ -1,9 +1,10 @@
 import { type Intersection, Vector2, Vector3 } from 'three';
-import { hitPoint } from '../picking/rayHits';
+import { hitPoint } from './rayHits';
 import { callEvent } from './callEvent';
-import type { EnginePointerEvent } from './events';
+import type { EnginePointerEvent, ObjectPointerEvent } from './events';
 import { gameObjectOf } from './gameObjectOf';
-import type { GameObject, ObjectPointerEvent, Scene } from './SceneGraph';
+import type { GameObject } from './GameObject';
+import type { Scene } from './Scene';
 import type { SceneIndex } from './SceneIndex';
 
 /** Farther apart (CSS pixels) a press and a release are no click. */

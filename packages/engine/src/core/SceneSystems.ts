@@ -1,4 +1,5 @@
-import type { Scene, SceneSystem, SceneSystemClass } from './SceneGraph';
+import type { Scene } from './Scene';
+import type { SceneSystem, SceneSystemClass } from './SceneSystem';
 
 /** The systems of a scene, in their order. */
 export class SceneSystems {

@@ -1,5 +1,5 @@
 import { BufferGeometry } from 'three';
-import type { Component } from './SceneGraph';
+import type { Component } from './Component';
 
 /** A component that makes the shape of its object: the object's ObjectRenderer draws it in place of its mesh. */
 export interface ShapeSource {

@@ -1,7 +1,6 @@
 import { checkFieldValue, euler, FieldError, type FieldValue, vector3, type Vector3Tuple } from '@farol/editing/fields';
 import { Euler, Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import { component } from '../fields/component';
-import type { ComponentClass, Transform as TransformType } from './SceneGraph';
+import { component } from './Component';
 import { toVector3, type Vector3Input } from './toVector3';
 
 const matrix = new Matrix4();
@@ -18,7 +17,7 @@ const UP: Vector3Tuple = [0, 1, 0];
  * where the object is now, `getAuthored` with where it was put before simulation moved it. Its methods are edits: they
  * change the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
  */
-class BaseTransform extends component({
+export class Transform extends component({
   position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place relative to the parent.' }),
   rotation: euler([0, 0, 0], { help: 'Turn about x, then y, then z, relative to the parent.' }),
   scale: vector3([1, 1, 1], { step: 0.1, help: 'Factor of size along the own axes.' }),
@@ -184,7 +183,3 @@ function parentRotation({ parent }: Object3D, target: Quaternion): Quaternion {
 
 const rotation = new Matrix4();
 const matrixRotation = (world: Matrix4): Matrix4 => rotation.extractRotation(world);
-
-export type Transform = TransformType;
-
-export const Transform: ComponentClass<Transform> = BaseTransform;

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { component } from '../fields/component';
+import { component } from './Component';
 import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { instantiatePrefab } from '../prefabs/instantiatePrefab';

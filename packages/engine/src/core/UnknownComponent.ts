@@ -1,6 +1,6 @@
 import type { CustomField, FieldTable, FieldType, FieldValue } from '@farol/editing/fields';
 import { Component } from './Component';
-import type { ComponentClass, ComponentData } from './SceneGraph';
+import type { ComponentClass, ComponentData } from './ComponentClass';
 
 /** A value of a field whose declaration is not known. */
 const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };

@@ -1,6 +1,6 @@
 import { asset, FieldError } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
-import { component } from '../fields/component';
+import { component } from './Component';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 

@@ -1,4 +1,4 @@
-import type { Component } from './SceneGraph';
+import type { Component } from './Component';
 
 /**
  * Calls a method of a component for an event, if it has it and is not switched off; what it throws goes to

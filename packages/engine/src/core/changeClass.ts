@@ -1,6 +1,8 @@
 import { checkFieldValue, type FieldValue } from '@farol/editing/fields';
 import { remake } from '../fields/FieldOwner';
-import type { Component, ComponentClass, Scene } from './SceneGraph';
+import type { Component } from './Component';
+import type { ComponentClass } from './ComponentClass';
+import type { Scene } from './Scene';
 
 type Values = Readonly<Record<string, FieldValue>>;
 

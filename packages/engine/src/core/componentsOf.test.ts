@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { Camera } from '../components/Camera';
 import { Light } from '../components/Light';
 import { Transform } from '../core/Transform';
-import { createRandom } from './createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 

@@ -1,3 +1,6 @@
+import type { Vector3 } from 'three';
+import type { GameObject } from './GameObject';
+
 /** A pointer event as components see it; positions in CSS pixels from the canvas's top left corner. */
 export interface EnginePointerEvent {
   /** 'leave': the pointer left the canvas, or what it had begun was cancelled. */
@@ -38,3 +41,18 @@ export interface EngineKeyEvent {
   readonly altKey: boolean;
   readonly metaKey: boolean;
 }
+
+/** What a component learns of a pointer over its object, or over one below it. */
+export interface ObjectPointerEvent extends EnginePointerEvent {
+  /** The object that is drawn under the pointer; of `onPointerOut` the one that was. */
+  readonly target: GameObject;
+  /** Where the pointer is on it, in the world (m). */
+  readonly point: Vector3;
+  /** From the camera to that point (m). */
+  readonly distance: number;
+  /** Keeps the event from the objects above the one that is called. */
+  stopPropagation(): void;
+}
+
+/** Events that cost something to find out, and are found out only for components that want them. */
+export type CostlyEvents = 'pointer' | 'key';

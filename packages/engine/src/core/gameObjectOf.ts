@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import type { GameObject } from './SceneGraph';
+import type { GameObject } from './GameObject';
 
 const owners = new WeakMap<Object3D, GameObject>();
 

@@ -2,12 +2,11 @@ import { number } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
 import '../components/index';
 import { Light } from '../components/Light';
-import { component } from '../fields/component';
+import { component, Component } from './Component';
 import { serialize } from '../files/serialize';
-import { Component } from './Component';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
-import type { SceneSystem } from './SceneGraph';
+import type { SceneSystem } from './SceneSystem';
 
 const calls: string[] = [];
 

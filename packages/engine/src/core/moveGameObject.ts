@@ -1,7 +1,13 @@
 import { shortText } from '@farol/editing';
 import { Matrix4, type Object3D } from 'three';
-import { maximumDepth } from './maximumDepth';
-import type { GameObject, GameObjectContainer, MoveOptions } from './SceneGraph';
+import { maximumDepth } from '../base/maximumDepth';
+import type { GameObject } from './GameObject';
+import type { GameObjectContainer } from './GameObjectContainer';
+
+export interface MoveOptions {
+  /** Keep position, rotation and scale in the world. */
+  keepWorld?: boolean;
+}
 
 /** Checks that an object is not put below itself. @returns how many objects deep the container lies; 0 for a scene */
 function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): number {

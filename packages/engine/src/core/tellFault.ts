@@ -1,5 +1,5 @@
 import { shortText } from '@farol/editing';
-import type { Component } from './SceneGraph';
+import type { Component } from './Component';
 
 /** Tells of a fault of a component that the scene goes on with: to `Scene.onComponentError`, else on the console. */
 export function tellFault(component: Component, message: string): void {

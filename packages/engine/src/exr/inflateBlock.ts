@@ -1,4 +1,4 @@
-import { unpack } from '../files/unpack';
+import { unpack } from '../guard/unpack';
 
 /**
  * Unpacks a block, or a part of one.

@@ -1,4 +1,4 @@
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { checkPixels } from '../assets/imageSize';
 
 const BEGIN = 8;

@@ -1,6 +1,6 @@
 import { colour, number } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
-import { component } from './component';
+import { component } from '../core/Component';
 
 class Lamp extends component({
   brightness: number(2, { help: 'How bright.' }),

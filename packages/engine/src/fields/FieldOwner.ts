@@ -39,30 +39,6 @@ export interface FieldViews {
   set(name: string, value: FieldValue): void;
 }
 
-/** Something with declared fields: a component, or the settings of a scene. */
-export interface FieldOwner {
-  /** The declaration of every field, by name. */
-  readonly fields: FieldTable;
-  /** Name used in messages, such as 'Light'. */
-  readonly ownerName: string;
-  /**
-   * The value now. A Transform that is being simulated answers with where it is at present.
-   * @throws FieldError when there is no such field
-   */
-  get(name: string): FieldValue;
-  /**
-   * The value that was last set: what is saved in a file, untouched by simulation.
-   * @throws FieldError when there is no such field
-   */
-  getAuthored(name: string): FieldValue;
-  /**
-   * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
-   * @throws FieldError naming owner, field, the value and what is allowed, or an asset that nobody knows; nothing has
-   * changed then
-   */
-  set(name: string, value: FieldValue): void;
-}
-
 /** What the next owner that is constructed is made of: see `remake`. */
 let remade: object | null = null;
 
@@ -96,8 +72,8 @@ function defaultValues(fields: FieldTable): Record<string, FieldValue> {
   return { ...values };
 }
 
-/** Keeps the values of fields, and checks them. */
-export abstract class BaseFieldOwner implements FieldOwner {
+/** Something with declared fields, such as a component or the settings of a scene: keeps their values, and checks them. */
+export abstract class FieldOwner {
   private values!: Record<string, FieldValue>;
 
   constructor() {
@@ -113,6 +89,7 @@ export abstract class BaseFieldOwner implements FieldOwner {
     return owner;
   }
 
+  /** The declaration of every field, by name. */
   get fields(): FieldTable {
     return this.fieldViews?.fields ?? (this.constructor as unknown as { fields: FieldTable }).fields;
   }
@@ -122,12 +99,21 @@ export abstract class BaseFieldOwner implements FieldOwner {
     return null;
   }
 
+  /** Name used in messages, such as 'Light'. */
   abstract get ownerName(): string;
 
+  /**
+   * The value now. A Transform that is being simulated answers with where it is at present.
+   * @throws FieldError when there is no such field
+   */
   get(name: string): FieldValue {
     return this.getAuthored(name);
   }
 
+  /**
+   * The value that was last set: what is saved in a file, untouched by simulation.
+   * @throws FieldError when there is no such field
+   */
   getAuthored(name: string): FieldValue {
     if (Object.hasOwn(this.values, name)) return this.values[name];
     const views = this.fieldViews;
@@ -135,6 +121,11 @@ export abstract class BaseFieldOwner implements FieldOwner {
     return views.get(name);
   }
 
+  /**
+   * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
+   * @throws FieldError naming owner, field, the value and what is allowed, or an asset that nobody knows; nothing has
+   * changed then
+   */
   set(name: string, value: FieldValue): void {
     this.checkValue(name, value);
     if (!Object.hasOwn(this.values, name)) return this.fieldViews!.set(name, value);

@@ -18,7 +18,7 @@ import {
   vector3,
 } from '@farol/editing/fields';
 import { describe, expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { randomFieldValue } from './randomFieldValue';
 
 const help = 'For a test.';

@@ -12,7 +12,7 @@ import {
   sameValue,
 } from '@farol/editing/fields';
 import { expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { own } from './FieldOwner';
 import { randomFieldValue } from './randomFieldValue';
 

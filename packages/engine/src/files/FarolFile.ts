@@ -1,5 +1,10 @@
 import type { AssetType, FieldValue } from '@farol/editing/fields';
+import type { FileObject } from '../core/FileObject';
+import type { Prefab } from '../core/Prefab';
 import type { SceneView } from '../core/SceneViews';
+
+export type { FileComponent, FileObject, PrefabLink } from '../core/FileObject';
+export type { Prefab } from '../core/Prefab';
 
 /**
  * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.
@@ -8,56 +13,6 @@ import type { SceneView } from '../core/SceneViews';
  * and sounds.
  */
 export const FILE_VERSION = 3;
-
-/** A component in a file. Fields that have their default are left out. */
-export interface FileComponent {
-  type: string;
-  /** Version of the component's class that wrote it. */
-  version: number;
-  id: string;
-  /** True when absent. */
-  enabled?: boolean;
-  values: Record<string, FieldValue>;
-}
-
-/** A GameObject in a file. */
-export interface FileObject {
-  id: string;
-  name: string;
-  /** Id of the object above, or null at the top. */
-  parent: string | null;
-  /** True when absent. */
-  active?: boolean;
-  /** Left alone by editors; false when absent. */
-  locked?: boolean;
-  /** Gets a lightmap when light is baked; false when absent. */
-  static?: boolean;
-  tags?: string[];
-  /** What it is a copy of; of no prefab when absent. */
-  prefab?: PrefabLink;
-  components: FileComponent[];
-}
-
-/** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
-export interface Prefab {
-  /** Also the id of its root object. */
-  readonly id: string;
-  readonly name: string;
-  /** In tree order; the root, which has no parent, is the first. Those of another prefab within it have a link to that. */
-  readonly objects: readonly FileObject[];
-}
-
-/** What a GameObject is a copy of. */
-export interface PrefabLink {
-  readonly prefab: string;
-  /** Id of the object in the prefab; the prefab's own id for the root of an instance. */
-  readonly source: string;
-  /**
-   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They stay when it changes. Every
-   * other value that differs from the prefab's is an override without being listed.
-   */
-  readonly pinned?: readonly string[];
-}
 
 /**
  * An asset that is read from an address, or from a file beside the scene in a `.farol` container, or is made of

@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import { describeValue } from '@farol/editing/fields';
-import { FileError, type FileProblem } from './FileError';
+import { FileError, type FileProblem } from '../guard/FileError';
 import { fileLimits } from './fileLimits';
 import { FilePath, type PathLike } from './FilePath';
 

@@ -1,7 +1,7 @@
 import type { AssetType, FieldValue } from '@farol/editing/fields';
 import { fieldAssetFields, isFieldAssetType } from '../assets/fieldAssetTypes';
-import type { ComponentRegistry } from '../core/SceneGraph';
-import { sceneFields } from '../core/SceneSettings';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import { sceneFields } from '../settings/SceneSettings';
 import { assetFields, type NamedAssetField } from '../fields/assetFields';
 import type { FarolFile, FileObject } from './FarolFile';
 

@@ -3,11 +3,10 @@ import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
-import { Component } from '../core/Component';
-import { component } from '../fields/component';
+import { Component, component } from '../core/Component';
 import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { parseFile } from './parseFile';
 
 const light = { type: 'Light', version: 1, id: 'lamp:Light', values: {} as Record<string, unknown> };

@@ -1,4 +1,4 @@
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { fileLimits } from './fileLimits';
 
 /**

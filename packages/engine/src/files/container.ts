@@ -1,4 +1,4 @@
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import type { FarolFile } from './FarolFile';
 import { serialize } from './serialize';
 

@@ -4,16 +4,17 @@ import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAssetType } from '../assets/FieldAsset';
 import { AddressRefusedError } from '../assets/foreignOrigin';
 import { typeOfUrl } from '../assets/loadAsset';
+import { registerMeshPacks } from '../assets/meshPacks';
 import { builtinComponents } from '../components/index';
-import { loadBakeCode } from '../core/bakeCode';
-import { cancellable } from '../core/cancellable';
-import { isCameraComponent } from '../core/isCameraComponent';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import { loadBakeCode } from '../core/baked/bakeCode';
+import { cancellable } from '../base/cancellable';
+import { isCameraComponent } from '../core/CameraComponent';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { Scene } from '../core/Scene';
 import { assetUses, type AssetUse } from './assetUses';
 import { OwnAssets } from './OwnAssets';
 import type { FarolFile } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 import { makeObjects } from './makeObjects';
 import { checkAssets, missingAssets, readFile } from './parseFile';
@@ -37,20 +38,6 @@ export interface DeserializeOptions {
 
 /** Which foreign origins may be fetched from: all of those asked about, none, or these. */
 export type MayFetch = boolean | Iterable<string>;
-
-/** Registers the demo scenes' own meshes when a file names one, such as 'temple/column', that the library does not have; their names in `registered`. */
-async function registerNamedSceneAssets(
-  file: FarolFile,
-  uses: readonly AssetUse[],
-  assets: AssetLibrary,
-  registered: string[],
-): Promise<void> {
-  if (!missingAssets(file, uses, assets).some(({ type, name }) => type === 'mesh' && name.includes('/'))) return;
-  const { registerSceneAssets } = await import('../scenes/registerSceneAssets');
-  const before = new Set(assets.list());
-  registerSceneAssets(assets);
-  registered.push(...assets.list().filter((name) => !before.has(name)));
-}
 
 /** Registers the file's own assets that the library does not have, their names in `registered`. */
 async function registerAssets(
@@ -164,7 +151,8 @@ export async function deserialize(file: unknown, options: DeserializeOptions = {
     const problems = new ProblemList();
     const checked = readFile(file, registry, problems);
     const uses = assetUses(checked, registry);
-    await registerNamedSceneAssets(checked, uses, scene.assets, registered);
+    if (missingAssets(checked, uses, scene.assets).some(({ type, name }) => type === 'mesh' && name.includes('/')))
+      registered.push(...(await registerMeshPacks(scene.assets)));
     checkAssets(checked, uses, scene.assets, problems);
     problems.throwIfAny();
     const origins = await allowedOrigins(checked, options);

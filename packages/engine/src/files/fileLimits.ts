@@ -1,4 +1,4 @@
-import { maximumDepth } from '../core/maximumDepth';
+import { maximumDepth } from '../base/maximumDepth';
 
 /** How much a scene may hold. Files beyond a limit are refused, and so is an edit that would make such a file. */
 export const fileLimits = {

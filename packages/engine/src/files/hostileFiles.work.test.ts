@@ -1,11 +1,11 @@
 import { workOf } from '@farol/tools/workOf';
 import { describe, expect, test } from 'vitest';
 import { Scene } from '../core/Scene';
-import type { Prefab } from '../prefabs/Prefab';
+import type { Prefab } from '../core/Prefab';
 import { changePrefab } from '../prefabs/planPrefabChange';
 import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { parseFile } from './parseFile';
 import { serialize } from './serialize';
 

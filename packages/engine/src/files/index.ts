@@ -4,7 +4,7 @@ export { type ContainerContent, containerContent, inlineAssets, writeContainer }
 export { deserialize, type DeserializeOptions, type MayFetch } from './deserialize';
 export { expandZips } from './expandZips';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './FarolFile';
-export { FileError, type FileErrorOptions, type FileProblem } from './FileError';
+export { FileError, type FileErrorOptions, type FileProblem } from '../guard/FileError';
 export { fileLimits } from './fileLimits';
 export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
@@ -13,13 +13,13 @@ export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
 export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
-export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
+export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/unpack';
 
-export type { ComponentData } from '../core/SceneGraph';
+export type { ComponentData } from '../core/ComponentClass';
 export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';
 export { assetFields } from '../fields/assetFields';
-export { cancellable } from '../core/cancellable';
-export { createId } from '../core/createId';
+export { cancellable } from '../base/cancellable';
+export { createId } from '../base/createId';
 export { checkModel } from '../assets/checkModel';
 export { fieldAssetFields } from '../assets/fieldAssetTypes';
 export { collectFiles, type FileMap } from '../assets/collectFiles';

@@ -1,5 +1,5 @@
 import { builtinComponents } from '../components/index';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import type { FileObject } from './FarolFile';
 

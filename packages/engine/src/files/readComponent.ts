@@ -1,7 +1,8 @@
 import { shortText } from '@farol/editing';
 import { checkFieldValue, describeValue, type FieldTable, type FieldValue, isFieldValue } from '@farol/editing/fields';
 import { scriptClasses } from '../core/scriptClasses';
-import type { ComponentClass, ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentClass } from '../core/ComponentClass';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import type { FileComponent } from './FarolFile';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type JsonRecord, type ProblemList } from './ProblemList';

@@ -1,4 +1,4 @@
-import type { PrefabLink } from '../prefabs/Prefab';
+import type { PrefabLink } from '../core/Prefab';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 

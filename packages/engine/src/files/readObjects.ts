@@ -1,9 +1,9 @@
 import { shortText } from '@farol/editing';
 import { describeValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { objectFields } from '../fields/objectFields';
 import type { FileComponent, FileObject } from './FarolFile';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { fileLimits } from './fileLimits';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type ProblemList, ringOf } from './ProblemList';

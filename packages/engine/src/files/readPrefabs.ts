@@ -1,9 +1,9 @@
 import { describeValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
-import type { Prefab } from '../prefabs/Prefab';
-import { PrefabSizes } from '../prefabs/PrefabSizes';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import type { Prefab } from '../core/Prefab';
+import { PrefabSizes } from './PrefabSizes';
 import type { FileObject } from './FarolFile';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { fileLimits } from './fileLimits';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';

@@ -1,8 +1,8 @@
 import { shortText } from '@farol/editing';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { crc32 } from './crc32';
-import { FileError } from './FileError';
-import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
+import { FileError } from '../guard/FileError';
+import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from '../guard/unpack';
 
 const END = 0x06054b50;
 const END_SIZE = 22;

@@ -1,4 +1,6 @@
-import type { Component, ComponentData, ComponentRegistry } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { ComponentData } from '../core/ComponentClass';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { ProblemList } from './ProblemList';
 import { readComponent } from './readComponent';
 

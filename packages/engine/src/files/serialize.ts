@@ -1,12 +1,11 @@
 import { type FieldValue, sameValue } from '@farol/editing/fields';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import type { FieldAsset } from '../assets/FieldAsset';
-import type { GameObject } from '../core/SceneGraph';
-import type { Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import type { SceneView } from '../core/SceneViews';
-import type { FieldOwner } from '../fields/FieldOwner';
+import { copyValue, type FieldOwner } from '../fields/FieldOwner';
 import { savedFields } from '../fields/savedFields';
-import { copyValue } from '../fields/FieldOwner';
 import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 

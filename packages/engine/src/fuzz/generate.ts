@@ -1,10 +1,10 @@
 import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
 import { builtinComponents } from '../components/index';
-import { sceneFields } from '../core/SceneSettings';
+import { sceneFields } from '../settings/SceneSettings';
 import { randomFieldValue } from '../fields/randomFieldValue';
 import { type FarolFile, FILE_VERSION, type FileObject } from '../files/FarolFile';
-import type { Prefab } from '../prefabs/Prefab';
+import type { Prefab } from '../core/Prefab';
 import { FuzzRandom } from './FuzzRandom';
 import { hostileValue, mutate, mutateBytes, textOf } from './hostileValues';
 

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
-import { Slices } from '../core/Slices';
-import { inSteps, runInSlices, runSteps, type Steps } from '../core/steps';
+import { Slices } from '../base/Slices';
+import { inSteps, runInSlices, runSteps, type Steps } from '../base/steps';
 import { type Places, weldPositions } from './weldPositions';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;

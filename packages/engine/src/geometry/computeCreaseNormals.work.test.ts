@@ -1,7 +1,7 @@
 import { growthOf } from '@farol/tools/workOf';
 import { BufferGeometry, Float32BufferAttribute, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { computeCreaseNormals } from './computeCreaseNormals';
 
 test('where very many faces meet each keeps its own normal, by work that grows with them alone', async () => {

@@ -1,6 +1,6 @@
 import { Vector3, type BufferGeometry } from 'three';
 import { expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { solidGrid } from './solidGrid';
 
 /** Volume by the divergence theorem, area, and whether each edge is run through as often in both directions. */

@@ -1,5 +1,5 @@
 import type { BufferAttribute, InterleavedBufferAttribute } from 'three';
-import { inSteps, type Steps } from '../core/steps';
+import { inSteps, type Steps } from '../base/steps';
 
 /** For each vertex the number of its place, 0 to `count` - 1. */
 export interface Places {

@@ -1,6 +1,6 @@
 import type { Collider as RapierCollider, RigidBody as RapierBody } from '@dimforge/rapier3d-compat';
 import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { BodyControl } from './BodyControl';
 import { ObjectWatch } from './ObjectWatch';
 import type { CharacterPart, ColliderPart, RigidBodyPart } from './PhysicsParts';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { Collider as RapierCollider } from '@dimforge/rapier3d-compat';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { type Body, type BodyCollider, placeOf } from './Body';
 import { collisionMethods } from './CollisionEvent';
 import { colliderShape } from './colliderShape';

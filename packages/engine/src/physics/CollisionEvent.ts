@@ -1,5 +1,5 @@
 import type { Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { ColliderPart } from './PhysicsParts';
 
 /**

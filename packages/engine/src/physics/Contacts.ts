@@ -1,6 +1,6 @@
 import type { EventQueue, World } from '@dimforge/rapier3d-compat';
 import { Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import type { ColliderRecord } from './ColliderRecord';
 import type { CollisionEvent, collisionMethods } from './CollisionEvent';
 

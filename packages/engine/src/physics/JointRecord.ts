@@ -7,7 +7,7 @@ import type {
   World,
 } from '@dimforge/rapier3d-compat';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { type Body, placeOf } from './Body';
 import type { Rapier } from './loadRapier';
 import type { JointPart } from './PhysicsParts';

@@ -1,5 +1,5 @@
 import type { ValuesOf } from '@farol/editing/fields';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import type { BodyControl } from './BodyControl';
 import type { CharacterControl } from './CharacterControl';
 import type { characterFields } from './characterFields';

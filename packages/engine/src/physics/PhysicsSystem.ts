@@ -1,4 +1,6 @@
-import type { Component, Scene, SceneSystem } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { Scene } from '../core/Scene';
+import type { SceneSystem } from '../core/SceneSystem';
 import { loadRapier } from './loadRapier';
 import type { PhysicsWorld } from './PhysicsWorld';
 

@@ -1,6 +1,9 @@
 import { shortText } from '@farol/editing';
 import type { EventQueue, World } from '@dimforge/rapier3d-compat';
-import type { Component, GameObject, Scene, SceneChange } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import type { SceneChange } from '../core/SceneChange';
 import type { Body } from './Body';
 import { type ColliderRecord, listens, makeCapsule, makeCollider, moveCollider } from './ColliderRecord';
 import { Contacts } from './Contacts';

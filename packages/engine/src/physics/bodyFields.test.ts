@@ -3,7 +3,7 @@ import { Euler, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { RigidBody } from '../components/RigidBody';
 import type { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import type { colliderFields } from './colliderFields';
 import type { rigidBodyFields } from './rigidBodyFields';
 import { box, ground, makeScene, prepare, run, type Values, worldOf } from './testing/physicsScene';

@@ -5,7 +5,7 @@ import { RigidBody } from '../components/RigidBody';
 import { Component } from '../core/Component';
 import type { EnginePointerEvent } from '../core/events';
 import { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import type { CollisionEvent } from './CollisionEvent';
 import { box, ground, makeScene, placesOf, prepare, run, type Values, worldOf } from './testing/physicsScene';
 

@@ -1,4 +1,6 @@
-import type { Component, GameObject, Scene } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './PhysicsParts';
 
 /** What of a scene takes part in its physics, in the order of its tree. */

@@ -1,4 +1,4 @@
-import { needsPackage } from '../core/needsPackage';
+import { needsPackage } from '../base/needsPackage';
 
 /** Rapier's module, initialised. */
 export type Rapier = typeof import('@dimforge/rapier3d-compat');

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { World } from '@dimforge/rapier3d-compat';
 import { Quaternion, Vector3 } from 'three';
-import type { GameObject } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
 import { Body, placeOf } from './Body';
 import { isCharacter } from './findParts';
 import type { Rapier } from './loadRapier';

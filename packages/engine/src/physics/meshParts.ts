@@ -1,7 +1,8 @@
 import { type BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { Model } from '../assets/Model';
 import { isDrawnBy, isOfSubtree, type ModelSubtree, subtreeOf } from '../assets/modelNodes';
-import type { GameObject, Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 
 /** A mesh that an object is drawn with. */
 export interface MeshPart {

@@ -2,9 +2,9 @@ import { bench, describe } from 'vitest';
 import { Light } from '../components/Light';
 import { RandomMovement } from '../components/RandomMovement';
 import { RigidBody } from '../components/RigidBody';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { PhysicsSystem } from './PhysicsSystem';
 import { box, ground, makeScene, prepare } from './testing/physicsScene';
 

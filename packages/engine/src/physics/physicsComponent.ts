@@ -1,6 +1,6 @@
 import type { FieldTable } from '@farol/editing/fields';
-import type { Scene } from '../core/SceneGraph';
-import { type ComponentBase, component } from '../fields/component';
+import type { Scene } from '../core/Scene';
+import { type ComponentBase, component } from '../core/Component';
 import { PhysicsSystem } from './PhysicsSystem';
 
 /**

@@ -1,4 +1,4 @@
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 import { drawnObjects, meshNamesOf } from './meshParts';
 
 /** Fulfilled when the meshes that colliders of a scene are fitted to are loaded, or could not be. */

@@ -1,4 +1,4 @@
-import type { Scene } from '../core/SceneGraph';
+import type { Scene } from '../core/Scene';
 
 /** Knows of the last frame of a PictureRenderer whether another one is to be drawn. */
 export class LastPicture {

@@ -2,8 +2,8 @@ import type { FarolEffect, FarolRenderer } from '@farol/renderer';
 import type { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
 import type { TAA } from '@farol/renderer/antialiasing';
 import type { EffectName } from '@farol/renderer/effects';
-import { LateCode } from '../core/LateCode';
-import type { SceneSettings } from '../core/SceneSettings';
+import { LateCode } from '../base/LateCode';
+import type { SceneSettings } from '../settings/SceneSettings';
 import { techniqueLimits } from './techniqueLimits';
 
 /** Still frames after which the picture of TAA changes no more. */

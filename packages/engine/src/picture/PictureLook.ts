@@ -1,8 +1,8 @@
 import type { ToneMapping } from 'three';
 import { Camera } from '../components/Camera';
-import type { CameraComponent } from '../core/SceneGraph';
-import type { SceneSettings } from '../core/SceneSettings';
-import { toneMappings } from './toneMappings';
+import type { CameraComponent } from '../core/CameraComponent';
+import type { SceneSettings } from '../settings/SceneSettings';
+import { toneMappings } from '../settings/toneMappings';
 
 /** What a frame's picture is made by, where a camera may have its own. The same object each frame. */
 export class PictureLook {

@@ -17,7 +17,7 @@ import { deserialize } from '../files/deserialize';
 import { serialize } from '../files/serialize';
 import { PictureLook } from './PictureLook';
 import { PictureRenderer } from './PictureRenderer';
-import { toneMappings } from './toneMappings';
+import { toneMappings } from '../settings/toneMappings';
 
 /** A renderer that only notes what it is asked for. */
 function makeFarol(...passes: string[]) {

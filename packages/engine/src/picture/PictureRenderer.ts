@@ -1,9 +1,10 @@
 import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
 import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
-import { followEffects } from '../app/followEffects';
-import { LateCode } from '../core/LateCode';
-import { needsPackage } from '../core/needsPackage';
-import type { CameraComponent, Scene } from '../core/SceneGraph';
+import { followEffects } from './followEffects';
+import { LateCode } from '../base/LateCode';
+import { needsPackage } from '../base/needsPackage';
+import type { CameraComponent } from '../core/CameraComponent';
+import type { Scene } from '../core/Scene';
 import type { PictureChain } from './chain/PictureChain';
 import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';

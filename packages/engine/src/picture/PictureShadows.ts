@@ -1,6 +1,6 @@
 import type { FarolRenderer } from '@farol/renderer';
 import { BasicShadowMap, PCFShadowMap, type ShadowMapType, VSMShadowMap } from 'three';
-import type { SceneSettings } from '../core/SceneSettings';
+import type { SceneSettings } from '../settings/SceneSettings';
 
 type ShadowKind = SceneSettings['shadowKind'];
 

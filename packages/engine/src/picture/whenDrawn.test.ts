@@ -1,7 +1,7 @@
 import type { FarolEvents, FarolRenderer } from '@farol/renderer';
 import { EventDispatcher, NoToneMapping, PCFShadowMap } from 'three';
 import { beforeEach, expect, it, vi } from 'vitest';
-import { LateCode } from '../core/LateCode';
+import { LateCode } from '../base/LateCode';
 import { Scene } from '../core/Scene';
 import { PictureRenderer } from './PictureRenderer';
 

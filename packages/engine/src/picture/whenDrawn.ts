@@ -1,4 +1,4 @@
-import { LateCode } from '../core/LateCode';
+import { LateCode } from '../base/LateCode';
 import type { LastPicture } from './LastPicture';
 
 /** What {@link whenDrawn} asks of a PictureRenderer. */

@@ -1,12 +1,12 @@
 import { sameValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { mapReferences } from './copyObjects';
 import { isOwnOfInstance, keyOf, objectsBySource } from './instances';
 import { instantiatePrefab } from './instantiatePrefab';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 import type { PrefabEdit } from './PrefabEdit';
 

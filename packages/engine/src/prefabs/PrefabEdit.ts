@@ -1,7 +1,7 @@
 import type { FieldValue } from '@farol/editing/fields';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
-import type { PrefabLink } from './Prefab';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { PrefabLink } from '../core/Prefab';
 
 /** One thing to do to an instance so that it follows its prefab. An editor makes commands of them. */
 export type PrefabEdit =

@@ -1,12 +1,12 @@
 import { sameValue } from '@farol/editing/fields';
 import { withViewedValue } from '../fields/storedValues';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { InstanceUpdate } from './InstanceUpdate';
 import { componentKey, instanceRootOf, keyOf, objectsBySource } from './instances';
 import { readPrefab } from './makePrefab';
-import { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+import { type Prefab, PrefabError, type PrefabLink } from '../core/Prefab';
 import { objectsOf } from './prefabData';
 import type { PrefabEdit } from './PrefabEdit';
 import { planPrefabChange, type PrefabPlan } from './planPrefabChange';

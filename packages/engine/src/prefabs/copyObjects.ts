@@ -1,5 +1,5 @@
 import type { FieldValue } from '@farol/editing/fields';
-import type { ComponentRegistry } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
 import type { FileObject } from '../files/FarolFile';
 import { componentKey } from './instances';
 

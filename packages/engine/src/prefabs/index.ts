@@ -5,6 +5,6 @@ export { instantiatePrefab } from './instantiatePrefab';
 export { type MadePrefab, makePrefab } from './makePrefab';
 export { type FieldOverride, fieldOverride, overridesOf, type PrefabOverrides } from './overrides';
 export { changePrefab, planPrefabChange, type PrefabPlan } from './planPrefabChange';
-export { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+export { type Prefab, PrefabError, type PrefabLink } from '../core/Prefab';
 export { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
-export type { PrefabTable } from './PrefabTable';
+export type { PrefabTable } from '../core/PrefabTable';

@@ -1,5 +1,5 @@
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 
 /** Whether an object is the root of an instance of a prefab. */
 export const isInstanceRoot = (object: GameObject): boolean =>

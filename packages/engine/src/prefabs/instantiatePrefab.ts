@@ -1,10 +1,10 @@
 import { builtinComponents } from '../components/index';
-import type { ComponentRegistry } from '../core/SceneGraph';
-import { createId } from '../core/createId';
-import type { GameObject } from '../core/SceneGraph';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import { createId } from '../base/createId';
+import type { GameObject } from '../core/GameObject';
 import { makeObjects } from '../files/makeObjects';
 import { copyObjects } from './copyObjects';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 
 /**
  * A new instance of a prefab, with new ids, in no scene; its objects are linked to those of the prefab.

@@ -1,11 +1,11 @@
 import { shortText } from '@farol/editing';
 import { builtinComponents } from '../components/index';
-import { createId } from '../core/createId';
-import type { GameObject } from '../core/SceneGraph';
+import { createId } from '../base/createId';
+import type { GameObject } from '../core/GameObject';
 import { serializeObject } from '../files/serialize';
 import { copyObjects } from './copyObjects';
 import { instanceRootOf } from './instances';
-import { type Prefab, PrefabError, type PrefabLink } from './Prefab';
+import { type Prefab, PrefabError, type PrefabLink } from '../core/Prefab';
 
 /** A prefab, and how the objects that it was made of link to it. */
 export interface MadePrefab {

@@ -1,9 +1,9 @@
 import { type FieldValue, sameValue } from '@farol/editing/fields';
-import type { Component } from '../core/SceneGraph';
-import type { GameObject } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 import type { FileObject } from '../files/FarolFile';
 import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './instances';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 
 /** A field whose value is the instance's own. */

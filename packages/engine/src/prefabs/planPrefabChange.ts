@@ -1,15 +1,15 @@
 import { shortText } from '@farol/editing';
-import type { GameObject } from '../core/SceneGraph';
-import type { Scene } from '../core/SceneGraph';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
 import { makeObjects } from '../files/makeObjects';
-import { counted } from '../core/counted';
+import { counted } from '../base/counted';
 import { fileLimits } from '../files/fileLimits';
 import { serializeObject } from '../files/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';
-import { type Prefab, PrefabError } from './Prefab';
+import { type Prefab, PrefabError } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
-import { PrefabSizes } from './PrefabSizes';
+import { PrefabSizes } from '../files/PrefabSizes';
 
 /** What follows when a prefab becomes another. */
 export interface PrefabPlan {

@@ -1,9 +1,9 @@
 import { checkFieldValue, type Field, type FieldValue } from '@farol/editing/fields';
 import type { FileComponent, FileObject } from '../files/FarolFile';
 import { viewedValue } from '../fields/storedValues';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { componentKey } from './instances';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 
 const indices = new WeakMap<Prefab, ReadonlyMap<string, FileObject>>();
 

@@ -9,7 +9,7 @@ import { ObjectRenderer } from '../components/ObjectRenderer';
 import { RandomMovement } from '../components/RandomMovement';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { component } from '../fields/component';
+import { component } from '../core/Component';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { builtinComponents } from '../components/index';
 import { deserialize } from '../files/deserialize';
@@ -19,7 +19,7 @@ import { instantiatePrefab } from './instantiatePrefab';
 import { makePrefab } from './makePrefab';
 import { fieldOverride, overridesOf } from './overrides';
 import { changePrefab, planPrefabChange, type PrefabPlan } from './planPrefabChange';
-import type { Prefab } from './Prefab';
+import type { Prefab } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
 
 class Follower extends component({ target: object(null, { help: 'What it follows.' }) }) {

@@ -1,6 +1,7 @@
 import { type FieldValue, sameValue } from '@farol/editing/fields';
 import { changeClass, fits } from '../core/changeClass';
-import type { Component, ComponentClass } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { ComponentClass } from '../core/ComponentClass';
 import { unknownClass } from '../core/UnknownComponent';
 
 type Values = Readonly<Record<string, FieldValue>>;

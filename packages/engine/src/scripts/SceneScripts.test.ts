@@ -1,13 +1,13 @@
 import { expect, test, vi } from 'vitest';
 import { builtinComponents } from '../components/index';
-import type { Component } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { UnknownComponent } from '../core/UnknownComponent';
 import { serialize } from '../files/serialize';
 import { SceneScripts } from './SceneScripts';
-import { inNode } from './inNode';
+import { inNode } from './testing/inNode';
 
 const spin = (
   fields: string,

@@ -1,5 +1,8 @@
 import type { ScriptAsset } from '../assets/ScriptAsset';
-import type { Component, ComponentClass, ComponentRegistry, Scene } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { ComponentClass } from '../core/ComponentClass';
+import type { ComponentRegistry } from '../core/ComponentRegistry';
+import type { Scene } from '../core/Scene';
 import { UnknownComponent } from '../core/UnknownComponent';
 import type { CompiledScript, ScriptFunction, ScriptRunner } from './CompiledScript';
 import { KeptValues } from './KeptValues';

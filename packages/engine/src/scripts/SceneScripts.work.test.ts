@@ -4,7 +4,7 @@ import { builtinComponents } from '../components/index';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
-import { inNode } from './inNode';
+import { inNode } from './testing/inNode';
 import { SceneScripts } from './SceneScripts';
 
 const spin = (rate: number): string => `import { component, number } from '@farol/engine/fields';

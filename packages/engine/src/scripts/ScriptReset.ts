@@ -1,4 +1,4 @@
-import type { SceneSystem } from '../core/SceneGraph';
+import type { SceneSystem } from '../core/SceneSystem';
 
 /** Tells the scripts of a scene that it was reset. */
 export class ScriptReset implements SceneSystem {

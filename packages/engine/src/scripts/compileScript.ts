@@ -1,4 +1,4 @@
-import { needsPackage } from '../core/needsPackage';
+import { needsPackage } from '../base/needsPackage';
 import type { CompiledScript } from './CompiledScript';
 import type { ScriptError } from './ScriptError';
 

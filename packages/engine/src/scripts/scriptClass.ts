@@ -1,9 +1,8 @@
 import { checkFieldValue } from '@farol/editing/fields';
 import { Component } from '../core/Component';
-import type { ComponentClass } from '../core/SceneGraph';
+import type { ComponentClass } from '../core/ComponentClass';
 import { scriptClasses } from '../core/scriptClasses';
-import type { ScriptModule } from './ScriptModules';
-import { asScriptError } from './ScriptModules';
+import { asScriptError, type ScriptModule } from './ScriptModules';
 import { ScriptError } from './ScriptError';
 
 /** The name of components of a script whose class names none: that of the asset without folder and ending. */

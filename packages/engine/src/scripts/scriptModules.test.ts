@@ -4,7 +4,7 @@ import { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import { Scene } from '../core/Scene';
 import { compileScript } from './compileScript';
-import { inNode } from './inNode';
+import { inNode } from './testing/inNode';
 import { SceneScripts } from './SceneScripts';
 import { ScriptError } from './ScriptError';
 import { placeOfError, scriptUrl } from './scriptUrl';

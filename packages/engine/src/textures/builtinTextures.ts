@@ -1,6 +1,12 @@
-import type { AssetSource } from '../assets/Asset';
+import type { Texture } from 'three';
 import { makeColourTexture, makeNormalTexture } from './makeTexture';
 import { blocks, checker, cloth, grass, marble, type Pattern, plaster, sky, tiles, wood } from './patterns';
+
+/** An asset of type 'texture', made when it is first needed. */
+export interface TextureSource {
+  readonly type: 'texture';
+  make(): Texture;
+}
 
 interface Look {
   readonly pattern: () => Pattern;
@@ -31,12 +37,12 @@ export const textureName = (name: string, size: number): string =>
   size === textureSizes[0] ? name : `${name}@${size}`;
 
 /** The generated textures: a colour map 'stone' and a normal map 'stone-normal' for each look, at each size. */
-export const builtinTextures: Readonly<Record<string, AssetSource>> = Object.fromEntries(
+export const builtinTextures: Readonly<Record<string, TextureSource>> = Object.fromEntries(
   textureSizes.flatMap((size) =>
-    Object.entries(looks).flatMap(([name, { pattern, depth }]): [string, AssetSource][] => {
-      const colour: AssetSource = { type: 'texture', make: () => makeColourTexture(pattern(), size) };
+    Object.entries(looks).flatMap(([name, { pattern, depth }]): [string, TextureSource][] => {
+      const colour: TextureSource = { type: 'texture', make: () => makeColourTexture(pattern(), size) };
       if (depth === undefined) return [[textureName(name, size), colour]];
-      const normal: AssetSource = { type: 'texture', make: () => makeNormalTexture(pattern(), size, depth) };
+      const normal: TextureSource = { type: 'texture', make: () => makeNormalTexture(pattern(), size, depth) };
       return [
         [textureName(name, size), colour],
         [textureName(`${name}-normal`, size), normal],

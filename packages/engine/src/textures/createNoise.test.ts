@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { createFractalNoise, createNoise } from './createNoise';
 
 const noises = { 'of 7 cells': createNoise(7, 3), 'of 4 octaves': createFractalNoise(5, 4, 11, 0.6) };

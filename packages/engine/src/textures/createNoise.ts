@@ -1,4 +1,4 @@
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 
 const ease = (t: number): number => t * t * (3 - 2 * t);
 

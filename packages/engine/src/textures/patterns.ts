@@ -1,4 +1,4 @@
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../base/createRandom';
 import { createFractalNoise, createNoise } from './createNoise';
 
 /** What a surface is at a point: height from about 0 to 1 (for bumps) and sRGB colour, 0 to 255. */

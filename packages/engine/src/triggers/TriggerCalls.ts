@@ -1,4 +1,7 @@
-import type { Component, GameObject, Scene, SceneSystem } from '../core/SceneGraph';
+import type { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
+import type { Scene } from '../core/Scene';
+import type { SceneSystem } from '../core/SceneSystem';
 
 /** An EventTrigger. */
 interface Caller {

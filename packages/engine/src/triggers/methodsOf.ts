@@ -1,7 +1,7 @@
 import type { FieldKind } from '@farol/editing/fields';
 import { builtinComponents } from '../core/builtinComponents';
-import { BaseComponent } from '../core/Component';
-import type { Component, GameObject } from '../core/SceneGraph';
+import { Component } from '../core/Component';
+import type { GameObject } from '../core/GameObject';
 
 /** What a GameObject can be told, and every component. */
 export const objectMethods = ['activate', 'deactivate', 'toggle'] as const;
@@ -28,12 +28,12 @@ function ownMethods({ componentClass }: Component): readonly string[] {
   const names = new Set<string>();
   for (
     let each = componentClass.prototype as object | null;
-    each && each !== BaseComponent.prototype;
+    each && each !== Component.prototype;
     each = Object.getPrototypeOf(each) as object | null
   ) {
     for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(each))) {
       const isOwn = typeof value === 'function' && !calledByEngine.test(name);
-      if (isOwn && !(name in BaseComponent.prototype)) names.add(name);
+      if (isOwn && !(name in Component.prototype)) names.add(name);
     }
   }
   return [...names];

@@ -1,4 +1,4 @@
-import { counted } from '../../core/counted';
+import { counted } from '../../base/counted';
 import { flacSize } from './flacSize';
 import { mp4Size } from './mp4Size';
 import { mpegSize } from './mpegSize';

@@ -1,6 +1,6 @@
 import { DataUtils, type Mesh } from 'three';
-import type { Scene } from '../../core/SceneGraph';
-import type { BakeData, LightmapData, LightmappedMesh } from '../BakeData';
+import type { Scene } from '../../core/Scene';
+import type { BakeData, LightmapData, LightmappedMesh } from '../../assets/bake/BakeData';
 import { bakeSignature } from '../bakeSignature';
 import { bakeSources } from '../bakeSources';
 

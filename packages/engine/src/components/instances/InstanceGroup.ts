@@ -2,7 +2,8 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import { Box3, type BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, type Material, Sphere } from 'three';
 import type { InstanceOwner } from '../../core/gameObjectOf';
 import { IndexedList } from '../../core/IndexedList';
-import type { Component, GameObject } from '../../core/SceneGraph';
+import type { Component } from '../../core/Component';
+import type { GameObject } from '../../core/GameObject';
 import { fitBounds } from '../ObjectSurface';
 
 /** A component that is drawn as an instance: an ObjectRenderer. */

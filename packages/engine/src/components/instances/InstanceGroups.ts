@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Scene as ThreeScene } from 'three';
-import type { Scene } from '../../core/SceneGraph';
+import type { Scene } from '../../core/Scene';
 import { InstanceGroup, type InstanceMember } from './InstanceGroup';
 
 /** The ObjectRenderers of a scene that are drawn as instances, grouped by geometry, material and shadows. */

@@ -1,5 +1,5 @@
 import { shortText } from '@farol/editing';
-import { counted } from '../../core/counted';
+import { counted } from '../../base/counted';
 
 /** Bytes that arrays may come to, whatever the file's size is, and how many times its size they may come to. */
 const FREE = 64 * 2 ** 20;

@@ -1,5 +1,5 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { inSteps, type Steps } from '../../core/steps';
+import { inSteps, type Steps } from '../../base/steps';
 import { weldPositions } from '../../geometry/weldPositions';
 import type { ObjFile } from './parseObj';
 

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
-import { Slices } from '../../core/Slices';
-import { inSteps, runInSlices, type Steps } from '../../core/steps';
+import { Slices } from '../../base/Slices';
+import { inSteps, runInSlices, type Steps } from '../../base/steps';
 import { computeCreaseNormalsInSlices } from '../../geometry/computeCreaseNormals';
 import type { ObjFile, ObjRun } from './parseObj';
 

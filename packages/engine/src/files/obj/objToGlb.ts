@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { FileMap } from '../../assets/collectFiles';
 import { checkSignature } from '../../assets/signature';
-import { Slices } from '../../core/Slices';
+import { Slices } from '../../base/Slices';
 import { padded, writeGlb } from '../writeGlb';
 import { GltfBuffer } from './GltfBuffer';
 import { gltfOfMtl, greyMaterial } from './gltfOfMtl';

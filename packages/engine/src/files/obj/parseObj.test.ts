@@ -1,8 +1,8 @@
 import type { Mesh } from 'three';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { describe, expect, it } from 'vitest';
-import { createRandom } from '../../core/createRandom';
-import { runSteps } from '../../core/steps';
+import { createRandom } from '../../base/createRandom';
+import { runSteps } from '../../base/steps';
 import { parseObj } from './parseObj';
 
 const read = (text: string) => runSteps(parseObj(new TextEncoder().encode(text)));

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { SRGBColorSpace, Color } from 'three';
-import { counted } from '../../core/counted';
-import type { Steps } from '../../core/steps';
+import { counted } from '../../base/counted';
+import type { Steps } from '../../base/steps';
 import { cutPolygon } from './cutPolygon';
 import { LineReader } from './LineReader';
 import { floatList, integerList, type NumberList } from './NumberList';

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
-import { Slices } from '../../core/Slices';
-import { runInSlices, type Steps } from '../../core/steps';
-import { counted } from '../../core/counted';
+import { Slices } from '../../base/Slices';
+import { runInSlices, type Steps } from '../../base/steps';
+import { counted } from '../../base/counted';
 import { fileOfGeometry } from './fileOfGeometry';
 import { LineReader } from './LineReader';
 import { floatList } from './NumberList';

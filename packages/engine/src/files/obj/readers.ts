@@ -1,5 +1,5 @@
-import { Slices } from '../../core/Slices';
-import { runInSlices } from '../../core/steps';
+import { Slices } from '../../base/Slices';
+import { runInSlices } from '../../base/steps';
 import { parsePly } from '../../geometry/parsePly';
 import { fileOfGeometry } from './fileOfGeometry';
 import { type ObjFile, parseObj } from './parseObj';

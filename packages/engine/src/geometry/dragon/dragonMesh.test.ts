@@ -1,6 +1,5 @@
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { scenes } from '../../scenes/index';
 import { dragonMesh } from './dragonMesh';
 
 const dragon = dragonMesh();
@@ -31,10 +30,4 @@ test('the dragon made in code is as large and as fine as the Stanford dragon, an
 
 test('it is the same each time', () => {
   expect(dragonMesh().attributes.position.array).toEqual(dragon.attributes.position.array);
-});
-
-test.each(['dragons', 'niceScene'])('%s needs nothing but the library', async (name) => {
-  const scene = await scenes[name].build({ lights: 1 });
-  expect(scene.find('Dragon')!.getComponent('ObjectRenderer')).toBeTruthy();
-  scene.dispose();
 });

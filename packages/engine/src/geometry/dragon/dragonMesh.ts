@@ -1,6 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
-import { createRandom } from '../../core/createRandom';
+import { createRandom } from '../../base/createRandom';
 import { fitGeometry } from '../fitGeometry';
 import { MeshBuilder } from '../MeshBuilder';
 import { round, type Section, Sweep } from './Sweep';

@@ -21,7 +21,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { Scene } from '../../core/SceneGraph';
+import type { Scene } from '../../core/Scene';
 import type { PictureLook } from '../PictureLook';
 import { makeLookupTable } from './makeLookupTable';
 import { DepthEffect, WhiteBalanceEffect } from './ownEffects';

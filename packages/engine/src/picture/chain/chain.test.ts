@@ -1,6 +1,6 @@
 import { Color, DataTexture, Matrix3, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { toneMappings } from '../toneMappings';
+import { toneMappings } from '../../settings/toneMappings';
 import { makeLookupTable } from './makeLookupTable';
 import { toneMapColour } from './toneMapColour';
 import { whiteBalance } from './whiteBalance';

@@ -1,0 +1,34 @@
+import type { FieldTable, FieldValue } from '@farol/editing/fields';
+import type { Component } from './Component';
+import type { RequiredEffect } from './RequiredEffect';
+
+/** What the registry, the menus and the file format know of a class of components. */
+export interface ComponentClass<T extends Component = Component> {
+  new (): T;
+  /** Name in files and menus. */
+  readonly typeName: string;
+  readonly fields: FieldTable;
+  /** Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default. */
+  readonly version: number;
+  /** At most one on a GameObject. */
+  readonly unique: boolean;
+  /** One line for the Add menu. */
+  readonly help: string;
+  /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
+  readonly effect: RequiredEffect | null;
+  /**
+   * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the ones
+   * that the engine calls. Of built-in classes null is none.
+   */
+  readonly callable: readonly string[] | null;
+  /** Brings field values written by an older version up to `version`. */
+  migrate?(values: Record<string, unknown>, fromVersion: number): Record<string, unknown>;
+}
+
+/** What is left of a component without its class. */
+export interface ComponentData {
+  readonly type: string;
+  /** Version of the class that wrote the values. */
+  readonly version: number;
+  readonly values: Readonly<Record<string, FieldValue>>;
+}

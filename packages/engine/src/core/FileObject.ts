@@ -1,0 +1,42 @@
+import type { FieldValue } from '@farol/editing/fields';
+
+/** A component in a file. Fields that have their default are left out. */
+export interface FileComponent {
+  type: string;
+  /** Version of the component's class that wrote it. */
+  version: number;
+  id: string;
+  /** True when absent. */
+  enabled?: boolean;
+  values: Record<string, FieldValue>;
+}
+
+/** A GameObject in a file. */
+export interface FileObject {
+  id: string;
+  name: string;
+  /** Id of the object above, or null at the top. */
+  parent: string | null;
+  /** True when absent. */
+  active?: boolean;
+  /** Left alone by editors; false when absent. */
+  locked?: boolean;
+  /** Gets a lightmap when light is baked; false when absent. */
+  static?: boolean;
+  tags?: string[];
+  /** Absent unless the object is a copy of one of a prefab. */
+  prefab?: PrefabLink;
+  components: FileComponent[];
+}
+
+/** Link of a GameObject to the object of a prefab that it is a copy of. */
+export interface PrefabLink {
+  readonly prefab: string;
+  /** Id of the object in the prefab; the prefab's own id for the root of an instance. */
+  readonly source: string;
+  /**
+   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They stay when it changes. Every
+   * other value that differs from the prefab's is an override without being listed.
+   */
+  readonly pinned?: readonly string[];
+}

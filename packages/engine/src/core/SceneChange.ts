@@ -1,0 +1,39 @@
+import type { FieldValue } from '@farol/editing/fields';
+import type { FieldAsset } from '../assets/FieldAsset';
+import type { Component } from './Component';
+import type { GameObject } from './GameObject';
+
+/** What an edit changed. Simulation makes none of these. */
+export type SceneChange =
+  | { readonly kind: 'add' | 'remove' | 'move'; readonly gameObject: GameObject }
+  | {
+      readonly kind: 'object';
+      readonly gameObject: GameObject;
+      readonly property: 'name' | 'active' | 'locked' | 'static' | 'tags' | 'prefab';
+    }
+  | {
+      /** `component-class`: the component has become one of another class, by a script that was edited. */
+      readonly kind: 'component-add' | 'component-remove' | 'component-move' | 'component-class';
+      readonly gameObject: GameObject;
+      readonly component: Component;
+    }
+  | {
+      readonly kind: 'field';
+      readonly component: Component;
+      readonly field: string;
+      /** The authored value until then. */
+      readonly before: FieldValue;
+    }
+  | { readonly kind: 'enabled'; readonly component: Component }
+  | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
+  | {
+      /** Of an asset of the library that is made of fields. */
+      readonly kind: 'asset';
+      readonly asset: FieldAsset;
+      readonly field: string;
+      readonly before: FieldValue;
+    }
+  | { readonly kind: 'microshader'; readonly name: string }
+  | { readonly kind: 'view'; readonly place: number }
+  | { readonly kind: 'prefab'; readonly id: string }
+  | { readonly kind: 'active-camera' | 'name' };

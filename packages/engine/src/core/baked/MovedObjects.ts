@@ -1,0 +1,63 @@
+import { shortText } from '@farol/editing';
+import type { Mesh } from 'three';
+import { gameObjectOf } from '../gameObjectOf';
+import type { Scene } from '../Scene';
+
+/** Updates of the world matrices between two looks. */
+const UPDATES = 30;
+/** What counts as moved: of a number of a matrix. */
+const LEAST = 1e-3;
+
+/** Tells, once, of a mesh with a lightmap that moves while the scene plays: its light stays behind. */
+export class MovedObjects {
+  /** World matrices when the meshes were dressed; null until they are known. */
+  private places: Map<Mesh, readonly number[]> | null = null;
+  private updates = 0;
+  private isTold = false;
+  private readonly stop: () => void;
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly meshes: ReadonlyMap<Mesh, unknown>,
+  ) {
+    this.stop = scene.onMatricesUpdated(() => this.update());
+  }
+
+  /** Meshes came or went, or were moved by an edit. */
+  changed(): void {
+    this.places = null;
+  }
+
+  end(): void {
+    this.stop();
+  }
+
+  private update(): void {
+    if (this.isTold) return;
+    if (!this.scene.isSimulated) {
+      this.changed();
+      return;
+    }
+    if (this.places === null) {
+      this.places = new Map([...this.meshes.keys()].map((mesh) => [mesh, [...mesh.matrixWorld.elements]]));
+      return;
+    }
+    this.updates = (this.updates + 1) % UPDATES;
+    if (this.updates === 0) this.look(this.places);
+  }
+
+  private look(places: ReadonlyMap<Mesh, readonly number[]>): void {
+    for (const [mesh, place] of places) {
+      const { elements } = mesh.matrixWorld;
+      for (let i = 0; i < 16; i++) {
+        if (Math.abs(elements[i] - place[i]) <= LEAST) continue;
+        this.isTold = true;
+        const name = shortText(gameObjectOf(mesh)?.name ?? mesh.name);
+        console.warn(
+          `Farol: '${name}' is static and moves while the scene plays: its baked light stays behind. Switch Static off and bake again.`,
+        );
+        return;
+      }
+    }
+  }
+}

@@ -1,0 +1,77 @@
+import type { Object3D } from 'three';
+import type { BakedLight } from '../../assets/bake/BakedLight';
+import { bakeCode, loadBakeCode } from './bakeCode';
+import type { Scene } from '../Scene';
+import type { ShownBake } from './ShownBake';
+
+/** Types of components that baked light changes something for. */
+const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];
+
+/** The baked light of a scene, by its setting `bakedLight`; what shows it comes with the asset. */
+export class SceneBake {
+  private shown: ShownBake | null = null;
+  private light: BakedLight | null = null;
+  private suspensions = 0;
+
+  constructor(private readonly scene: Scene) {}
+
+  /** Whether the scene is lit by it. */
+  get isShown(): boolean {
+    return this.shown !== null;
+  }
+
+  /** Takes the baked light off the scene while light is baked anew. @returns a function that ends it */
+  suspend(): () => void {
+    this.suspensions++;
+    this.update();
+    return () => {
+      this.suspensions--;
+      this.update();
+    };
+  }
+
+  /** Shows what the setting names, once it and the code for it are loaded. */
+  update(): void {
+    const light = this.wanted();
+    if (light === this.light) return;
+    this.dispose();
+    this.light = light;
+    this.shown = light && new (bakeCode()!)(this.scene, light.data);
+    for (const type of TYPES) for (const component of this.scene.componentsOf(type)) component.onActiveChanged();
+  }
+
+  /** What the setting names; null as long as it is not there. */
+  private wanted(): BakedLight | null {
+    const { settings, assets } = this.scene;
+    const name = this.suspensions > 0 ? null : settings.bakedLight;
+    if (name === null) return null;
+    const again = (): void => void (this.light === null && settings.bakedLight === name && this.update());
+    if (bakeCode() === null) {
+      loadBakeCode().then(again, (error: Error) => console.error(`Farol: ${error.message}`));
+      return null;
+    }
+    if (assets.isReady('bake', name)) return assets.bake(name);
+    assets.whenReady('bake', name, again);
+    return null;
+  }
+
+  /** @internal Whether a light is in lightmaps and probes, and is not drawn. @param light - id of the component */
+  hides(light: string): boolean {
+    return this.shown !== null && this.shown.hides(light);
+  }
+
+  /** @internal Gives the meshes of a component their lightmaps. @param component - its id */
+  dress(component: string, root: Object3D): void {
+    this.shown?.dress(component, root);
+  }
+
+  /** @internal Gives meshes that leave the scene back what they had. */
+  undress(root: Object3D): void {
+    this.shown?.undress(root);
+  }
+
+  dispose(): void {
+    this.shown?.end();
+    this.shown = this.light = null;
+  }
+}

@@ -1,0 +1,12 @@
+import { LateCode } from '../../base/LateCode';
+
+const late = new LateCode(
+  () => import('./ShownBake'),
+  'The code of baked light could not be fetched: see that the network is there, and open it again.',
+);
+
+/** What lights scenes by baked light; null until `loadBakeCode` is done. */
+export const bakeCode = () => late.code?.ShownBake ?? null;
+
+/** Fetches what lights scenes by baked light, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
+export const loadBakeCode = () => late.load();

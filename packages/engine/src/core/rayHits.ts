@@ -1,0 +1,81 @@
+import {
+  type Camera,
+  type Intersection,
+  Mesh,
+  type Object3D,
+  type Ray,
+  Raycaster,
+  SkinnedMesh,
+  type Vector2,
+} from 'three';
+import { hasReadableVertices } from '@farol/renderer/vertex-data';
+import type { Scene } from './Scene';
+
+/**
+ * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to `hits`.
+ * @returns whether it did: three does it otherwise
+ */
+export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]) => boolean;
+
+const raycaster = new Raycaster();
+const found: Intersection[] = [];
+
+/** False for what three alone could cast at, by vertices that the CPU cannot read. */
+function isCastable(object: Object3D): boolean {
+  const { geometry } = object as Partial<Mesh>;
+  return geometry === undefined || Object.hasOwn(object, 'raycast') || hasReadableVertices(geometry);
+}
+
+function castAt(object: Object3D, hits: Intersection[], cast: MeshCaster | undefined): void {
+  // three remembers how large it was in the first pose: the bones may have it elsewhere now
+  if (object instanceof SkinnedMesh) object.computeBoundingSphere();
+  const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
+  if (!isCast) raycaster.intersectObject(object, false, hits);
+}
+
+function collect(object: Object3D, camera: Camera, hits: Intersection[], cast: MeshCaster | undefined): void {
+  if (!object.visible) return;
+  if (object.layers.test(camera.layers)) {
+    if (isCastable(object)) castAt(object, hits, cast);
+  }
+  for (const child of object.children) collect(child, camera, hits, cast);
+}
+
+/**
+ * What a ray through a point of the picture hits first, as of the last drawn frame; null where nothing is. Bones, morphs
+ * and instances count as they are drawn.
+ * @param point - normalised device coordinates, -1 to 1, y up
+ * @param counts - whether something that is hit counts; everything does when absent
+ * @param cast - casts the ray at meshes; three does when absent
+ */
+export function hitPoint(
+  scene: Scene,
+  camera: Camera,
+  point: Vector2,
+  counts?: (hit: Intersection) => boolean,
+  cast?: MeshCaster,
+): Intersection | null {
+  raycaster.setFromCamera(point, camera);
+  raycaster.layers.mask = camera.layers.mask;
+  collect(scene.three, camera, found, cast);
+  let nearest: Intersection | null = null;
+  for (const hit of found) {
+    if ((!nearest || hit.distance < nearest.distance) && (!counts || counts(hit))) nearest = hit;
+  }
+  found.length = 0;
+  return nearest;
+}
+
+/**
+ * All that a ray hits, nearest first, as of the last drawn frame; counted as `hitPoint` does.
+ * @param camera - whose layers count
+ * @param cast - casts the ray at meshes; three does when absent
+ */
+export function rayHits(scene: Scene, ray: Ray, camera: Camera, cast?: MeshCaster): Intersection[] {
+  raycaster.ray.copy(ray);
+  raycaster.camera = camera;
+  raycaster.layers.mask = camera.layers.mask;
+  const hits: Intersection[] = [];
+  collect(scene.three, camera, hits, cast);
+  return hits.sort((a, b) => a.distance - b.distance);
+}

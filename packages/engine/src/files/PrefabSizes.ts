@@ -1,0 +1,80 @@
+import type { FileObject } from './FarolFile';
+import type { Prefab } from '../core/Prefab';
+
+/** Prefabs, each once, that objects hold whole instances of, by how often. */
+function innerOf(objects: readonly FileObject[]): Map<string, number> {
+  const inner = new Map<string, number>();
+  for (const { prefab: link } of objects) {
+    if (link) inner.set(link.prefab, (inner.get(link.prefab) ?? 0) + (link.source === link.prefab ? 1 : 0));
+  }
+  return inner;
+}
+
+interface Step {
+  readonly prefab: Prefab;
+  readonly inner: [id: string, times: number][];
+  next: number;
+  depth: number;
+  size: number;
+}
+
+/**
+ * How deep prefabs are nested, and how many objects each comes to when every instance in it holds all that its prefab
+ * does. Each prefab is visited once, without recursion; nothing is made.
+ */
+export class PrefabSizes {
+  /** Prefabs that hold themselves: their ids, first and last the same. */
+  readonly rings: string[][] = [];
+
+  private readonly found = new Map<string, { readonly depth: number; readonly size: number }>();
+
+  constructor(private readonly prefabs: ReadonlyMap<string, Prefab>) {
+    for (const prefab of prefabs.values()) this.visit(prefab);
+  }
+
+  /** How many prefabs are within one another: 1 for one that holds none. 0 where there is no such prefab. */
+  depthOf(id: string): number {
+    return this.found.get(id)?.depth ?? 0;
+  }
+
+  /** Objects of an instance of a prefab. 0 where there is no such prefab. */
+  sizeOf(id: string): number {
+    return this.found.get(id)?.size ?? 0;
+  }
+
+  /** How many objects some come to, with all that is in their instances. */
+  sizeOfObjects(objects: readonly FileObject[]): number {
+    let size = objects.reduce((sum, { prefab }) => sum + (prefab ? 0 : 1), 0);
+    for (const [id, times] of innerOf(objects)) size += times * this.sizeOf(id);
+    return Math.max(size, objects.length);
+  }
+
+  private visit(first: Prefab): void {
+    const stack: Step[] = [];
+    const open = new Set<string>();
+    const enter = (prefab: Prefab): void => {
+      open.add(prefab.id);
+      stack.push({ prefab, inner: [...innerOf(prefab.objects)], next: 0, depth: 0, size: 0 });
+    };
+    if (!this.found.has(first.id)) enter(first);
+    while (stack.length > 0) {
+      const step = stack.at(-1)!;
+      if (step.next < step.inner.length) {
+        const [id] = step.inner[step.next++];
+        const prefab = this.prefabs.get(id);
+        if (!prefab || this.found.has(id)) continue;
+        if (!open.has(id)) {
+          enter(prefab);
+          continue;
+        }
+        const ids = stack.map((each) => each.prefab.id);
+        this.rings.push([...ids.slice(ids.indexOf(id)), id]);
+        continue;
+      }
+      const depth = step.inner.reduce((deepest, [id]) => Math.max(deepest, this.depthOf(id)), 0) + 1;
+      this.found.set(step.prefab.id, { depth, size: this.sizeOfObjects(step.prefab.objects) });
+      open.delete(step.prefab.id);
+      stack.pop();
+    }
+  }
+}

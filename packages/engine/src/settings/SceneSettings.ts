@@ -1,0 +1,114 @@
+import type { FieldValue, ValuesOf } from '@farol/editing/fields';
+import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
+import type { AssetLibrary } from '../assets/AssetLibrary';
+import { defineFieldProperties } from '../fields/defineFieldProperties';
+import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
+import { bakeFields } from './bakeFields';
+import { physicsFields } from './physicsFields';
+import { fogFields, pictureFields, skyFields } from './pictureFields';
+import type { Sky } from './sky/makeSky';
+import { SkySource } from './sky/SkySource';
+
+export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields };
+
+// oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- the properties are made from the table
+export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
+
+/**
+ * What belongs to a scene as a whole: all that makes its picture beside the objects, and gravity. Writes background, environment and fog
+ * to its three scene; by the rest a `PictureRenderer` draws.
+ */
+export class SceneSettings extends FieldOwner {
+  static readonly fields = sceneFields;
+
+  private environmentTexture: Texture | null = null;
+  private readonly skySource = new SkySource(() => this.apply());
+  private count = 0;
+
+  /** @param changed - called after a setting got another value; `before` is the value until then */
+  constructor(
+    private readonly three: ThreeScene,
+    private readonly assets: AssetLibrary,
+    private readonly changed: (field: string, before: FieldValue) => void,
+  ) {
+    super();
+    this.apply();
+  }
+
+  override get ownerName(): string {
+    return 'Scene';
+  }
+
+  /** Grows by one with each change. */
+  get revision(): number {
+    return this.count;
+  }
+
+  /** Fulfilled when the sky is there that was asked for last; null before any is waited for. @throws Error (as a rejection) when its code cannot be fetched */
+  get skyReady(): Promise<void> | null {
+    return this.skySource.ready;
+  }
+
+  protected override get assetNames(): AssetNames {
+    return this.assets;
+  }
+
+  protected override fieldChanged(name: string, before: FieldValue): void {
+    this.count++;
+    if (Object.hasOwn(skyFields, name) || Object.hasOwn(fogFields, name)) this.apply();
+    this.changed(name, before);
+  }
+
+  /** Lets go of the environment. */
+  dispose(): void {
+    this.useTexture(null);
+    this.skySource.dispose();
+  }
+
+  /** Writes sky and fog to the three scene. */
+  private apply(): void {
+    const { three } = this;
+    this.count++;
+    const sky = this.skySource.of(this);
+    this.applyEnvironment(three, sky);
+    const seen = sky ? sky.texture : this.background === 'environment' ? this.environmentTexture : null;
+    three.background = seen ?? new Color().setRGB(...this.backgroundColour);
+    three.environmentIntensity = this.environmentIntensity;
+    three.backgroundIntensity = this.environmentIntensity * this.backgroundIntensity;
+    three.backgroundBlurriness = this.background === 'gradient' ? 0 : this.backgroundBlur;
+    three.backgroundRotation.y = three.environmentRotation.y = this.backgroundRotation;
+    this.applyFog(three, sky);
+  }
+
+  private applyFog(three: ThreeScene, sky: Sky | null): void {
+    const fogColour = new Color().setRGB(...this.fogColour);
+    if (this.fogFromSky && sky) fogColour.setRGB(...sky.horizon).multiplyScalar(three.backgroundIntensity);
+    else if (this.fogFromSky) fogColour.setRGB(...this.backgroundColour);
+    if (this.fog === 'linear') three.fog = new Fog(fogColour, this.fogNear, this.fogFar);
+    else if (this.fog === 'exponential') three.fog = new FogExp2(fogColour, this.fogDensity);
+    else three.fog = null;
+  }
+
+  private applyEnvironment(three: ThreeScene, sky: Sky | null): void {
+    const isSky = this.background === 'sky' || this.background === 'gradient';
+    const name = isSky ? null : this.environment;
+    const { assets } = this;
+    if (name === null) this.useTexture(null);
+    else if (assets.isReady('texture', name)) this.useTexture(assets.texture(name));
+    else assets.whenReady('texture', name, () => this.environment === name && this.apply());
+    three.environment = sky && this.skyLight ? sky.texture : this.environmentTexture;
+  }
+
+  private useTexture(texture: Texture | null): void {
+    const before = this.environmentTexture;
+    if (texture === before) return;
+    if (texture) {
+      texture.mapping = EquirectangularReflectionMapping;
+      this.assets.uses.acquire(texture);
+    }
+    this.environmentTexture = texture;
+    if (before) this.assets.uses.release(before);
+  }
+}
+
+defineFieldProperties(SceneSettings.prototype, sceneFields);

@@ -1,0 +1,63 @@
+import type { ValuesOf } from '@farol/editing/fields';
+import { LateCode } from '../../base/LateCode';
+import { type skyFields, skiesWithSun, type SkyPreset } from '../pictureFields';
+import type { Sky, SunPlace } from './makeSky';
+
+type SkySettings = Readonly<ValuesOf<typeof skyFields>>;
+const late = new LateCode(
+  () => import('./makeSky'),
+  'The code of skies could not be fetched: see that the network is there, and choose one again.',
+);
+
+/** The sky that a scene's settings ask for, made when they change. */
+export class SkySource {
+  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before any is waited for. */
+  ready: Promise<void> | null = null;
+  private made: Sky | null = null;
+  private key = '';
+
+  /** @param came - called when the sky is there after it was not */
+  constructor(private readonly came: () => void) {}
+
+  /** What is asked for; null for none, and until its code is there. */
+  of(settings: SkySettings): Sky | null {
+    const key = keyOf(settings);
+    if (key === this.key) return this.made;
+    if (key !== '' && late.code === null) {
+      this.ready = late.load().then(this.came);
+      // told to who waits for it
+      this.ready.catch(() => {});
+      return null;
+    }
+    this.dispose();
+    this.key = key;
+    if (key !== '') this.made = make(settings, late.code!);
+    return this.made;
+  }
+
+  dispose(): void {
+    this.made?.texture.dispose();
+    this.made = null;
+    this.key = '';
+  }
+}
+
+function keyOf(settings: SkySettings): string {
+  const { background, sky, skyTop, skyHorizon, skyGround } = settings;
+  if (background === 'sky') {
+    const sun = sunOf(settings);
+    return sun ? [sky, sun.azimuth, sun.elevation].join(' ') : sky;
+  }
+  return background === 'gradient' ? [skyTop, skyHorizon, skyGround].join(' ') : '';
+}
+
+/** Where the sun is put; null where the preset says so, or has none. */
+function sunOf({ placeSun, sky, sunAzimuth, sunElevation }: SkySettings): SunPlace | null {
+  const hasSun = (skiesWithSun as readonly SkyPreset[]).includes(sky);
+  return placeSun && hasSun ? { azimuth: sunAzimuth, elevation: sunElevation } : null;
+}
+
+function make(settings: SkySettings, { makePresetSky, makeGradientSky }: typeof import('./makeSky')): Sky {
+  const { background, sky, skyTop: top, skyHorizon: horizon, skyGround: ground } = settings;
+  return background === 'sky' ? makePresetSky(sky, sunOf(settings)) : makeGradientSky({ top, horizon, ground });
+}

@@ -1,0 +1,121 @@
+import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
+import {
+  Camera,
+  type ComponentClass,
+  createRandom,
+  GameObject,
+  KeyController,
+  Light,
+  lightShadows,
+  meshShadows,
+  MouseController,
+  ObjectRenderer,
+  RandomMovement,
+  Scene,
+} from '@farol/engine';
+import { hueColour } from './hueColour';
+import type { SceneBuildOptions } from './SceneDefinition';
+
+type Values = Readonly<Record<string, FieldValue>>;
+
+interface Placement {
+  position?: Vector3Tuple;
+  rotation?: Vector3Tuple;
+  scale?: Vector3Tuple;
+  parent?: GameObject;
+}
+
+interface MovingLight {
+  position: Vector3Tuple;
+  /** Candela. */
+  intensity: number;
+  /** Metres. */
+  range: number;
+  extent: Vector3Tuple;
+  speed: number;
+  /** Throws shadows, in maps of 512 texels a side. */
+  castShadow?: boolean;
+}
+
+const OWN = 2654435761;
+
+/** Puts a scene together, with ids that depend on order alone, so that the same scene is the same file. */
+export class SceneBuilder {
+  readonly scene: Scene;
+  readonly random: () => number;
+
+  private readonly counts = new Map<string, number>();
+  private readonly seed: number;
+  /** Whether meshes and lights throw shadows. */
+  private readonly shadows: boolean;
+
+  constructor(name: string, options: SceneBuildOptions = {}) {
+    this.seed = options.seed ?? 1;
+    this.shadows = options.shadows ?? false;
+    this.scene = new Scene({ name, assets: options.assets });
+    this.random = createRandom(this.seed);
+  }
+
+  /** An object with components: `[class, values]` each. */
+  object(name: string, place: Placement, ...components: [ComponentClass, Values?][]): GameObject {
+    const gameObject = new GameObject(name, { id: this.id(name) });
+    for (const key of ['position', 'rotation', 'scale'] as const) {
+      if (place[key]) gameObject.transform[key] = place[key];
+    }
+    for (const [type, values] of components) gameObject.addComponent(type, values);
+    (place.parent ?? this.scene).add(gameObject);
+    return gameObject;
+  }
+
+  /** An object without components of its own, to hold others. */
+  group(name: string, parent?: GameObject): GameObject {
+    return this.object(name, { parent });
+  }
+
+  mesh(name: string, mesh: string, values: Values, place: Placement = {}): GameObject {
+    return this.object(name, place, [ObjectRenderer, { mesh, ...(this.shadows && meshShadows), ...values }]);
+  }
+
+  /** The camera, with thesis controllers: W, A, S, D, E, Q and dragging. */
+  camera(position: Vector3Tuple, target: Vector3Tuple, values: Values = {}, speed = 5): GameObject {
+    const camera = this.object('Camera', {}, [Camera, values], [KeyController, { speed }], [MouseController]);
+    camera.transform.lookAt(position, target);
+    return camera;
+  }
+
+  /** A light that shines from `position` to `target`. */
+  light(name: string, values: Values, position: Vector3Tuple, target?: Vector3Tuple, parent?: GameObject): GameObject {
+    const { type } = values;
+    const casts = this.shadows && (type === 'directional' || type === 'spot');
+    const light = this.object(name, { position, parent }, [Light, { ...(casts && lightShadows[type]), ...values }]);
+    if (target) light.transform.lookAt(position, target);
+    return light;
+  }
+
+  /**
+   * `count` moving point lights of many hues. Light i depends on the seed and i alone: a scene with more lights holds
+   * those of the scene with fewer, as far as `describe` lets it.
+   */
+  movingLights(count: number, parent: GameObject, describe: (i: number, random: () => number) => MovingLight): void {
+    for (let i = 0; i < count; i++) {
+      const random = createRandom(Math.imul(this.seed, OWN) + 7919 * (i + 1));
+      const diffuse = hueColour(random());
+      const { position, intensity, range, extent, speed, castShadow = false } = describe(i, random);
+      const seed = Math.floor(random() * 2 ** 31);
+      this.object(
+        'Light',
+        { position, parent },
+        [Light, { diffuse, intensity, range, ...(castShadow && { castShadow, shadowMapSize: 512 }) }],
+        [ObjectRenderer, { mesh: 'bulb', kind: 'basic', colour: diffuse, instanced: true }],
+        [RandomMovement, { seed, extent, speed }],
+      );
+    }
+  }
+
+  private id(name: string): string {
+    const base = name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
+    const count = (this.counts.get(base) ?? 0) + 1;
+    this.counts.set(base, count);
+    return `${base}-${count}`;
+  }
+}

@@ -1,0 +1,18 @@
+import { addMeshPack } from '@farol/engine';
+
+/** The scenes that the apps offer, and what another one is made with. */
+export { scenes } from './scenes';
+
+export { benchmarkLights } from './benchmark/benchmarkLights';
+export { benchmarkLightsObjects } from './benchmark/benchmarkLightsObjects';
+export { dragons, type DragonsOptions } from './dragon/dragons';
+export { niceScene, type NiceSceneOptions } from './dragon/niceScene';
+export { sponza, type SponzaOptions } from './sponza/sponza';
+export { temple } from './temple/temple';
+
+export { preloadSceneCode } from './preloadSceneCode';
+export { registerSceneAssets } from './registerSceneAssets';
+export { defineScene, type SceneBuildOptions, type SceneDefinition, type SceneParameters } from './SceneDefinition';
+
+// scene files may name the meshes of these scenes
+addMeshPack(async () => (await import('./registerSceneAssets')).registerSceneAssets);

