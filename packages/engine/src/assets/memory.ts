@@ -1,10 +1,10 @@
 import type { BufferGeometry, Object3D, Texture } from 'three';
 import { counted } from '../core/counted';
-import { readExrHeader } from '../exr/readExrHeader';
+import { readExrHeader } from '../guard/exr/readExrHeader';
 import type { AssetMemory, DecodedPart } from './Asset';
-import { checkPixels, imageSize, PixelsError } from './imageSize';
+import { checkPixels, imageSize, PixelsError } from '../guard/pictures/imageSize';
 import type { ReadOptions } from './loadAsset';
-import { signatureOf } from './signature';
+import { signatureOf } from '../guard/signature';
 
 /** Bytes that the files of a library may come to once decoded, whatever their size, and how many times their size beyond. */
 const FREE = 2 ** 30;

@@ -1,5 +1,5 @@
 import { RepeatWrapping, type Texture } from 'three';
-import { checkPixels } from './imageSize';
+import { checkPixels } from '../guard/pictures/imageSize';
 import type { ReadOptions } from './loadAsset';
 import { makeKTX2Loader } from './makeKTX2Loader';
 

@@ -7,7 +7,7 @@ import { Component } from '../core/Component';
 import { component } from '../fields/component';
 import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { parseFile } from './parseFile';
 
 const light = { type: 'Light', version: 1, id: 'lamp:Light', values: {} as Record<string, unknown> };

@@ -13,7 +13,7 @@ import { Scene } from '../core/Scene';
 import { assetUses, type AssetUse } from './assetUses';
 import { OwnAssets } from './OwnAssets';
 import type { FarolFile } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 import { makeObjects } from './makeObjects';
 import { checkAssets, missingAssets, readFile } from './parseFile';

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { FileMap } from '../assets/collectFiles';
-import { FileError } from './FileError';
-import type { MayUnpack } from './unpack';
+import { FileError } from '../guard/FileError';
+import type { MayUnpack } from '../guard/zip/unpack';
 
 /** What programs leave in archives that is no file of anybody's. */
 const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumbs\.db$)/.test(path);
@@ -22,7 +22,7 @@ export async function expandZips(
   const zips = [...files.keys()].filter((path) => /\.zip$/i.test(path));
   if (zips.length === 0) return files;
   const all = new Map(files);
-  const { readZip } = await import('./readZip');
+  const { readZip } = await import('../guard/zip/readZip');
   for (const zip of zips) {
     all.delete(zip);
     try {

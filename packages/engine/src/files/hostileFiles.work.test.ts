@@ -5,7 +5,7 @@ import type { Prefab } from '../prefabs/Prefab';
 import { changePrefab } from '../prefabs/planPrefabChange';
 import { deserialize } from './deserialize';
 import type { FarolFile, FileObject } from './FarolFile';
-import { FileError } from './FileError';
+import { FileError } from '../guard/FileError';
 import { parseFile } from './parseFile';
 import { serialize } from './serialize';
 

@@ -4,8 +4,8 @@ export { type ContainerContent, containerContent, inlineAssets, writeContainer }
 export { deserialize, type DeserializeOptions, type MayFetch } from './deserialize';
 export { expandZips } from './expandZips';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './FarolFile';
-export { FileError, type FileErrorOptions, type FileProblem } from './FileError';
-export { fileLimits } from './fileLimits';
+export { FileError, type FileErrorOptions, type FileProblem } from '../guard/FileError';
+export { fileLimits } from '../guard/fileLimits';
 export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
@@ -13,14 +13,14 @@ export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
 export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
-export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
+export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/zip/unpack';
 
 export type { ComponentData } from '../core/SceneGraph';
 export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';
 export { assetFields } from '../fields/assetFields';
 export { cancellable } from '../core/cancellable';
 export { createId } from '../core/createId';
-export { checkModel } from '../assets/checkModel';
+export { checkModel } from '../guard/checkModel';
 export { fieldAssetFields } from '../assets/fieldAssetTypes';
 export { collectFiles, type FileMap } from '../assets/collectFiles';
 export { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
@@ -33,5 +33,5 @@ export { type HandedScene, handoverMessages, openBeside, type OpenBesideOptions 
 export { packIES } from './packIES';
 export { packFbx } from './packFbx';
 export { packObj } from './packObj';
-export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
+export { type GltfJson, readGltfJson } from '../guard/gltf/readGltfJson';
 export { checkModelFile, modelError, showWhole } from '../assets/readModel';

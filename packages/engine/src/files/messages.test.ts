@@ -4,7 +4,7 @@ import { MicroShaderRegistry, parseMicroShader, parseMicroShaderXML } from '@far
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { AssetLibrary } from '../assets/AssetLibrary';
 import { parseFile } from './parseFile';
-import type { FileError } from './FileError';
+import type { FileError } from '../guard/FileError';
 
 const LONG = 'x\u0007\u202e\ud800'.repeat(100_000);
 

@@ -1,8 +1,8 @@
 import { shortText } from '@farol/editing';
 import type { BufferGeometry } from 'three';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { FileError } from '../files/FileError';
-import { unpack } from '../files/unpack';
+import { FileError } from '../guard/FileError';
+import { unpack } from '../guard/zip/unpack';
 
 /** Bytes in which a header ends. */
 const HEADER = 65_536;

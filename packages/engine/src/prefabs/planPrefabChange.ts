@@ -3,7 +3,7 @@ import type { GameObject } from '../core/SceneGraph';
 import type { Scene } from '../core/SceneGraph';
 import { makeObjects } from '../files/makeObjects';
 import { counted } from '../core/counted';
-import { fileLimits } from '../files/fileLimits';
+import { fileLimits } from '../guard/fileLimits';
 import { serializeObject } from '../files/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';

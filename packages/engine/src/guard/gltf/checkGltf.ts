@@ -1,4 +1,4 @@
-import { counted } from '../core/counted';
+import { counted } from '../../core/counted';
 import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';

@@ -1,9 +1,9 @@
 import { crc32, deflateRawSync, gzipSync, inflateRawSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
-import { parsePly } from '../geometry/parsePly';
-import { readSceneFile } from './readSceneFile';
+import { parsePly } from '../../geometry/parsePly';
+import { readSceneFile } from '../../files/readSceneFile';
 import { crc32 as checksumOf } from './crc32';
-import { FileError } from './FileError';
+import { FileError } from '../FileError';
 import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
 interface Part {

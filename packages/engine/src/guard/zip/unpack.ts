@@ -1,5 +1,5 @@
-import { FileError } from './FileError';
-import { counted } from '../core/counted';
+import { FileError } from '../FileError';
+import { counted } from '../../core/counted';
 
 /** How much packed data may become. */
 export const unpackLimits = {

@@ -1,5 +1,5 @@
 import { describeValue } from '@farol/editing/fields';
-import { counted } from '../core/counted';
+import { counted } from '../../core/counted';
 import type { GltfJson } from './readGltfJson';
 
 type JsonRecord = Record<string, unknown>;

@@ -1,11 +1,11 @@
 import { BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { Slices } from '../core/Slices';
-import { AssetLibrary } from './AssetLibrary';
+import { Slices } from '../../core/Slices';
+import { AssetLibrary } from '../../assets/AssetLibrary';
 import { checkGltf } from './checkGltf';
-import { checkModel } from './checkModel';
-import { checkImageSize, imageSize } from './imageSize';
-import { checkModelFile, modelError, readModel } from './readModel';
+import { checkModel } from '../checkModel';
+import { checkImageSize, imageSize } from '../pictures/imageSize';
+import { checkModelFile, modelError, readModel } from '../../assets/readModel';
 import { type GltfJson, readGltfJson } from './readGltfJson';
 
 type Json = Record<string, any>; // oxlint-disable-line typescript/no-explicit-any -- it is broken on purpose

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
-import { counted } from '../core/counted';
+import { counted } from '../../core/counted';
 import { crc32 } from './crc32';
-import { FileError } from './FileError';
+import { FileError } from '../FileError';
 import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
 
 const END = 0x06054b50;

@@ -1,4 +1,4 @@
-import { unpack } from '../files/unpack';
+import { unpack } from '../zip/unpack';
 
 /**
  * Unpacks a block, or a part of one.
