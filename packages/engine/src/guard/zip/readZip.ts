@@ -102,7 +102,7 @@ export async function readZip(
     } catch (cause) {
       damaged(`${shortText(name, 80)} in it cannot be unpacked`, cause);
     }
-    if (crc32(data) !== checksum) {
+    if ((await crc32(data)) !== checksum) {
       fail(`The file is damaged (${shortText(name, 80)} in it is not what was packed): open another copy of it.`);
     }
     files.set(name, data);
