@@ -1,10 +1,10 @@
 import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
-import { builtinComponents } from '../components/index';
-import { sceneFields } from '../core/SceneSettings';
-import { randomFieldValue } from '../fields/randomFieldValue';
-import { type FarolFile, FILE_VERSION, type FileObject } from '../files/FarolFile';
-import type { Prefab } from '../prefabs/Prefab';
+import { builtinComponents } from '../../engine/src/components/index';
+import { sceneFields } from '../../engine/src/core/SceneSettings';
+import { randomFieldValue } from '../../engine/src/fields/randomFieldValue';
+import { type FarolFile, FILE_VERSION, type FileObject } from '../../engine/src/files/FarolFile';
+import type { Prefab } from '../../engine/src/prefabs/Prefab';
 import { FuzzRandom } from './FuzzRandom';
 import { hostileValue, mutate, mutateBytes, textOf } from './hostileValues';
 

@@ -1,4 +1,4 @@
-import { createRandom } from '../core/createRandom';
+import { createRandom } from '../../engine/src/core/createRandom';
 
 /** Choices that depend on a seed alone. */
 export class FuzzRandom {
