@@ -1,6 +1,6 @@
 /**
  * `npm run fuzz`: opens 100,000 generated and damaged files, in as many processes as there are processors; see
- * packages/tools/fuzz. Failing ones are cut down and written to .cache/fuzz: mend the fault, and keep the file in
+ * packages/tools/fuzz. Failing ones are made small by fast-check and written to .cache/fuzz: mend the fault, and keep the file in
  * packages/tools/fuzz/found. `npm run fuzz -- --help` lists options.
  *
  * On another host, without npm: `npm run fuzz -- --pack fuzz.mjs` here, and `node fuzz.mjs` there.
@@ -22,7 +22,7 @@ await build({
   logLevel: 'warn',
   ssr: { noExternal: true, resolve: { conditions: serverSourceConditions } },
   build: {
-    ssr: 'fuzz/testAtLength.ts',
+    ssr: 'fuzz/atLength.ts',
     outDir,
     emptyOutDir: true,
     target: 'node20',

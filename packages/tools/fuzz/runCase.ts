@@ -10,9 +10,9 @@ import { FileError } from '../../engine/src/guard/FileError';
 import { serialize } from '../../engine/src/files/serialize';
 import { unpack } from '../../engine/src/guard/zip/unpack';
 import { parsePly } from '../../engine/src/geometry/parsePly';
-import { CaseMeter, youngBytes } from './testCaseMeter';
-import { collectGarbage } from './testGarbage';
-import { machineSlowness } from './testMachine';
+import { CaseMeter, youngBytes } from './CaseMeter';
+import { collectGarbage } from './collectGarbage';
+import { machineSlowness } from '@farol/tools/machineSlowness';
 import type { FuzzCase } from './generate';
 
 /** Time and memory that a case may take. */

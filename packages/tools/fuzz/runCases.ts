@@ -1,65 +1,65 @@
+import { type GeneratorValue, asyncProperty, check, gen, PreconditionFailure } from 'fast-check';
+import { FuzzRandom } from './FuzzRandom';
 import { type FuzzCase, fuzzCase } from './generate';
 import { type FuzzBudget, fuzzBudget, runCase } from './runCase';
 
-/** What came of a run of cases. */
+/** Cases that are tried to make a failing one smaller, at most. */
+const SHRINKS = 400;
+/** Seconds after which no smaller case is tried: a case that is slow is slow each time. */
+const SHRINKING = 60;
+
+/** What came of a run of cases, which ends with the first that fails. */
 export interface FuzzSummary {
-  /** Seed of the first case; each case has the seed after the one before. */
-  readonly first: number;
+  readonly seed: number;
   readonly cases: number;
-  /** A line for each case that failed: its seed, kind and fault. */
-  readonly failures: readonly string[];
+  /** The case that failed, made as small as its fault allows, and the fault; null when none did. */
+  readonly failure: { readonly given: FuzzCase; readonly fault: string } | null;
   /** By kind of case: how many there were, and how many opened. */
   readonly counts: Readonly<Record<string, { cases: number; taken: number }>>;
-  /** The case that took longest. */
-  readonly slowest: { readonly seconds: number; readonly seed: number };
-  /** The case that took the largest part of the memory that it may take. */
-  readonly largest: { readonly ratio: number; readonly seed: number };
-}
-
-export interface FuzzOptions {
-  readonly onFailure?: (given: FuzzCase, failure: string, seed: number) => Promise<void>;
-  readonly budget?: FuzzBudget;
+  /** Time of the slowest case. */
+  readonly seconds: number;
+  /** The largest part of its memory budget that a case took. */
+  readonly memory: number;
 }
 
 /**
  * Opens generated and damaged files, one after the other.
  *
- * @param first - seed of the first case
+ * @param seed - of all of them
  * @param cases - how many
- * @param options.onFailure - told of each case that failed
- * @param options.budget - what each may take
+ * @param budget - what each may take
  */
-export async function runCases(
-  first: number,
-  cases: number,
-  { onFailure, budget = fuzzBudget }: FuzzOptions = {},
-): Promise<FuzzSummary> {
-  const failures: string[] = [];
+export async function runCases(seed: number, cases: number, budget: FuzzBudget = fuzzBudget): Promise<FuzzSummary> {
   const counts: Record<string, { cases: number; taken: number }> = {};
-  let slowest = { seconds: 0, seed: first };
-  let largest = { ratio: 0, seed: first };
-  for (let seed = first; seed < first + cases; seed++) {
-    const given = fuzzCase(seed);
-    const { failure, isTaken, seconds, memory } = await runCase(given, budget);
-    const count = (counts[given.kind] ??= { cases: 0, taken: 0 });
-    count.cases++;
-    if (isTaken) count.taken++;
-    if (seconds > slowest.seconds) slowest = { seconds, seed };
-    const ratio = memory / budget.memory(given.bytes.length);
-    if (ratio > largest.ratio) largest = { ratio, seed };
-    if (failure === null) continue;
-    failures.push(`seed ${seed}, ${given.kind}: ${failure}`);
-    await onFailure?.(given, failure, seed);
-  }
-  return { first, cases, failures, counts, slowest, largest };
+  let [seconds, memory, shrinks, end] = [0, 0, 0, Infinity];
+  let failure: FuzzSummary['failure'] = null;
+  const property = asyncProperty(gen(), async (draw: GeneratorValue) => {
+    if (failure && (shrinks++ >= SHRINKS || performance.now() > end)) throw new PreconditionFailure(true);
+    const given = fuzzCase(new FuzzRandom(draw));
+    const result = await runCase(given, budget);
+    if (!failure) {
+      const count = (counts[given.kind] ??= { cases: 0, taken: 0 });
+      count.cases++;
+      if (result.isTaken) count.taken++;
+      seconds = Math.max(seconds, result.seconds);
+      memory = Math.max(memory, result.memory / budget.memory(given.bytes.length));
+    }
+    if (result.failure === null) return;
+    if (!failure) end = performance.now() + SHRINKING * 1000;
+    // fast-check goes on from the last that failed
+    failure = { given, fault: result.failure };
+    throw new Error(result.failure);
+  });
+  await check(property, { seed, numRuns: cases });
+  return { seed, cases, failure, counts, seconds, memory };
 }
 
-/** A summary in one line. */
-export function summaryText({ first, cases, failures, counts, slowest, largest }: FuzzSummary): string {
+/** A summary in one line, and what failed in another. */
+export function summaryText({ seed, cases, failure, counts, seconds, memory }: FuzzSummary): string {
   const table = Object.entries(counts).map(([kind, each]) => `${kind} ${each.taken} of ${each.cases} taken`);
   return (
-    `fuzz: seed ${first}, ${cases} cases, ${failures.length} failed; ${table.join(', ')}; ` +
-    `slowest ${slowest.seconds.toFixed(2)} s (seed ${slowest.seed}); ` +
-    `most memory ${(largest.ratio * 100).toFixed(0)}% of its budget (seed ${largest.seed})`
+    `fuzz: seed ${seed}, ${cases} cases; ${table.join(', ')}; slowest ${seconds.toFixed(2)} s; ` +
+    `most memory ${(memory * 100).toFixed(0)}% of its budget` +
+    (failure ? `\n  ${failure.given.kind}: ${failure.fault}` : '')
   );
 }
