@@ -8,7 +8,7 @@ import { readSceneFile, type SceneFile } from '../../engine/src/files/readSceneF
 import { deserialize } from '../../engine/src/files/deserialize';
 import { FileError } from '../../engine/src/guard/FileError';
 import { serialize } from '../../engine/src/files/serialize';
-import { unpack } from '../../engine/src/guard/zip/unpack';
+import { unpack } from '../../engine/src/guard/unpack';
 import { parsePly } from '../../engine/src/geometry/parsePly';
 import { CaseMeter, youngBytes } from './CaseMeter';
 import { collectGarbage } from './collectGarbage';

@@ -1,4 +1,4 @@
-import { unpack } from '../guard/zip/unpack';
+import { unpack } from '../guard/unpack';
 import type { LightmapData } from './BakeData';
 
 /** Bits of a half float's ten of mantissa that are left out: each channel is kept to 1/256 of itself. */

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import type { FileMap } from '../assets/collectFiles';
 import { FileError } from '../guard/FileError';
-import type { MayUnpack } from '../guard/zip/unpack';
+import type { MayUnpack } from '../guard/unpack';
 
 /** What programs leave in archives that is no file of anybody's. */
 const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumbs\.db$)/.test(path);

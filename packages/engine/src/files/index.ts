@@ -13,7 +13,7 @@ export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
 export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
-export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/zip/unpack';
+export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/unpack';
 
 export type { ComponentData } from '../core/SceneGraph';
 export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent';

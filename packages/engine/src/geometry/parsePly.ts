@@ -2,7 +2,7 @@ import { shortText } from '@farol/editing';
 import type { BufferGeometry } from 'three';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { FileError } from '../guard/FileError';
-import { unpack } from '../guard/zip/unpack';
+import { unpack } from '../guard/unpack';
 
 /** Bytes in which a header ends. */
 const HEADER = 65_536;

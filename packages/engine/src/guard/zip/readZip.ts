@@ -2,7 +2,7 @@ import { shortText } from '@farol/editing';
 import { counted } from '../../core/counted';
 import { crc32 } from './crc32';
 import { FileError } from '../FileError';
-import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from './unpack';
+import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from '../unpack';
 
 const END = 0x06054b50;
 const END_SIZE = 22;

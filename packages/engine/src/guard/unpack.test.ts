@@ -1,8 +1,8 @@
 import { crc32, deflateRawSync, gzipSync, inflateRawSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
-import { parsePly } from '../../geometry/parsePly';
-import { readSceneFile } from '../../files/readSceneFile';
-import { FileError } from '../FileError';
+import { parsePly } from '../geometry/parsePly';
+import { readSceneFile } from '../files/readSceneFile';
+import { FileError } from './FileError';
 import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 
 interface Part {
