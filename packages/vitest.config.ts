@@ -23,7 +23,7 @@ const alone = [
   'packages/tools/sourceFiles.test.ts',
 ];
 /** Files that measure the memory of the process: two threads of tests in one would be measured together. */
-const processes = ['packages/engine/src/fuzz/*.test.ts'];
+const processes = ['packages/tools/fuzz/*.test.ts'];
 /** Files that count the steps of our sources: see tools/workOf.mjs. */
 const counted = ['packages/**/*.work.test.ts', 'apps/*/src/**/*.work.test.ts'];
 /** Files that only time, or the processor's work, can tell of: they run with FAROL_TESTS=verify. */

@@ -1,7 +1,7 @@
 /**
  * `npm run fuzz`: opens 100,000 generated and damaged files, in as many processes as there are processors; see
- * packages/engine/src/fuzz. Failing ones are cut down and written to .cache/fuzz: mend the fault, and keep the file in
- * packages/engine/src/fuzz/found. `npm run fuzz -- --help` lists options.
+ * packages/tools/fuzz. Failing ones are made small by fast-check and written to .cache/fuzz: mend the fault, and keep the file in
+ * packages/tools/fuzz/found. `npm run fuzz -- --help` lists options.
  *
  * On another host, without npm: `npm run fuzz -- --pack fuzz.mjs` here, and `node fuzz.mjs` there.
  */
@@ -17,12 +17,12 @@ const { serverSourceConditions } = await import('./sourceConditions.mjs');
 const outDir = join(root, '.cache/fuzz-bundle');
 await build({
   configFile: false,
-  root: join(root, 'packages/engine'),
+  root: join(root, 'packages/tools'),
   publicDir: false,
   logLevel: 'warn',
   ssr: { noExternal: true, resolve: { conditions: serverSourceConditions } },
   build: {
-    ssr: 'src/fuzz/testAtLength.ts',
+    ssr: 'fuzz/atLength.ts',
     outDir,
     emptyOutDir: true,
     target: 'node20',

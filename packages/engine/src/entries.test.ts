@@ -123,13 +123,12 @@ describe('what is loaded with the main entry', () => {
 
   test('is found by following imports', () => {
     expect(loaded).toEqual(expect.arrayContaining(['core/Scene.ts', 'components/Light.ts', 'assets/AssetLibrary.ts']));
-    expect(loadedWith('files/index.ts')).toContain('files/readZip.ts');
+    expect(loadedWith('files/index.ts')).toContain('guard/zip/readZip.ts');
   });
 
   test.each([
     ['prefabs', []],
     ['files', []],
-    ['fuzz', []],
   ])('of %s: %j', (folder, needed) => {
     expect(loaded.filter((path) => path.startsWith(`${folder}/`))).toEqual(needed);
   });

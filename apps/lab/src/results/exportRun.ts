@@ -35,11 +35,12 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
     async make(run) {
       const files = chartFiles([run]).map(async ({ name, svg }) => {
         const content = kind === 'png' ? await chartPNG(svg) : new Blob([svg]);
-        return { name: `${name}.${kind}`, bytes: new Uint8Array(await content.arrayBuffer()) };
+        return [`${name}.${kind}`, new Uint8Array(await content.arrayBuffer())] as const;
       });
-      const { writeZip } = await import('./writeZip');
-      const archive = writeZip(await Promise.all(files), new Date());
-      return { name: `${fileName(run)}-${kind}.zip`, content: archive };
+      const { zipSync } = await import('three/addons/libs/fflate.module.js');
+      const archive = zipSync(Object.fromEntries(await Promise.all(files)), { level: kind === 'png' ? 0 : 6 });
+      const content = new Blob([archive as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
+      return { name: `${fileName(run)}-${kind}.zip`, content };
     },
   };
 }

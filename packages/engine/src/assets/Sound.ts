@@ -41,7 +41,7 @@ export class Sound {
   private async read(): Promise<AudioBuffer | null> {
     // decodes without a device, and so without a gesture of the user's
     if (typeof OfflineAudioContext === 'undefined') return null;
-    const { checkSound } = await import('./sounds/checkSound');
+    const { checkSound } = await import('../guard/sounds/checkSound');
     this.reserve(checkSound(this.bytes, RATE));
     const context = new OfflineAudioContext(1, 1, RATE);
     try {

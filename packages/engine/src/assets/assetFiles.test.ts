@@ -12,7 +12,7 @@ import { serialize } from '../files/serialize';
 import { AssetLibrary } from './AssetLibrary';
 import { importModel } from '../components/importModel';
 import { packGltf } from '../files/packGltf';
-import { readGltfJson } from './readGltfJson';
+import { readGltfJson } from '../guard/gltf/readGltfJson';
 
 const bytesOf = (text: string): ArrayBuffer => new TextEncoder().encode(text).buffer as ArrayBuffer;
 const latin = (text: string): ArrayBuffer => Uint8Array.from(text, (letter) => letter.charCodeAt(0)).buffer;

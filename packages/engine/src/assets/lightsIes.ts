@@ -3,8 +3,8 @@ import { storeLightOptions } from '@farol/renderer/light-options';
 import { parseIES, PhotometricProfile } from '@farol/renderer/light-profiles';
 import { Group, PointLight } from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import { GltfLists } from './GltfLists';
-import { LIGHTS_IES } from './readGltfJson';
+import { GltfLists } from '../guard/gltf/GltfLists';
+import { LIGHTS_IES } from '../guard/gltf/readGltfJson';
 
 const dataPattern = /^data:[^,]*?(;base64)?,(.*)$/is;
 

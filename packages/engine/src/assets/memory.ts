@@ -1,44 +1,7 @@
 import type { BufferGeometry, Object3D, Texture } from 'three';
-import { counted } from '../base/counted';
-import { readExrHeader } from '../exr/readExrHeader';
 import type { AssetMemory, DecodedPart } from './Asset';
-import { checkPixels, imageSize, PixelsError } from './imageSize';
+import { checkMemory, pictureMemory } from '../guard/pictures/pictureMemory';
 import type { ReadOptions } from './loadAsset';
-import { signatureOf } from './signature';
-
-/** Bytes that the files of a library may come to once decoded, whatever their size, and how many times their size beyond. */
-const FREE = 2 ** 30;
-const RATIO = 32;
-
-/** @param decoded - bytes of all that is decoded @param files - bytes of all files @throws PixelsError when it is too much */
-export function checkMemory(decoded: number, files: number): void {
-  const limit = FREE + RATIO * files;
-  if (decoded <= limit) return;
-  const megabytes = (count: number): string => counted(Math.round(count / 1e6));
-  throw new PixelsError(
-    `the pictures and sounds would take ${megabytes(decoded)} MB once decoded, and ${megabytes(limit)} MB is the limit for files of so few bytes: make them smaller.`,
-  );
-}
-
-/** Bytes that a picture takes once decoded; 0 where its head says nothing. @throws PixelsError for one of absurd size */
-export function pictureMemory(bytes: Uint8Array): number {
-  const said = signatureOf(bytes.slice(0, 16).buffer);
-  const size = said === 'EXR' ? exrSize(bytes.slice().buffer) : imageSize(bytes);
-  if (!size) return 0;
-  checkPixels(size.width, size.height);
-  // half floats, else bytes; four a pixel
-  return size.width * size.height * (said === 'EXR' || said === 'HDR' ? 8 : 4);
-}
-
-function exrSize(bytes: ArrayBuffer): { width: number; height: number } | null {
-  try {
-    return readExrHeader(bytes);
-  } catch (error) {
-    if (error instanceof PixelsError) throw error;
-    // told when it is read
-    return null;
-  }
-}
 
 /** Bytes of the vertices and indices of a mesh or a model. */
 export function geometryMemory(geometries: Iterable<BufferGeometry>): number {

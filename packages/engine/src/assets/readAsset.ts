@@ -9,7 +9,7 @@ import { readCube } from './readCube';
 import { readKtx2 } from './readKtx2';
 import { readEnvironment } from './readEnvironment';
 import { readModel } from './readModel';
-import { signatureOf } from './signature';
+import { signatureOf } from '../guard/signature';
 import { Sound } from './Sound';
 
 async function readTexture(bytes: ArrayBuffer): Promise<Texture> {

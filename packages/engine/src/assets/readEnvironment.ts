@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { ClampToEdgeWrapping, LinearFilter, RepeatWrapping, type Texture } from 'three';
-import { checkExr } from '../exr/checkExr';
-import { PixelsError } from './imageSize';
+import { checkExr } from '../guard/exr/checkExr';
+import { PixelsError } from '../guard/pictures/imageSize';
 import { readHdr } from './readHdr';
 
 async function readExr(bytes: ArrayBuffer): Promise<Texture> {

@@ -1,6 +1,6 @@
 import { DataTexture, DataUtils, HalfFloatType, LinearSRGBColorSpace, RGBAFormat } from 'three';
 import { counted } from '../base/counted';
-import { checkPixels } from './imageSize';
+import { checkPixels } from '../guard/pictures/imageSize';
 
 /** Widths of rows in run lengths of each channel; others are flat. */
 const LEAST_WIDTH = 8;

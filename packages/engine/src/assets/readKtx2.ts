@@ -1,5 +1,5 @@
 import { RepeatWrapping, type Texture } from 'three';
-import { checkPixels } from './imageSize';
+import { checkKtx2 } from '../guard/pictures/checkKtx2';
 import type { ReadOptions } from './loadAsset';
 import { makeKTX2Loader } from './makeKTX2Loader';
 
@@ -10,10 +10,7 @@ import { makeKTX2Loader } from './makeKTX2Loader';
  */
 export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOptions): Promise<Texture> {
   const view = new DataView(bytes);
-  if (bytes.byteLength < 80) throw new Error('it is cut short: export it again.');
-  checkPixels(view.getUint32(20, true), Math.max(1, view.getUint32(24, true)));
-  if (view.getUint32(36, true) > 1 || view.getUint32(32, true) > 1 || view.getUint32(28, true) > 1)
-    throw new Error('it holds a cube, an array or a volume: export one picture of it.');
+  checkKtx2(view);
   if (!renderer) throw new Error('it is a KTX2: give the AssetLibrary the renderer that draws it.');
   const isBottomUp = orientationOf(bytes, view).startsWith('ru');
   const loader = await makeKTX2Loader(renderer);

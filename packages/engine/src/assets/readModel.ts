@@ -1,15 +1,16 @@
 import { shortText } from '@farol/editing';
 import type { WebGLRenderer } from 'three';
 import type { GLTFLoader, GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import { checkGltf } from './checkGltf';
-import { checkModel } from './checkModel';
+import { checkGltf } from '../guard/gltf/checkGltf';
+import { checkModel } from '../guard/checkModel';
+import { checkMemory, pictureMemory } from '../guard/pictures/pictureMemory';
 import type { ReadOptions } from './loadAsset';
-import { checkMemory, pictureMemory, reserve } from './memory';
+import { reserve } from './memory';
 import { makeKTX2Loader } from './makeKTX2Loader';
 import { restoreLights } from './lightExtras';
 import { Model } from './Model';
 import type { LightsIes } from './lightsIes';
-import { binaryOf, type GltfJson, lightProfilesOf, LIGHTS_IES, readGltfJson } from './readGltfJson';
+import { binaryOf, type GltfJson, lightProfilesOf, LIGHTS_IES, readGltfJson } from '../guard/gltf/readGltfJson';
 
 /** A GLTFLoader with the decoders that a file asks for; each is fetched when a file first uses it. */
 async function loaderFor(

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { describeValue } from '@farol/editing/fields';
 import { FileError, type FileProblem } from '../guard/FileError';
-import { fileLimits } from './fileLimits';
+import { fileLimits } from '../guard/fileLimits';
 import { FilePath, type PathLike } from './FilePath';
 
 export type JsonRecord = Record<string, unknown>;

@@ -22,7 +22,7 @@ export async function expandZips(
   const zips = [...files.keys()].filter((path) => /\.zip$/i.test(path));
   if (zips.length === 0) return files;
   const all = new Map(files);
-  const { readZip } = await import('./readZip');
+  const { readZip } = await import('../guard/zip/readZip');
   for (const zip of zips) {
     all.delete(zip);
     try {

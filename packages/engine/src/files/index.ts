@@ -5,7 +5,7 @@ export { deserialize, type DeserializeOptions, type MayFetch } from './deseriali
 export { expandZips } from './expandZips';
 export { FILE_VERSION, type FarolFile, type FileAsset, type FileComponent, type FileObject } from './FarolFile';
 export { FileError, type FileErrorOptions, type FileProblem } from '../guard/FileError';
-export { fileLimits } from './fileLimits';
+export { fileLimits } from '../guard/fileLimits';
 export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
@@ -20,7 +20,7 @@ export { makeUnknownComponent, UnknownComponent } from '../core/UnknownComponent
 export { assetFields } from '../fields/assetFields';
 export { cancellable } from '../base/cancellable';
 export { createId } from '../base/createId';
-export { checkModel } from '../assets/checkModel';
+export { checkModel } from '../guard/checkModel';
 export { fieldAssetFields } from '../assets/fieldAssetTypes';
 export { collectFiles, type FileMap } from '../assets/collectFiles';
 export { AddressRefusedError, foreignOrigin } from '../assets/foreignOrigin';
@@ -33,5 +33,5 @@ export { type HandedScene, handoverMessages, openBeside, type OpenBesideOptions 
 export { packIES } from './packIES';
 export { packFbx } from './packFbx';
 export { packObj } from './packObj';
-export { type GltfJson, readGltfJson } from '../assets/readGltfJson';
+export { type GltfJson, readGltfJson } from '../guard/gltf/readGltfJson';
 export { checkModelFile, modelError, showWhole } from '../assets/readModel';

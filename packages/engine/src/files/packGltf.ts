@@ -1,13 +1,13 @@
 import { shortText } from '@farol/editing';
 import { sampleOf } from './ProblemList';
-import { checkGltf } from '../assets/checkGltf';
+import { checkGltf } from '../guard/gltf/checkGltf';
 import {
   type GltfJson,
   lightProfilesOf,
   LIGHTS_IES,
   type LightProfileJson,
   readGltfJson,
-} from '../assets/readGltfJson';
+} from '../guard/gltf/readGltfJson';
 import { padded, writeGlb } from './writeGlb';
 
 const mimeTypes: Readonly<Record<string, string>> = { png: 'image/png', webp: 'image/webp', ktx2: 'image/ktx2' };

@@ -7,7 +7,7 @@ import { builtinComponents } from '../components/index';
 import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { sceneFields } from '../settings/SceneSettings';
 import { assetUses, type AssetUse } from './assetUses';
-import { checkDepth } from './checkDepth';
+import { checkDepth } from '../guard/checkDepth';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject } from './FarolFile';
 import { FileError } from '../guard/FileError';
 import type { PathLike } from './FilePath';

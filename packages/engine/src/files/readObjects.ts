@@ -4,7 +4,7 @@ import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { objectFields } from '../fields/objectFields';
 import type { FileComponent, FileObject } from './FarolFile';
 import { counted } from '../base/counted';
-import { fileLimits } from './fileLimits';
+import { fileLimits } from '../guard/fileLimits';
 import type { PathLike } from './FilePath';
 import { isRecord, join, type ProblemList, ringOf } from './ProblemList';
 import { readComponent } from './readComponent';

@@ -4,7 +4,7 @@ import type { Prefab } from '../core/Prefab';
 import { PrefabSizes } from './PrefabSizes';
 import type { FileObject } from './FarolFile';
 import { counted } from '../base/counted';
-import { fileLimits } from './fileLimits';
+import { fileLimits } from '../guard/fileLimits';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList, ringOf, sampleOf } from './ProblemList';
 import { readObjects } from './readObjects';

@@ -1,6 +1,6 @@
 import { SCENE_ENTRY } from './container';
 import { FileError } from '../guard/FileError';
-import { isInZip, readZip } from './readZip';
+import { isInZip, readZip } from '../guard/zip/readZip';
 import type { MayUnpack } from '../guard/unpack';
 
 /** A scene file that was read: the scene as text, and the files that came with it. */

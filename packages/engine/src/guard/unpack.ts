@@ -51,8 +51,8 @@ export async function checkUnpacking(sizes: UnpackQuestion, mayUnpack?: MayUnpac
  * Unpacks bytes, and counts what comes out while it does.
  * @param exact - bytes that must come out; any number within the limits when absent
  * @param most - bytes that may come out, in place of the limits
- * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short, or
- * more comes out
+ * @throws FileError, or AbortError: see `checkUnpacking`; TypeError when the data are damaged or cut short; RangeError when
+ * more comes out than may
  */
 export async function unpack(
   bytes: Uint8Array<ArrayBuffer>,
@@ -70,7 +70,7 @@ export async function unpack(
       parts.push(value);
       length += value.length;
       if (most !== undefined) {
-        if (length > most) throw new TypeError('more comes out than may');
+        if (length > most) throw new RangeError('more comes out than may');
         continue;
       }
       const sizes = { packed: bytes.length, unpacked: length };

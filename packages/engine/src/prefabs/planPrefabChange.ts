@@ -3,7 +3,7 @@ import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { makeObjects } from '../files/makeObjects';
 import { counted } from '../base/counted';
-import { fileLimits } from '../files/fileLimits';
+import { fileLimits } from '../guard/fileLimits';
 import { serializeObject } from '../files/serialize';
 import { InstanceUpdate } from './InstanceUpdate';
 import { isInstanceRoot } from './instances';

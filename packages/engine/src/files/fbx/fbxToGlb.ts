@@ -13,8 +13,8 @@ import {
 } from 'three';
 import type { FBXLoader } from 'three/addons/loaders/FBXLoader.js';
 import type { FileMap } from '../../assets/collectFiles';
-import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
-import { checkSignature } from '../../assets/signature';
+import { binaryOf, readGltfJson } from '../../guard/gltf/readGltfJson';
+import { checkSignature } from '../../guard/signature';
 import { GltfBuffer } from '../obj/GltfBuffer';
 import { gltfOfMtl } from '../obj/gltfOfMtl';
 import { ObjFolder } from '../obj/ObjFolder';
@@ -22,7 +22,7 @@ import { ObjTextures } from '../obj/ObjTextures';
 import type { PackedObj } from '../obj/PackedObj';
 import type { MtlMaterial } from '../obj/parseMtl';
 import { padded, writeGlb } from '../writeGlb';
-import { checkFbx } from './checkFbx';
+import { checkFbx } from '../../guard/fbx/checkFbx';
 import { FbxTextures } from './FbxTextures';
 
 /** Metres of a unit of FBX: a centimetre. */

@@ -1,7 +1,7 @@
 import { zlibSync } from 'three/addons/libs/fflate.module.js';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { checkModelFile } from '../../assets/readModel';
-import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
+import { binaryOf, readGltfJson } from '../../guard/gltf/readGltfJson';
 import { packFbx } from '../packFbx';
 
 interface Json {

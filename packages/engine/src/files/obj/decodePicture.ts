@@ -1,5 +1,5 @@
 import { TGALoader } from 'three/addons/loaders/TGALoader.js';
-import { checkImageSize, checkPixels } from '../../assets/imageSize';
+import { checkImageSize, checkPixels } from '../../guard/pictures/imageSize';
 import type { Picture } from './pictures';
 
 const isTga = (name: string): boolean => /\.(tga|vda|icb|vst)$/i.test(name);

@@ -1,16 +1,16 @@
-import { crc32 } from '../crc32';
+import { crc32 } from '../../guard/zip/crc32';
 import type { Picture } from './pictures';
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 
 /** A chunk: length, type, data, checksum of type and data. */
-function chunk(type: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
+async function chunk(type: string, data: Uint8Array): Promise<Uint8Array<ArrayBuffer>> {
   const bytes = new Uint8Array(12 + data.length);
   const view = new DataView(bytes.buffer);
   view.setUint32(0, data.length);
   for (let i = 0; i < 4; i++) bytes[4 + i] = type.charCodeAt(i);
   bytes.set(data, 8);
-  view.setUint32(8 + data.length, crc32(bytes.subarray(4, 8 + data.length)));
+  view.setUint32(8 + data.length, await crc32(bytes.subarray(4, 8 + data.length)));
   return bytes;
 }
 
@@ -39,9 +39,9 @@ export async function encodePng({ width, height, data }: Picture): Promise<Uint8
   head.set([8, 6], 8);
   const parts = [
     new Uint8Array(SIGNATURE),
-    chunk('IHDR', head),
-    chunk('IDAT', new Uint8Array(await new Response(packed).arrayBuffer())),
-    chunk('IEND', new Uint8Array()),
+    await chunk('IHDR', head),
+    await chunk('IDAT', new Uint8Array(await new Response(packed).arrayBuffer())),
+    await chunk('IEND', new Uint8Array()),
   ];
   return new Uint8Array(await new Blob(parts).arrayBuffer());
 }

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
+import { binaryOf, readGltfJson } from '../../guard/gltf/readGltfJson';
 import { packObj } from '../packObj';
 
 interface Json {

@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 import type { FileMap } from '../../assets/collectFiles';
-import { checkSignature } from '../../assets/signature';
+import { checkSignature } from '../../guard/signature';
 import { Slices } from '../../base/Slices';
 import { padded, writeGlb } from '../writeGlb';
 import { GltfBuffer } from './GltfBuffer';

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { checkModelFile } from '../../assets/readModel';
-import { binaryOf, readGltfJson } from '../../assets/readGltfJson';
+import { binaryOf, readGltfJson } from '../../guard/gltf/readGltfJson';
 import { packObj } from '../packObj';
 import { decodeTga } from './decodePicture';
 import { encodePng } from './encodePng';

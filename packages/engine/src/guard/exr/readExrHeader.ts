@@ -1,5 +1,5 @@
-import { counted } from '../base/counted';
-import { checkPixels } from '../assets/imageSize';
+import { counted } from '../../base/counted';
+import { checkPixels } from '../pictures/imageSize';
 
 const BEGIN = 8;
 const [TILED, DEEP, MULTI_PART] = [0x200, 0x800, 0x1000];

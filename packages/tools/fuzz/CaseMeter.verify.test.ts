@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { CaseMeter } from './testCaseMeter';
-import { collectGarbage } from './testGarbage';
+import { CaseMeter } from './CaseMeter';
+import { collectGarbage } from './collectGarbage';
 
 test('work and waiting are time; what another process takes of the machine is none', async () => {
   const working = await CaseMeter.begin(null);

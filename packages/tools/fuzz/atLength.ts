@@ -1,6 +1,6 @@
 /**
- * What `npm run fuzz` bundles into one file and runs: many cases in several processes at once. That file runs wherever
- * Node is: `node fuzz.mjs --help`.
+ * Bundled into one file and run by `npm run fuzz`: many cases in several processes at once. That file runs wherever Node is:
+ * `node fuzz.mjs --help`.
  */
 import { fork } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -8,22 +8,17 @@ import { availableParallelism } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import type { FuzzCase } from './generate';
-import { minimise } from './minimise';
-import { runCase } from './runCase';
 import { type FuzzSummary, runCases, summaryText } from './runCases';
 
 const help = `npm run fuzz -- [cases] [seed] [options]
   cases            how many generated and damaged files are opened (default 100000)
-  seed             of the first (default 1000000)
+  seed             of the first batch of 100 (default 1000000)
   --workers N      processes side by side (default: one for each processor)
-  --out DIR        where failing files are written, cut down to what the fault needs (default .cache/fuzz)
+  --out DIR        where failing files are written, made as small as the fault allows (default .cache/fuzz)
   --pack FILE      makes one file of it that runs on another host by Node alone, and runs nothing`;
 
-/** Cases that a process is given at a time. */
-const BATCH = 500;
-/** Most failing cases of a batch that are cut down and written. */
-const WRITTEN = 20;
+/** Cases that a process is given at a time; the first that fails ends them. */
+const BATCH = 100;
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
@@ -55,15 +50,15 @@ function wholeNumber(name: string, text: string, least: number): number {
 function answerBatches(): void {
   // three tells the console of what it reads in models: that is no fault
   for (const method of ['warn', 'error', 'log'] as const) console[method] = () => {};
-  process.on('message', ({ first, cases }: { first: number; cases: number }) => {
-    let written = 0;
-    const onFailure = async (given: FuzzCase, failure: string, seed: number): Promise<void> => {
-      if (written++ >= WRITTEN) return;
-      const small = await minimise(given, failure, async (each) => (await runCase(each)).failure);
-      mkdirSync(out, { recursive: true });
-      writeFileSync(join(out, `${seed}.${given.kind}`), small.bytes);
-    };
-    void runCases(first, cases, { onFailure }).then((summary) => process.send!(summary));
+  process.on('message', ({ seed, cases }: { seed: number; cases: number }) => {
+    void runCases(seed, cases).then((summary) => {
+      if (summary.failure) {
+        const { kind, bytes } = summary.failure.given;
+        mkdirSync(out, { recursive: true });
+        writeFileSync(join(out, `${seed}.${kind}`), bytes);
+      }
+      process.send!(summary);
+    });
   });
 }
 
@@ -74,28 +69,26 @@ async function main(): Promise<number> {
   const seed = wholeNumber('seed', seedText, 0);
   const workers = wholeNumber('--workers', values.workers, 1);
   const begin = performance.now();
-  const summaries: FuzzSummary[] = [];
   const ended: string[] = [];
-  let next = 0;
+  let [next, failed] = [0, 0];
   const work = (): Promise<void> =>
     new Promise((done) => {
       const child = fork(fileURLToPath(import.meta.url), ['--out', out]);
       let batch = '';
       const give = (): void => {
-        if (next >= cases) {
+        const from = next++;
+        const count = Math.min(BATCH, cases - from * BATCH);
+        if (count <= 0) {
           batch = '';
           child.disconnect();
           return;
         }
-        const count = Math.min(BATCH, cases - next);
-        batch = `${count} cases from seed ${seed + next}`;
-        child.send({ first: seed + next, cases: count });
-        next += count;
+        batch = `${count} cases of seed ${seed + from}`;
+        child.send({ seed: seed + from, cases: count });
       };
       child.on('message', (summary: FuzzSummary) => {
-        summaries.push(summary);
+        if (summary.failure) failed++;
         console.log(summaryText(summary));
-        for (const failure of summary.failures) console.log(`  ${failure}`);
         give();
       });
       child.on('exit', (code, signal) => {
@@ -105,28 +98,9 @@ async function main(): Promise<number> {
       give();
     });
   await Promise.all(Array.from({ length: workers }, work));
-
-  const all = summaries.reduce<FuzzSummary>(joined, summaries[0]);
-  if (all)
-    console.log(`\nAll of them, ${((performance.now() - begin) / 60_000).toFixed(1)} minutes, ${summaryText(all)}`);
+  const minutes = ((performance.now() - begin) / 60_000).toFixed(1);
+  const where = failed > 0 ? `, whose files are in ${out}` : '';
+  console.log(`\n${cases} cases in ${minutes} minutes; ${failed} batches of ${BATCH} failed${where}`);
   for (const each of ended) console.log(each);
-  return ended.length === 0 && all?.failures.length === 0 ? 0 : 1;
-}
-
-/** Two summaries as one; the first again gives itself. */
-function joined(a: FuzzSummary, b: FuzzSummary): FuzzSummary {
-  if (a === b) return a;
-  const counts = { ...a.counts };
-  for (const [kind, { cases, taken }] of Object.entries(b.counts)) {
-    const count = counts[kind] ?? { cases: 0, taken: 0 };
-    counts[kind] = { cases: count.cases + cases, taken: count.taken + taken };
-  }
-  return {
-    first: Math.min(a.first, b.first),
-    cases: a.cases + b.cases,
-    failures: [...a.failures, ...b.failures],
-    counts,
-    slowest: a.slowest.seconds > b.slowest.seconds ? a.slowest : b.slowest,
-    largest: a.largest.ratio > b.largest.ratio ? a.largest : b.largest,
-  };
+  return ended.length + failed === 0 ? 0 : 1;
 }

@@ -1,18 +1,18 @@
 import { parseMicroShader, parseMicroShaderXML } from '@farol/renderer/authoring';
 import type { Light } from 'three';
-import { AssetLibrary } from '../assets/AssetLibrary';
-import { readModel } from '../assets/readModel';
-import { GameObject } from '../core/GameObject';
-import { Scene } from '../core/Scene';
-import { readSceneFile, type SceneFile } from '../files/readSceneFile';
-import { deserialize } from '../files/deserialize';
-import { FileError } from '../guard/FileError';
-import { serialize } from '../files/serialize';
-import { unpack } from '../guard/unpack';
-import { parsePly } from '../geometry/parsePly';
-import { CaseMeter, youngBytes } from './testCaseMeter';
-import { collectGarbage } from './testGarbage';
-import { machineSlowness } from './testMachine';
+import { AssetLibrary } from '../../engine/src/assets/AssetLibrary';
+import { readModel } from '../../engine/src/assets/readModel';
+import { GameObject } from '../../engine/src/core/GameObject';
+import { Scene } from '../../engine/src/core/Scene';
+import { readSceneFile, type SceneFile } from '../../engine/src/files/readSceneFile';
+import { deserialize } from '../../engine/src/files/deserialize';
+import { FileError } from '../../engine/src/guard/FileError';
+import { serialize } from '../../engine/src/files/serialize';
+import { unpack } from '../../engine/src/guard/unpack';
+import { parsePly } from '../../engine/src/geometry/parsePly';
+import { CaseMeter, youngBytes } from './CaseMeter';
+import { collectGarbage } from './collectGarbage';
+import { machineSlowness } from '@farol/tools/machineSlowness';
 import type { FuzzCase } from './generate';
 
 /** Time and memory that a case may take. */

@@ -1,8 +1,8 @@
 import { shortText } from '@farol/editing';
-import { counted } from '../base/counted';
+import { counted } from '../../base/counted';
 import { crc32 } from './crc32';
-import { FileError } from '../guard/FileError';
-import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from '../guard/unpack';
+import { FileError } from '../FileError';
+import { checkUnpacking, type MayUnpack, unpack, unpackLimits } from '../unpack';
 
 const END = 0x06054b50;
 const END_SIZE = 22;
@@ -102,7 +102,7 @@ export async function readZip(
     } catch (cause) {
       damaged(`${shortText(name, 80)} in it cannot be unpacked`, cause);
     }
-    if (crc32(data) !== checksum) {
+    if ((await crc32(data)) !== checksum) {
       fail(`The file is damaged (${shortText(name, 80)} in it is not what was packed): open another copy of it.`);
     }
     files.set(name, data);

@@ -17,15 +17,13 @@ afterEach(() => {
 });
 
 const cases = { slice: 200, verify: 2000, long: 20_000 }[extent];
-// of the 200 from here on, a file of each kind opens
-const first = isWhole ? 1 : 351;
 // time is judged in verify alone
 const budget = isWhole ? fuzzBudget : { ...fuzzBudget, seconds: Infinity };
 
 test(`${cases} cases open, or are refused, within their budget`, async () => {
-  const summary = await runCases(first, cases, { budget });
+  const summary = await runCases(1, cases, budget);
   process.stdout.write(`${summaryText(summary)}\n`);
-  expect(summary.failures.slice(0, 20)).toEqual([]);
+  expect(summary.failure?.fault ?? null).toBeNull();
   // a generator whose files are all refused tries little
   expect(Object.entries(summary.counts).filter(([, { taken }]) => taken === 0)).toEqual([]);
 }, 3_600_000);

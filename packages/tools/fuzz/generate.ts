@@ -1,11 +1,11 @@
 import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import { deflateSync, zipSync } from 'three/addons/libs/fflate.module.js';
-import { builtinComponents } from '../components/index';
-import { sceneFields } from '../settings/SceneSettings';
-import { randomFieldValue } from '../fields/randomFieldValue';
-import { type FarolFile, FILE_VERSION, type FileObject } from '../files/FarolFile';
-import type { Prefab } from '../core/Prefab';
-import { FuzzRandom } from './FuzzRandom';
+import { builtinComponents } from '../../engine/src/components/index';
+import { sceneFields } from '../../engine/src/settings/SceneSettings';
+import { randomFieldValue } from '../../engine/src/fields/randomFieldValue';
+import { type FarolFile, FILE_VERSION, type FileObject } from '../../engine/src/files/FarolFile';
+import type { Prefab } from '../../engine/src/core/Prefab';
+import type { FuzzRandom } from './FuzzRandom';
 import { hostileValue, mutate, mutateBytes, textOf } from './hostileValues';
 
 export const fuzzKinds = ['scene', 'zip', 'link', 'glb', 'xml', 'glsl', 'ply'] as const;
@@ -96,7 +96,7 @@ export function sceneCase(random: FuzzRandom): FarolFile {
       { name: 'own', type: 'mesh', url: `data:application/octet-stream;base64,${btoa(triangle)}` },
       { name: 'model.glb', type: 'model', url: `data:model/gltf-binary;base64,${base64(glbBytes(gltf()))}` },
       { name: 'Clip', type: 'clip', values: { data: clipOf(random), duration: random.of([0, 0.01, 2]) } },
-    ].filter(() => !random.once(9)) as FarolFile['assets'],
+    ].filter(() => random.below(9) > 0) as FarolFile['assets'],
     ...(random.once(4) ? { microShaders: { 'own/tint': '// Tints.\n#include "other"\nvec3 tint;\n' } } : {}),
     ...(random.once(4) ? { views: [{ place: 4, name: 'Door', fov: 0.8, orthographic: true, ...looks }] } : {}),
     ...(prefabs.length > 0 ? { prefabs } : {}),
@@ -185,8 +185,9 @@ function sceneText(random: FuzzRandom): string {
   return textOf(scene);
 }
 
-/** The text of a language, some of its pieces repeated, exchanged and damaged. */
+/** The text of a language, most often with some of its pieces repeated, exchanged and damaged. */
 function mutateText(text: string, random: FuzzRandom): Uint8Array<ArrayBuffer> {
+  if (random.once(4)) return encode(text);
   const pieces = text.split(/(?=[<>"\n])/);
   for (let n = random.below(4); n >= 0; n--) {
     const piece = random.of(pieces);
@@ -200,9 +201,8 @@ function mutateText(text: string, random: FuzzRandom): Uint8Array<ArrayBuffer> {
   return random.once(2) ? encode(pieces.join('')) : mutateBytes(encode(pieces.join('')), random);
 }
 
-/** One case of a seed: the same bytes each time. */
-export function fuzzCase(seed: number): FuzzCase {
-  const random = new FuzzRandom(seed);
+/** A case of some choices: the same bytes each time. */
+export function fuzzCase(random: FuzzRandom): FuzzCase {
   // a scene as often as all others together
   const kind = random.once(2) ? 'scene' : random.of(fuzzKinds);
   switch (kind) {
@@ -225,7 +225,7 @@ export function fuzzCase(seed: number): FuzzCase {
     }
     case 'glb': {
       const json = gltf();
-      mutate(json, random);
+      if (!random.once(4)) mutate(json, random);
       const bytes = glbBytes(json);
       return { kind, bytes: random.once(4) ? mutateBytes(bytes, random) : bytes };
     }

@@ -1,5 +1,6 @@
 import { shortText } from '@farol/editing';
 import { counted } from '../../base/counted';
+import { unpack } from '../unpack';
 
 /** Bytes that arrays may come to, whatever the file's size is, and how many times its size they may come to. */
 const FREE = 64 * 2 ** 20;
@@ -128,25 +129,11 @@ function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
   }
 }
 
-/**
- * Unpacks an array while counting: more than `most` bytes are refused.
- * @returns null when the data are damaged, which the loader says
- */
-async function unpacked(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer> | null> {
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
-  const parts: Uint8Array<ArrayBuffer>[] = [];
-  let length = 0;
-  for (;;) {
-    const { done, value } = await reader.read().catch(() => ({ done: null, value: null }));
-    if (done === null) return null;
-    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
-    parts.push(value as Uint8Array<ArrayBuffer>);
-    length += value!.length;
-    if (length <= most) continue;
-    reader.cancel().catch(() => {});
-    fail('its arrays come to more than it says');
-  }
-}
+/** Unpacks an array, of `most` bytes at most. @returns null when the data are damaged, which the loader says */
+const unpacked = (bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer> | null> =>
+  unpack(bytes, 'deflate', { most }).catch((error: unknown) =>
+    error instanceof RangeError ? fail('its arrays come to more than it says') : null,
+  );
 
 const numbersOf = (bytes: Uint8Array<ArrayBuffer>, type: string): ArrayLike<number> => {
   const whole = bytes.slice(0, bytes.length - (bytes.length % sizes[type])).buffer;

@@ -1,4 +1,4 @@
-import { unpack } from '../guard/unpack';
+import { unpack } from '../unpack';
 
 /**
  * Unpacks a block, or a part of one.

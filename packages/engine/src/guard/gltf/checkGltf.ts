@@ -1,4 +1,4 @@
-import { counted } from '../base/counted';
+import { counted } from '../../base/counted';
 import { checkGltfNodes } from './checkGltfNodes';
 import { GltfLists } from './GltfLists';
 import type { GltfJson } from './readGltfJson';
@@ -209,6 +209,7 @@ function checkAnimations(lists: GltfLists): void {
       const { sampler, target } = lists.record(each);
       if (!samplers[sampler as number])
         lists.fail(`${what} names the sampler ${lists.show(sampler)}, which it does not have`);
+      if (typeof target !== 'object' || target === null) lists.fail(`${what} has a channel without a target`);
       const { node } = lists.record(target);
       if (node !== undefined) lists.index(node, 'nodes', what);
     }

@@ -3,7 +3,7 @@ import { workOf } from '@farol/tools/workOf';
 import { DataTexture, FloatType, RGBAFormat } from 'three';
 import { EXRExporter, NO_COMPRESSION, ZIP_COMPRESSION, ZIPS_COMPRESSION } from 'three/addons/exporters/EXRExporter.js';
 import { expect, test } from 'vitest';
-import { readEnvironment } from '../assets/readEnvironment';
+import { readEnvironment } from '../../assets/readEnvironment';
 import { checkExr } from './checkExr';
 
 const [RLE, ZIPS, ZIP, PIZ, PXR24, DWAA] = [1, 2, 3, 4, 5, 8];

@@ -1,5 +1,5 @@
 import { shortText } from '@farol/editing';
-import { checkSignature } from './signature';
+import { checkSignature } from '../signature';
 
 /** The extension by which nodes have lights with photometric profiles. */
 export const LIGHTS_IES = 'EXT_lights_ies';

@@ -1,11 +1,11 @@
 import { BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { Slices } from '../base/Slices';
-import { AssetLibrary } from './AssetLibrary';
+import { Slices } from '../../base/Slices';
+import { AssetLibrary } from '../../assets/AssetLibrary';
 import { checkGltf } from './checkGltf';
-import { checkModel } from './checkModel';
-import { checkImageSize, imageSize } from './imageSize';
-import { checkModelFile, modelError, readModel } from './readModel';
+import { checkModel } from '../checkModel';
+import { checkImageSize, imageSize } from '../pictures/imageSize';
+import { checkModelFile, modelError, readModel } from '../../assets/readModel';
 import { type GltfJson, readGltfJson } from './readGltfJson';
 
 type Json = Record<string, any>; // oxlint-disable-line typescript/no-explicit-any -- it is broken on purpose
@@ -211,6 +211,8 @@ const broken: [string, (json: Json) => void, RegExp][] = [
     (j) => (j.skins[0] = { joints: Array(9).fill(1), inverseBindMatrices: 0 }),
     /more joints than matrices/,
   ],
+  ['a name that is no text', (j) => (j.nodes[1].name = []), /the name of node 1 must be a text/],
+  ['a channel without a target', (j) => delete j.animations[0].channels[0].target, /channel without a target/],
   ['a sampler that is not there', (j) => (j.animations[0].channels[0].sampler = 3), /animation 0 names the sampler 3/],
   [
     'a texture that is not there',

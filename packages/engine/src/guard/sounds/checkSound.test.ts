@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { afterEach, expect, test, vi } from 'vitest';
-import { Sound } from '../Sound';
+import { Sound } from '../../assets/Sound';
 import { checkSound, soundSize } from './checkSound';
 
 const bytesOf = (...parts: (Buffer | string | readonly number[])[]): ArrayBuffer =>

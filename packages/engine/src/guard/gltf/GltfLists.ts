@@ -1,5 +1,5 @@
 import { describeValue } from '@farol/editing/fields';
-import { counted } from '../base/counted';
+import { counted } from '../../base/counted';
 import type { GltfJson } from './readGltfJson';
 
 type JsonRecord = Record<string, unknown>;
@@ -39,7 +39,11 @@ export class GltfLists {
         name,
         this.listOf(list, `'${name}'`).map((each, i) => {
           if (typeof each !== 'object' || each === null) this.fail(`${names[name]} ${i} is no object`);
-          return each as JsonRecord;
+          const record = each as JsonRecord;
+          if (record.name && typeof record.name !== 'string') {
+            this.fail(`the name of ${names[name]} ${i} must be a text, not ${describeValue(record.name)}`);
+          }
+          return record;
         }),
       );
     }

@@ -1,7 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { counted } from '../base/counted';
-import { maximumDepth } from '../base/maximumDepth';
-import { absurdSize, LARGEST } from './checkModel';
+import { counted } from '../../base/counted';
+import { maximumDepth } from '../../base/maximumDepth';
+import { absurdSize, LARGEST } from '../checkModel';
 import type { GltfLists } from './GltfLists';
 
 /** Vertices in all, each mesh as often as it is drawn, and primitives, each as often as a node has it. */

@@ -1,1 +1,0 @@
-export { machineSlowness } from '@farol/tools/machineSlowness';
