@@ -105,14 +105,14 @@ export class PictureEffects {
   }
 
   private wanted({ ambientOcclusion, unsortedTransparency, pluginEffects, antialiasing }: SceneSettings): string[] {
-    const { info, technique, webgl } = this.farol;
+    const { info, technique, techniques, webgl } = this.farol;
     const names: string[] = [];
-    if (ambientOcclusion && !techniqueLimits(technique).occlusion) names.push('ambient-occlusion');
+    if (ambientOcclusion && !techniqueLimits(techniques, technique).occlusion) names.push('ambient-occlusion');
     if (unsortedTransparency) names.push('order-independent-transparency');
     const asked = namesOf(pluginEffects);
     for (const name of this.added.keys()) if (asked.includes(name)) names.push(name);
     if (antialiasing !== 'auto' && antialiasing !== 'none') names.push(antialiasing);
-    const isShaded = info.passes.some(({ name }) => name === 'g-buffer');
+    const isShaded = techniqueLimits(techniques, info.technique).samples;
     if (antialiasing === 'auto' && isShaded && webgl.getContextAttributes()?.antialias === true) names.push('smaa');
     return names;
   }

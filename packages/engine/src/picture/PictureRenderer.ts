@@ -1,4 +1,4 @@
-import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
+import type { FarolEffect, FarolRenderer, TechniqueName } from '@farol/renderer';
 import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
 import { followEffects } from '../app/followEffects';
 import { LateCode } from '../core/LateCode';
@@ -9,11 +9,11 @@ import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';
 import { PictureLook } from './PictureLook';
 import { PictureShadows } from './PictureShadows';
+import { techniqueLimits } from './techniqueLimits';
 
 const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
-const isGBuffer = ({ name }: PassInfo): boolean => name === 'g-buffer';
 
 /** What draws a three scene: a FarolRenderer, or several side by side. */
 export interface ScenePainter {
@@ -206,9 +206,9 @@ export class PictureRenderer {
 
   /** Samples a pixel: as the canvas has, unless what shades a G-buffer or smooths edges has no use for them. */
   private get samples(): number {
-    const { webgl, info, effects } = this.farol;
+    const { webgl, info, techniques, effects } = this.farol;
     if (webgl.getContextAttributes()?.antialias !== true || effects.some(takesPicture)) return 0;
-    return info.passes.some(isGBuffer) ? 0 : 4;
+    return techniqueLimits(techniques, info.technique).samples ? 0 : 4;
   }
 
   /** What draws the picture's effects; null where there are none, or their code is not there yet. */

@@ -1,4 +1,6 @@
-/** What a technique cannot do of a scene's picture. */
+import type { Technique } from '@farol/renderer/authoring';
+
+/** Abilities that a technique lacks. */
 export interface TechniqueLimits {
   /** It knows no depth before it shades: ambient occlusion is left out. */
   readonly occlusion: boolean;
@@ -9,22 +11,28 @@ export interface TechniqueLimits {
 }
 
 const none: TechniqueLimits = { occlusion: false, samples: false, decals: false };
-const forward: TechniqueLimits = { occlusion: true, samples: false, decals: true };
-const deferred: TechniqueLimits = { occlusion: false, samples: true, decals: false };
+const known = new WeakMap<Technique, TechniqueLimits>();
 
-const limits: Readonly<Record<string, TechniqueLimits>> = {
-  forward,
-  'forward-single-pass': forward,
-  'tiled-forward': forward,
-  'clustered-forward': forward,
-  'forward-plus': { ...forward, occlusion: false },
-  'light-prepass': { occlusion: false, samples: false, decals: true },
-  inferred: { occlusion: true, samples: false, decals: true },
-  deferred,
-  'tiled-deferred': deferred,
-  'clustered-deferred': deferred,
-};
+function limitsOf({ writes, passes, lazy, lightOrder, fills }: Technique): TechniqueLimits {
+  const fetches = lazy !== undefined || lightOrder !== 'by-volume';
+  const written = writes ?? (fetches ? [] : passes().flatMap((pass) => pass.writes));
+  const hasGBuffer = written.includes('gbuffer');
+  return {
+    occlusion: !hasGBuffer && !written.includes('scene-depth'),
+    samples: hasGBuffer && fills === 'every-pixel',
+    decals: !hasGBuffer,
+  };
+}
 
-/** What a technique cannot do; nothing is known of those of plugins, and 'auto' picks one that can do what is asked for. */
-export const techniqueLimits = (technique: string): TechniqueLimits =>
-  Object.hasOwn(limits, technique) ? limits[technique] : none;
+/**
+ * Abilities that a technique lacks, by the resources that it writes.
+ * @param techniques - `FarolRenderer.techniques`
+ * @param name - of one of them; of one that is not there nothing is said
+ */
+export function techniqueLimits(techniques: Readonly<Record<string, Technique>>, name: string): TechniqueLimits {
+  if (!Object.hasOwn(techniques, name)) return none;
+  const technique = techniques[name];
+  let limits = known.get(technique);
+  if (limits === undefined) known.set(technique, (limits = limitsOf(technique)));
+  return limits;
+}

@@ -1,13 +1,16 @@
 import { t } from '@farol/editing';
-import { Decal, type SceneSettings, techniqueLimits } from '@farol/engine';
+import { Decal, type SceneSettings, type TechniqueLimits, techniqueLimits } from '@farol/engine';
 import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { useMemo } from 'react';
 
 /** What the scene asks for and its technique cannot do, a line each. */
-function limitsOf({ technique, ambientOcclusion, antialiasing }: SceneSettings, hasDecals: boolean): string[] {
-  const { occlusion, samples, decals } = techniqueLimits(technique);
+function linesOf(
+  { occlusion, samples, decals }: TechniqueLimits,
+  { ambientOcclusion, antialiasing }: SceneSettings,
+  hasDecals: boolean,
+): string[] {
   const lines: string[] = [];
   if (ambientOcclusion && occlusion)
     lines.push(
@@ -23,11 +26,12 @@ function limitsOf({ technique, ambientOcclusion, antialiasing }: SceneSettings, 
 
 /** What the technique of a scene cannot do of what the scene asks for; nothing where it can do all. */
 export function TechniqueLimit({ settings }: { settings: SceneSettings }): ReactNode {
-  const { document } = useEditor();
+  const { document, viewport } = useEditor();
   useSignal(document.structure);
   useOwnersRevision(useMemo(() => [settings], [settings]));
   const hasDecals = document.scene.componentsOf(Decal).length > 0;
-  return limitsOf(settings, hasDecals).map((line) => (
+  const limits = techniqueLimits(viewport.farol.techniques, settings.technique);
+  return linesOf(limits, settings, hasDecals).map((line) => (
     <p key={line} className="technique-limit">
       {line}
     </p>
