@@ -5,6 +5,7 @@ import {
   type TechniqueName,
   techniques,
 } from '@farol/renderer';
+import { loadEffects } from '@farol/renderer/effects';
 import {
   Color,
   EventDispatcher,
@@ -65,7 +66,7 @@ const failed = (error: unknown): never => {
 const reopened = (scene: Scene): Promise<Scene> => deserialize(JSON.stringify(serialize(scene)));
 
 // it is large, and else late in its first test
-beforeAll(() => import('@farol/renderer/effects') as Promise<unknown>);
+beforeAll(() => loadEffects() as Promise<unknown>);
 
 test('technique and ambient occlusion are those of the scene, also after it was saved and opened again', async () => {
   const scene = new Scene();
@@ -150,7 +151,7 @@ test('edges are smoothed by SMAA where a G-buffer is shaded, unless the scene sa
   effects.suspended = false;
   scene.settings.antialiasing = 'taa';
   effects.update(scene.settings);
-  expect(names(farol)).toEqual(['TAA']);
+  await vi.waitFor(() => expect(names(farol)).toEqual(['TAA']));
   expect(effects.frames).toBeGreaterThan(1);
   scene.settings.antialiasing = 'none';
   effects.update(scene.settings);

@@ -9,7 +9,7 @@ import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';
 import { PictureLook } from './PictureLook';
 import { PictureShadows } from './PictureShadows';
-import { techniqueLimits } from './techniqueLimits';
+import { techniqueAbilities } from './techniqueAbilities';
 
 const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
@@ -208,7 +208,7 @@ export class PictureRenderer {
   private get samples(): number {
     const { webgl, info, techniques, effects } = this.farol;
     if (webgl.getContextAttributes()?.antialias !== true || effects.some(takesPicture)) return 0;
-    return techniqueLimits(techniques, info.technique).samples ? 0 : 4;
+    return techniqueAbilities(techniques, info.technique).samples ? 4 : 0;
   }
 
   /** What draws the picture's effects; null where there are none, or their code is not there yet. */

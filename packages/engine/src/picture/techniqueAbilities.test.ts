@@ -1,13 +1,13 @@
 import { techniques } from '@farol/renderer';
 import type { Technique } from '@farol/renderer/authoring';
 import { expect, test } from 'vitest';
-import { techniqueLimits } from './techniqueLimits';
+import { techniqueAbilities } from './techniqueAbilities';
 
 test('what is said of the techniques is what their passes do', async () => {
   for (const [name, technique] of Object.entries<Technique>(techniques)) {
-    const { occlusion, samples, decals } = techniqueLimits(techniques, name);
+    const { depth, samples, gbuffer } = techniqueAbilities(techniques, name);
     if (name === 'auto') {
-      expect([occlusion, samples, decals]).toEqual([false, false, false]);
+      expect([depth, samples, gbuffer]).toEqual([true, true, true]);
       continue;
     }
     await technique.lazy?.load();
@@ -15,12 +15,16 @@ test('what is said of the techniques is what their passes do', async () => {
     const hasGBuffer = written.includes('gbuffer');
     // the depth of 'inferred' is of half the size
     const hasDepth = hasGBuffer || (written.includes('scene-depth') && name !== 'inferred');
-    expect({ name, decals, samples }).toEqual({ name, decals: !hasGBuffer, samples: hasGBuffer });
-    expect({ name, occlusion }).toEqual({ name, occlusion: !hasDepth });
+    expect({ name, gbuffer, samples, depth }).toEqual({
+      name,
+      gbuffer: hasGBuffer,
+      samples: !hasGBuffer,
+      depth: hasDepth,
+    });
   }
 });
 
-test('of a technique that is not there nothing is said', () => {
+test('a technique that is not there is taken to be able to do all', () => {
   for (const name of ['', 'of a plugin that is gone', 'constructor'])
-    expect(techniqueLimits(techniques, name)).toEqual({ occlusion: false, samples: false, decals: false });
+    expect(techniqueAbilities(techniques, name)).toEqual({ depth: true, samples: true, gbuffer: true });
 });
