@@ -43,6 +43,11 @@ export interface EffectEntry {
   load(): Promise<EffectClass>;
 }
 
+const decals = () => import('./decals');
+const ambientOcclusion = () => import('./ambient-occlusion');
+const transparency = () => import('./transparency');
+const antialiasing = () => import('./antialiasing');
+
 /**
  * The effects that a menu offers, by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file
  * and an entry here. `Particles` is not among them: whoever has emitters has it too.
@@ -51,7 +56,7 @@ export const effects = {
   decals: {
     label: 'Decals',
     needs: 'gbuffer',
-    load: async () => (await import('./decals')).Decals,
+    load: async () => (await decals()).Decals,
   },
   'ambient-occlusion': {
     label: 'Ambient occlusion',
@@ -82,30 +87,30 @@ export const effects = {
         label: 'Occlusion strength',
       },
     },
-    load: async () => (await import('./ambient-occlusion')).AmbientOcclusion,
+    load: async () => (await ambientOcclusion()).AmbientOcclusion,
   },
   'order-independent-transparency': {
     label: 'Unsorted transparency',
     help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
     setting: 'unsortedTransparency',
     short: 'oit',
-    load: async () => (await import('./transparency')).WeightedBlendedOIT,
+    load: async () => (await transparency()).WeightedBlendedOIT,
   },
   smaa: {
     label: 'SMAA',
     group: 'antialiasing',
-    load: async () => (await import('./antialiasing')).SMAA,
+    load: async () => (await antialiasing()).SMAA,
   },
   edges: {
     label: 'Multisampled edges',
     group: 'antialiasing',
-    load: async () => (await import('./antialiasing')).MultisampledEdges,
+    load: async () => (await antialiasing()).MultisampledEdges,
   },
   taa: {
     label: 'TAA',
     group: 'antialiasing',
     stillFrames: 40,
-    load: async () => (await import('./antialiasing')).TAA,
+    load: async () => (await antialiasing()).TAA,
   },
 } as const satisfies Record<string, EffectEntry>;
 
