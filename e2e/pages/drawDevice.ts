@@ -1,5 +1,5 @@
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
-import { type EffectName, effects } from '@farol/renderer/effects';
+import { type EffectName, loadEffects } from '@farol/renderer/effects';
 import * as THREE from 'three';
 import { compareImages, type Difference } from '../support/images';
 import { devices, type DeviceName, subtract, type Subtraction } from './devices';
@@ -9,6 +9,8 @@ import type { TestScene } from './materialScene';
 
 const WIDTH = 160;
 const HEIGHT = 90;
+
+const effectClasses = await loadEffects();
 
 /** What a technique, with or without an effect, draws on a device. */
 export interface DeviceResult extends Partial<Difference> {
@@ -109,7 +111,7 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
     const told = { technique, effect: effect ?? 'none' };
     try {
       farol.technique = technique;
-      farol.effects = effect === null ? [] : [effects[effect].make()];
+      farol.effects = effect === null ? [] : [new effectClasses[effect]()];
       let image!: PageImage;
       // the second frame has all code and programs
       let all = 0;

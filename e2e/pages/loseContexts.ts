@@ -1,10 +1,12 @@
 import type { FarolEffect, TechniqueName } from '@farol/renderer';
-import { effects } from '@farol/renderer/effects';
+import { type EffectName, loadEffects } from '@farol/renderer/effects';
 import { Decal } from '@farol/renderer/decals';
 import * as THREE from 'three';
 import { Bench, type PageImage } from './Bench';
 import { countGpuObjects, type GpuObjects } from './gpuObjects';
 import { shadowScene } from './shadowScene';
+
+const effectClasses = await loadEffects();
 
 /** What was seen over some losses of the context. */
 export interface LossResults {
@@ -27,7 +29,7 @@ const FRAMES = 4;
 export async function loseContexts(
   technique: TechniqueName,
   losses: number,
-  effectNames: readonly (keyof typeof effects)[],
+  effectNames: readonly EffectName[],
 ): Promise<LossResults> {
   const count = countGpuObjects();
   const bench = new Bench(96, 64);
@@ -41,7 +43,7 @@ export async function loseContexts(
   decal.position.set(1, 0, 1.5);
   decal.rotation.x = -Math.PI / 2;
   if (effectNames.includes('decals')) scene.add(decal);
-  const list: FarolEffect[] = effectNames.map((name) => effects[name].make());
+  const list: FarolEffect[] = effectNames.map((name) => new effectClasses[name]());
   const frames = (): PageImage => {
     // with and without: what is switched off holds targets too
     bench.farol.effects = [];

@@ -27,6 +27,7 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/thumbnails'),
       import('./panels/dialogs/TextDialog'),
       import('./panels/palette/CommandPalette'),
+      import('./viewport/MaterialBall'),
     ]);
     return true;
   } catch {

@@ -11,7 +11,7 @@ import type { FieldValue } from '@farol/engine/fields';
 import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
 import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
-import { type EffectName, effects } from '@farol/renderer/effects';
+import { loadEffects } from '@farol/renderer/effects';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
@@ -24,6 +24,7 @@ import { disposeModel, modelParameters, modelScene } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';
 import { fitSize } from './state/fitSize';
 import { withDefaults } from './state/withDefaults';
+import { antialiasingNames, effectEntries, effectParameters, switchName } from './state/effectParameters';
 import { writeAddress } from './state/writeAddress';
 import { readState } from './state/readState';
 import type { KnownNames, ViewerState } from './state/ViewerState';
@@ -36,7 +37,8 @@ export const known: KnownNames = {
   techniques: Object.keys(techniques),
   views,
   dragons: Object.keys(dragonUrls),
-  antialiasing: ['none', ...Object.keys(effects).filter((name) => effects[name as EffectName].group !== null)],
+  antialiasing: antialiasingNames,
+  effects: effectParameters,
   defaults: {
     ...{
       scene: 'temple',
@@ -45,8 +47,7 @@ export const known: KnownNames = {
       parameters: {},
       dragon: 'medium',
       aa: 'none',
-      ao: false,
-      oit: false,
+      effects: {},
       decals: false,
       particles: 0,
       rectangles: 0,
@@ -78,7 +79,8 @@ export class Viewer {
   private model: LoadedModel | null = null;
   private loads = 0;
   private size = '';
-  private readonly madeEffects = new Map<EffectName, FarolEffect>();
+  /** Every effect, one of each, once their code is there; those in use are in `farol.effects`. */
+  private readonly allEffects = new Map<string, FarolEffect>();
   private effectNames = '';
   private readonly listeners = new Set<() => void>();
 
@@ -99,7 +101,7 @@ export class Viewer {
     new ResizeObserver(() => this.resize()).observe(parent);
     watchPixelRatio(() => this.resize());
     // what the first frame may need is there before it
-    this.ready = FarolRenderer.preload().then(() => this.chooseScene(state.scene));
+    this.ready = Promise.all([FarolRenderer.preload(), this.fetchEffects()]).then(() => this.chooseScene(state.scene));
     this.ready.catch(() => {}); // told by a message; who waits for it hears of it too
   }
 
@@ -172,14 +174,9 @@ export class Viewer {
     this.changed({ aa: name });
   }
 
-  /** Switches ambient occlusion on or off. */
-  setAmbientOcclusion(on: boolean): void {
-    this.changed({ ao: on });
-  }
-
-  /** Averages transparent layers in place of sorting them, or sorts them. */
-  setOrderIndependentTransparency(on: boolean): void {
-    this.changed({ oit: on });
+  /** Switches an effect on or off, or sets a number of it. @param name - a key of `known.effects` */
+  setEffect(name: string, value: FieldValue): void {
+    this.changed({ effects: { ...this.state.effects, [name]: value } });
   }
 
   /** Throws decals on the scene, or takes them away. */
@@ -395,18 +392,24 @@ export class Viewer {
     this.model = null;
   }
 
-  /** Brings the renderer's effects up to the state; an effect that was on before is the same object. */
+  private async fetchEffects(): Promise<void> {
+    for (const [name, Effect] of Object.entries(await loadEffects())) this.allEffects.set(name, new Effect());
+    this.setEffects();
+  }
+
+  /** Brings the renderer's effects up to the state. */
   private setEffects(): void {
-    const { aa, ao, oit } = this.state;
-    const on: Partial<Record<EffectName, boolean>> = { 'ambient-occlusion': ao, 'order-independent-transparency': oit };
-    const names = (Object.keys(effects) as EffectName[]).filter((name) => on[name] ?? name === aa);
+    const { aa, effects } = this.state;
+    const names: string[] = [];
+    for (const [name, effect] of this.allEffects) {
+      const entry = effectEntries[name];
+      for (const [number, { property }] of Object.entries(entry.fields ?? {}))
+        Object.assign(effect, { [property]: effects[number] ?? effectParameters[number].default });
+      if (name === aa || effects[switchName(entry)] === true) names.push(name);
+    }
     if (names.join() === this.effectNames) return;
     this.effectNames = names.join();
-    this.farol.effects = names.map((name) => {
-      let effect = this.madeEffects.get(name);
-      if (effect === undefined) this.madeEffects.set(name, (effect = effects[name].make()));
-      return effect;
-    });
+    this.farol.effects = names.map((name) => this.allEffects.get(name)!);
   }
 
   private changed(changes: Partial<ViewerState>): void {

@@ -1,5 +1,5 @@
 import { type FarolEffect, FarolRenderer, type TechniqueName } from '@farol/renderer';
-import { type EffectName, effects } from '@farol/renderer/effects';
+import { type EffectEntry, type EffectName, effects, loadEffects } from '@farol/renderer/effects';
 import * as THREE from 'three';
 import { random, type TestScene } from '../materialScene';
 import { type ActName, acts, THROWN } from './acts';
@@ -19,6 +19,9 @@ export interface Round {
 }
 
 const SIZE = [160, 96] as const;
+
+const entries: Readonly<Record<EffectName, EffectEntry>> = effects;
+const effectClasses = await loadEffects();
 
 /** Effects of a picture that is the same whatever was drawn before: not TAA. */
 const still = (Object.keys(effects) as EffectName[]).filter((name) => name !== 'taa');
@@ -204,7 +207,7 @@ export class Soak {
   }
 
   chooseEffects(): string {
-    const names = still.filter((name) => effects[name].group === null && this.random() < 0.3);
+    const names = still.filter((name) => entries[name].group === undefined && this.random() < 0.3);
     const smoothing = (['smaa', 'edges', 'taa', null, null] as const)[Math.floor(this.random() * 5)];
     this.setEffects(smoothing ? [...names, smoothing] : names);
     this.draw();
@@ -245,7 +248,7 @@ export class Soak {
     this.chosen = this.chosen.filter((name) => name !== 'ambient-occlusion' || knowsDepth.has(technique));
     this.farol.effects = this.chosen.map((name) => {
       let effect = this.made.get(name);
-      if (!effect) this.made.set(name, (effect = effects[name].make()));
+      if (!effect) this.made.set(name, (effect = new effectClasses[name]()));
       return effect;
     });
   }
@@ -255,7 +258,7 @@ export class Soak {
     const fresh = new FarolRenderer(calm, { shadowAtlasSize: 1024, technique: farol.technique });
     fresh.shadowCascades = farol.shadowCascades;
     fresh.lightLayers = farol.lightLayers;
-    const own = this.chosen.map((name) => effects[name].make());
+    const own = this.chosen.map((name) => new effectClasses[name]());
     fresh.effects = own;
     // effects and shadow maps may need a frame before theirs is whole
     for (let i = 0; i < 2; i++) {

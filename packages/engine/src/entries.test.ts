@@ -15,7 +15,8 @@ const names = {
     'InputRouter',
     'MicroShaderOverrides',
     'PictureRenderer',
-    'techniqueLimits',
+    'effectFields',
+    'techniqueAbilities',
     'watchPixelRatio',
   ],
   scene: [

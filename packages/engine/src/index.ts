@@ -5,7 +5,8 @@
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followEffects } from './picture/followEffects';
-export { techniqueLimits, type TechniqueLimits } from './picture/techniqueLimits';
+export { effectFields } from './settings/effectFields';
+export { techniqueAbilities, type TechniqueAbilities } from './picture/techniqueAbilities';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
 export { watchPixelRatio } from './app/watchPixelRatio';

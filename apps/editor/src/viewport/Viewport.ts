@@ -15,7 +15,7 @@ import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
-import { type BallTurn, MaterialBall } from './MaterialBall';
+import type { BallTurn, MaterialBall } from './MaterialBall';
 import { pick } from './pick';
 import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
@@ -79,7 +79,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   private readonly added: AddedEffects;
   private readonly playView: PlayView;
   private preview: CameraPreview | null = null;
-  private ball: MaterialBall | null = null;
+  private ball: Promise<MaterialBall> | null = null;
   private readonly drawing = new PaneDrawing(this);
   private assetChanges = 0;
   private drawnBy: TechniqueName = 'auto';
@@ -328,9 +328,11 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
    * @param turn - how the ball is turned: to the right and up (rad)
    * @returns fulfilled when it is there
    */
-  drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
-    this.ball ??= new MaterialBall(this.webgl);
-    return this.ball.draw(material, this.document.scene.three.environment, canvas, turn);
+  async drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
+    this.ball ??= import('./MaterialBall').then((code) => new code.MaterialBall(this.webgl));
+    const { ball } = this;
+    ball.catch(() => (this.ball = null)); // asked for again by the next picture
+    await (await ball).draw(material, this.document.scene.three.environment, canvas, turn);
   }
 
   /** Looks at the selection, or at everything. */
@@ -370,7 +372,10 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.lightHandles.dispose();
     this.particles.dispose();
     this.preview?.dispose();
-    this.ball?.dispose();
+    this.ball?.then(
+      (ball) => ball.dispose(),
+      () => {},
+    );
     this.input.dispose();
     this.playView.dispose();
     this.gizmo.dispose();

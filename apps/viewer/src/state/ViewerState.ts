@@ -13,10 +13,8 @@ export interface ViewerState {
   dragon: string;
   /** Key of an anti-aliasing effect of the renderer's `effects`, or 'none'. */
   aa: string;
-  /** Whether ambient occlusion is on. */
-  ao: boolean;
-  /** Whether transparent layers are averaged in place of sorted. */
-  oit: boolean;
+  /** Given switches and numbers of effects that smooth no edges, by their names in `KnownNames.effects`. */
+  effects: Record<string, FieldValue>;
   /** Whether decals are thrown on the scene, to be looked at. */
   decals: boolean;
   /** Particles that live at once, each of them a light; 0 for none. */
@@ -41,6 +39,8 @@ export interface KnownNames {
   views: readonly string[];
   dragons: readonly string[];
   antialiasing: readonly string[];
+  /** Switches and numbers of the other effects, by their names in addresses. */
+  effects: FieldTable;
   /** State of a URL without parameters. */
   defaults: ViewerState;
 }

@@ -18,6 +18,7 @@ class BadValue extends Error {}
 export function readState(search: string, known: KnownNames): { state: ViewerState; problems: string[] } {
   const query = new URLSearchParams(search);
   const state: ViewerState = { ...known.defaults, parameters: { ...known.defaults.parameters } };
+  state.effects = { ...known.defaults.effects };
   const problems: string[] = [];
 
   const readers: Record<string, (text: string) => void> = {
@@ -26,8 +27,6 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     view: (text) => void (state.view = oneOf(text, known.views)),
     dragon: (text) => void (state.dragon = oneOf(text, known.dragons)),
     aa: (text) => void (state.aa = oneOf(text, known.antialiasing)),
-    ao: (text) => void (state.ao = boolean(text)),
-    oit: (text) => void (state.oit = boolean(text)),
     decals: (text) => void (state.decals = boolean(text)),
     particles: (text) => void (state.particles = number(text, { min: 0, max: MOST_PARTICLES, integer: true })),
     rectangles: (text) => void (state.rectangles = number(text, { min: 0, max: MOST_RECTANGLES, integer: true })),
@@ -48,6 +47,9 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
 
   const own = <T>(table: Readonly<Record<string, T>>, name: string): T | undefined =>
     Object.hasOwn(table, name) ? table[name] : undefined;
+  for (const [name, field] of Object.entries(known.effects)) {
+    readers[name] = (text) => void (state.effects[name] = fieldValue(field, text));
+  }
   for (const [name, read] of Object.entries(readers)) {
     const text = query.get(name);
     if (text !== null) attempt(name, text, read);

@@ -27,6 +27,11 @@ const known: KnownNames = {
   views: ['final', 'albedo'],
   dragons: ['low', 'high'],
   antialiasing: ['none', 'smaa', 'edges', 'taa'],
+  effects: {
+    ao: { kind: 'boolean', default: false, help },
+    reach: { kind: 'number', default: 0.5, min: 0, max: 4, help },
+    oit: { kind: 'boolean', default: false, help },
+  },
   defaults: {
     ...{
       scene: 'temple',
@@ -35,8 +40,7 @@ const known: KnownNames = {
       parameters: {},
       dragon: 'low',
       aa: 'none',
-      ao: false,
-      oit: false,
+      effects: {},
       decals: false,
       particles: 0,
       rectangles: 0,
@@ -52,15 +56,14 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
       ...{
         aa: 'taa',
-        ao: true,
-        oit: true,
+        effects: { ao: true, reach: 2, oit: true },
         decals: true,
         particles: 20_000,
         rectangles: 1000,
@@ -86,6 +89,7 @@ describe('readState', () => {
     ['dragon=huge', /dragon=huge .* low, high/],
     ['aa=msaa', /aa=msaa .* none, smaa, edges, taa/],
     ['ao=yes', /ao=yes .* 1 or 0/],
+    ['reach=5', /reach=5 .* from 0 to 4/],
     ['gui=no', /gui=no .* 1 or 0/],
     ['lights=many', /lights=many .* whole number from 0 to 4096/],
     ['scene=planes&mesh=cat', /mesh=cat .* box, dragon/],
@@ -147,7 +151,8 @@ describe('readState', () => {
 
 describe('writeState', () => {
   const state: ViewerState = {
-    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa', ao: true, oit: true },
+    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa' },
+    effects: { ao: true, reach: 0.25, oit: true },
     ...{ decals: true, particles: 500, rectangles: 30, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
   };

@@ -8,7 +8,7 @@ import type { KnownNames, ViewerState } from './ViewerState';
  * @param isScene - whether a scene is on show, not a model, which no query can hold: the query names no scene then. Default true
  * @returns the query with its '?'
  */
-export function writeState(state: ViewerState, { scenes, defaults }: KnownNames, isScene = true): string {
+export function writeState(state: ViewerState, { scenes, effects, defaults }: KnownNames, isScene = true): string {
   const entries: [string, FieldValue][] = [
     ['technique', state.technique],
     ['view', state.view],
@@ -22,10 +22,12 @@ export function writeState(state: ViewerState, { scenes, defaults }: KnownNames,
   for (const name of ['dragon', 'aa', 'particles', 'rectangles', 'time', 'width', 'height', 'dpr'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
-  for (const name of ['ao', 'oit', 'decals'] as const) {
-    if (state[name] !== defaults[name]) entries.push([name, state[name] ? 1 : 0]);
+  for (const [name, field] of Object.entries(effects)) {
+    const value = state.effects[name] ?? field.default;
+    if (value !== field.default) entries.push([name, value]);
   }
-  if (state.gui !== defaults.gui) entries.push(['gui', state.gui ? 1 : 0]);
+  if (state.decals !== defaults.decals) entries.push(['decals', state.decals]);
+  if (state.gui !== defaults.gui) entries.push(['gui', state.gui]);
   return `?${entries.map(([name, value]) => `${name}=${encodeURIComponent(text(value))}`).join('&')}`.replaceAll(
     '%2C',
     ',',

@@ -56,7 +56,14 @@ export class HelpPanel {
 }
 
 /** Every parameter of the address with what it does, those of the scenes from their declaration. */
-export function addressHelp({ scenes, techniques, views, dragons, antialiasing }: KnownNames): [string, string][] {
+export function addressHelp({
+  scenes,
+  techniques,
+  views,
+  dragons,
+  antialiasing,
+  effects,
+}: KnownNames): [string, string][] {
   const parameters = new Map<string, { help: string; range: string; scenes: string[] }>();
   for (const [scene, definition] of Object.entries(scenes)) {
     for (const [name, field] of Object.entries(definition.parameters)) {
@@ -74,8 +81,10 @@ export function addressHelp({ scenes, techniques, views, dragons, antialiasing }
     }),
     ['dragon', `Resolution of the Stanford dragon, where it is installed: ${dragons.join(', ')}.`],
     ['aa', `Anti-aliasing: ${antialiasing.join(', ')}. TAA gathers over frames: at a fixed time each draw is one.`],
-    ['ao', '1 darkens indirect light in corners (ambient occlusion), with techniques that know depth first.'],
-    ['oit', '1 averages transparent layers in place of sorting them (weighted blended transparency).'],
+    ...Object.entries(effects).map(([name, field]): [string, string] => [
+      name,
+      field.kind === 'boolean' ? `1 or 0. ${field.label}: ${field.help}` : `${field.help} ${allowed(field)}`.trim(),
+    ]),
     ['decals', '1 throws decals on the scene, with techniques that have a G-buffer.'],
     ['particles', 'So many particles in the scene, each of them a light of 0.5 m. 0 to 200000.'],
     ['rectangles', 'So many rectangle lights in the scene, each up to 1.5 m. 0 to 20000.'],

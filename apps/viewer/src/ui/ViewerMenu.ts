@@ -1,10 +1,10 @@
-import type { Field } from '@farol/engine/fields';
 import { scenes } from '@farol/scenes';
+import { type Field, type FieldValue, isFieldVisible } from '@farol/engine/fields';
 import { techniques } from '@farol/renderer';
-import { type EffectName, effects } from '@farol/renderer/effects';
 import GUI, { type Controller } from 'lil-gui';
 import { chooseFiles } from '../chooseFiles';
 import { modelParameters } from '../model/modelScene';
+import { effectEntries } from '../state/effectParameters';
 import { known, type Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
@@ -13,7 +13,7 @@ const told = () => {};
 
 /** Name of an anti-aliasing in the menu. */
 function labelOf(name: string): string {
-  return name === 'none' ? 'None' : effects[name as EffectName].label;
+  return name === 'none' ? 'None' : effectEntries[name].label;
 }
 
 /** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
@@ -27,21 +27,21 @@ export class ViewerMenu {
     technique: string;
     view: string;
     aa: string;
-    ao: boolean;
-    oit: boolean;
     decals: boolean;
     particles: number;
     rectangles: number;
     dragon: string;
     stopped: boolean;
   };
+  private readonly effectValues: Record<string, unknown> = {};
+  private readonly effectControllers = new Map<string, Controller>();
   private shown = '';
   private parameterValues: Record<string, unknown> = {};
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, aa, ao, oit, decals, particles, rectangles, dragon, time } = viewer.state;
-    this.values = { technique, view, aa, ao, oit, decals, particles, rectangles, dragon, stopped: time !== null };
+    const { technique, view, aa, decals, particles, rectangles, dragon, time } = viewer.state;
+    this.values = { technique, view, aa, decals, particles, rectangles, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -55,9 +55,19 @@ export class ViewerMenu {
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
       .name('Anti-aliasing')
       .onChange((name: string) => viewer.setAntialiasing(name));
-    this.addEffect('ao', 'ambient-occlusion', (on) => viewer.setAmbientOcclusion(on));
-    this.addEffect('oit', 'order-independent-transparency', (on) => viewer.setOrderIndependentTransparency(on));
-    this.addEffect('decals', 'decals', (on) => viewer.setDecals(on));
+    for (const [name, field] of Object.entries(known.effects)) {
+      this.effectValues[name] = field.default;
+      const controller = this.addField(gui, this.effectValues, name, field)!;
+      this.effectControllers.set(
+        name,
+        controller.onChange((value: FieldValue) => viewer.setEffect(name, value)),
+      );
+    }
+    gui
+      .add(this.values, 'decals')
+      .name(effectEntries.decals.label)
+      .onChange((on: boolean) => viewer.setDecals(on)).domElement.title =
+      'Decals thrown on the scene; they need a technique with a G-buffer.';
     gui
       .add(this.values, 'particles', 0, 20_000, 100)
       .name('Particles')
@@ -109,14 +119,18 @@ export class ViewerMenu {
     this.values.technique = state.technique;
     this.values.view = state.view;
     this.values.aa = state.aa;
-    this.values.ao = state.ao;
-    this.values.oit = state.oit;
     this.values.decals = state.decals;
     this.values.particles = state.particles;
     this.values.rectangles = state.rectangles;
     this.values.dragon = state.dragon;
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);
+    for (const [name, { default: otherwise }] of Object.entries(known.effects)) {
+      this.effectValues[name] = state.effects[name] ?? otherwise;
+    }
+    for (const [name, controller] of this.effectControllers) {
+      controller.show(isFieldVisible(known.effects, name, (field) => this.effectValues[field]));
+    }
 
     const shown = modelName ?? state.scene;
     const fields = modelName ? modelParameters : (scenes[state.scene]?.parameters ?? {});
@@ -133,11 +147,6 @@ export class ViewerMenu {
     for (const controller of this.gui.controllersRecursive()) controller.updateDisplay();
   }
 
-  private addEffect(value: 'ao' | 'oit' | 'decals', name: EffectName, set: (on: boolean) => void): void {
-    const { label, help } = effects[name];
-    this.gui.add(this.values, value).name(label).onChange(set).domElement.title = help;
-  }
-
   private addChooser(folder: GUI, what: 'files' | 'folder', label: string, help: string): void {
     const open = (): void => {
       void chooseFiles(what).then((files) => files && this.viewer.loadFiles(files));
@@ -146,27 +155,31 @@ export class ViewerMenu {
   }
 
   private addParameter(name: string, field: Field): void {
-    const { parameterValues: values, parameters } = this;
+    const { parameterValues: values } = this;
     values[name] = this.viewer.state.parameters[name] ?? field.default;
+    const controller = this.addField(this.parameters, values, name, field);
+    if (controller === null) delete values[name]; // no scene has one; its address parameter works all the same
+    controller?.onFinishChange((value: number | string | boolean) => {
+      void this.viewer.setParameters({ [name]: value }).catch(told);
+    });
+  }
+
+  /** Adds a controller of a field. @returns it; null where fields of its kind have none */
+  private addField(folder: GUI, values: Record<string, unknown>, name: string, field: Field): Controller | null {
     let controller: Controller;
     if (field.kind === 'number') {
       const { min, max, step = field.integer ? 1 : undefined } = field;
       // Over a huge range, such as that of a seed, a slider is of no use.
       const slides = min !== undefined && max !== undefined && max - min <= 100_000;
-      controller = parameters.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
+      controller = folder.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
     } else if (field.kind === 'choice') {
-      controller = parameters.add(values, name, [...field.options]);
+      controller = folder.add(values, name, [...field.options]);
     } else if (field.kind === 'boolean' || field.kind === 'string') {
-      controller = parameters.add(values, name);
+      controller = folder.add(values, name);
     } else if (field.kind === 'asset') {
-      controller = parameters.add(values, name, this.viewer.assets.list(field.assetType));
-    } else {
-      delete values[name]; // no scene has one; its address parameter works all the same
-      return;
-    }
-    controller.name(field.label ?? name).onFinishChange((value: number | string | boolean) => {
-      void this.viewer.setParameters({ [name]: value }).catch(told);
-    });
+      controller = folder.add(values, name, this.viewer.assets.list(field.assetType));
+    } else return null;
     controller.domElement.title = field.help;
+    return controller.name(field.label ?? name);
   }
 }

@@ -1,26 +1,30 @@
 import type { FarolEffect, FarolRenderer } from '@farol/renderer';
-import type { AmbientOcclusion } from '@farol/renderer/ambient-occlusion';
-import type { TAA } from '@farol/renderer/antialiasing';
-import type { EffectName } from '@farol/renderer/effects';
 import { LateCode } from '../base/LateCode';
 import type { SceneSettings } from '../settings/SceneSettings';
-import { techniqueLimits } from './techniqueLimits';
+import type { EffectEntry } from '@farol/renderer/effects';
+import { effectEntries } from '../settings/effectFields';
+import { techniqueAbilities } from './techniqueAbilities';
 
-/** Still frames after which the picture of TAA changes no more. */
-const SETTLED = 40;
+const entries = Object.entries(effectEntries);
 
-const late = new LateCode(
-  () => import('@farol/renderer/effects'),
-  'The code of effects could not be fetched: see that the network is there, and choose one again.',
+/** Classes of the effects, by key. */
+const late = new Map(
+  entries.map(([name, { load }]) => [
+    name,
+    new LateCode(
+      load,
+      'The code of effects could not be fetched: see that the network is there, and choose one again.',
+    ),
+  ]),
 );
 
-/** Keeps `FarolRenderer.effects` at what a scene asks for; their code is fetched when the first of them is. */
+/** Keeps `FarolRenderer.effects` at what a scene asks for; the code of each is fetched when it is first asked for. */
 export class PictureEffects {
   /** Effects of plugins, by the names that scenes ask for them by. Call `addedChanged` after a change. */
   readonly added = new Map<string, () => FarolEffect>();
 
-  private asked = false;
   private readonly made = new Map<string, FarolEffect>();
+  private names: readonly string[] = [];
   private current = '';
   private settings: SceneSettings | null = null;
   private revision = -1;
@@ -49,7 +53,9 @@ export class PictureEffects {
 
   /** Frames to draw until a picture that changed is as it stays. */
   get frames(): number {
-    return this.settings?.antialiasing === 'taa' && !this.isSuspended ? SETTLED : 1;
+    let frames = 1;
+    for (const name of this.names) frames = Math.max(frames, effectEntries[name]?.stillFrames ?? 1);
+    return frames;
   }
 
   /** Brings the effects up to the settings, and to the technique of the last frame. Those of others in the list stay first. */
@@ -64,14 +70,14 @@ export class PictureEffects {
 
   /** Forgets what earlier frames have gathered: the picture has other tones now. */
   forgetFrames(): void {
-    (this.made.get('taa') as TAA | undefined)?.reset();
+    for (const effect of this.made.values()) effect.reset?.();
   }
 
   /** Takes in effects of plugins that came, and gives back those that went. */
   addedChanged(): void {
     this.refresh();
     for (const [name, effect] of this.made) {
-      if (this.added.has(name) || (late.code && Object.hasOwn(late.code.effects, name))) continue;
+      if (this.added.has(name) || late.has(name)) continue;
       effect.dispose();
       this.made.delete(name);
     }
@@ -85,51 +91,51 @@ export class PictureEffects {
     const { farol, settings } = this;
     if (settings === null) return;
     farol.antialias = false; // edges are smoothed by what the settings name
-    const names = this.isSuspended ? [] : this.wanted(settings);
-    const key = names.join();
-    if (key !== this.current && late.code === null) {
-      this.fetch();
+    this.names = this.isSuspended ? [] : this.wanted(settings);
+    const missing = this.names.flatMap((name) => late.get(name) ?? []).filter(({ code }) => code === null);
+    if (missing.length > 0) {
+      Promise.all(missing.map((each) => each.load())).then(() => this.refresh(), this.failed);
       return;
     }
+    const key = this.names.join();
     if (key !== this.current) {
       this.current = key;
       const own = new Set(this.made.values());
       const others = farol.effects.filter((effect) => !own.has(effect));
-      farol.effects = [...others, ...names.map((name) => this.make(name))];
+      farol.effects = [...others, ...this.names.map((name) => this.make(name))];
       this.redraw();
     }
-    const occlusion = this.made.get('ambient-occlusion') as AmbientOcclusion | undefined;
-    if (occlusion === undefined) return;
-    occlusion.radius = settings.occlusionRadius;
-    occlusion.strength = settings.occlusionStrength;
+    for (const [name, effect] of this.made) this.set(effect, effectEntries[name]?.fields ?? {}, settings);
   }
 
-  private wanted({ ambientOcclusion, unsortedTransparency, pluginEffects, antialiasing }: SceneSettings): string[] {
-    const { info, technique, webgl } = this.farol;
+  /** Gives an effect the numbers of the settings. */
+  private set(effect: FarolEffect, fields: NonNullable<EffectEntry['fields']>, settings: SceneSettings): void {
+    for (const name of Object.keys(fields)) Object.assign(effect, { [fields[name].property]: settings.get(name) });
+  }
+
+  private wanted(settings: SceneSettings): string[] {
+    const { info, technique, techniques, webgl } = this.farol;
+    const { pluginEffects, antialiasing } = settings;
+    const abilities = techniqueAbilities(techniques, technique);
     const names: string[] = [];
-    if (ambientOcclusion && !techniqueLimits(technique).occlusion) names.push('ambient-occlusion');
-    if (unsortedTransparency) names.push('order-independent-transparency');
+    for (const [name, { setting, needs }] of entries) {
+      if (setting !== undefined && settings.get(setting) === true && (!needs || abilities[needs])) names.push(name);
+    }
     const asked = namesOf(pluginEffects);
     for (const name of this.added.keys()) if (asked.includes(name)) names.push(name);
     if (antialiasing !== 'auto' && antialiasing !== 'none') names.push(antialiasing);
-    const isShaded = info.passes.some(({ name }) => name === 'g-buffer');
-    if (antialiasing === 'auto' && isShaded && webgl.getContextAttributes()?.antialias === true) names.push('smaa');
+    const smooths = antialiasing === 'auto' && !techniqueAbilities(techniques, info.technique).samples;
+    if (smooths && webgl.getContextAttributes()?.antialias === true) names.push('smaa');
     return names;
   }
 
   private make(name: string): FarolEffect {
     let effect = this.made.get(name);
     if (effect === undefined) {
-      effect = this.added.get(name)?.() ?? late.code!.effects[name as EffectName].make();
+      effect = this.added.get(name)?.() ?? new (late.get(name)!.code!)();
       this.made.set(name, effect);
     }
     return effect;
-  }
-
-  private fetch(): void {
-    if (this.asked) return;
-    this.asked = true;
-    late.load().then(() => this.refresh(), this.failed);
   }
 }
 

@@ -1,4 +1,11 @@
-import type { FarolEffect, FarolEvents, FarolRenderer } from '@farol/renderer';
+import {
+  type FarolEffect,
+  type FarolEvents,
+  type FarolRenderer,
+  type TechniqueName,
+  techniques,
+} from '@farol/renderer';
+import { loadEffects } from '@farol/renderer/effects';
 import {
   Color,
   EventDispatcher,
@@ -20,7 +27,7 @@ import { PictureRenderer } from './PictureRenderer';
 import { toneMappings } from '../settings/toneMappings';
 
 /** A renderer that only notes what it is asked for. */
-function makeFarol(...passes: string[]) {
+function makeFarol(technique: TechniqueName) {
   const canvas = new EventTarget();
   const webgl = {
     domElement: canvas,
@@ -38,7 +45,8 @@ function makeFarol(...passes: string[]) {
     shadowCascades: 1,
     technique: 'auto',
     effects: [] as FarolEffect[],
-    info: { technique: '', passes: passes.map((name) => ({ name })) },
+    techniques,
+    info: { technique },
     /** Of each frame: technique, tone mapping, exposure and the colour behind it. */
     frames: [] as unknown[],
     render(scene: { background: unknown }): void {
@@ -58,7 +66,7 @@ const failed = (error: unknown): never => {
 const reopened = (scene: Scene): Promise<Scene> => deserialize(JSON.stringify(serialize(scene)));
 
 // it is large, and else late in its first test
-beforeAll(() => import('@farol/renderer/effects') as Promise<unknown>);
+beforeAll(() => loadEffects() as Promise<unknown>);
 
 test('technique and ambient occlusion are those of the scene, also after it was saved and opened again', async () => {
   const scene = new Scene();
@@ -66,7 +74,7 @@ test('technique and ambient occlusion are those of the scene, also after it was 
   scene.settings.ambientOcclusion = true;
   scene.settings.occlusionRadius = 2;
   const again = await reopened(scene);
-  const farol = makeFarol('g-buffer', 'output');
+  const farol = makeFarol('deferred');
   const picture = new PictureRenderer(farol, { failed });
   picture.render(again, {} as never);
   expect(farol.technique).toBe('deferred');
@@ -80,7 +88,7 @@ test('technique and ambient occlusion are those of the scene, also after it was 
 
 test('with everything off a frame is what the renderer draws, and nothing is fetched or set', () => {
   const scene = new Scene();
-  const farol = makeFarol('opaque');
+  const farol = makeFarol('forward-single-pass');
   const redraw = vi.fn<() => void>();
   new PictureRenderer(farol, { redraw, failed }).render(scene, {} as never);
   expect(farol.frames).toEqual([['auto', NoToneMapping, 1, scene.settings.backgroundColour[0]]]);
@@ -94,7 +102,7 @@ test("tone mapping reaches the renderer for the frame alone, with the camera's o
   const camera = new Camera();
   scene.add(new GameObject('Camera').addComponent(camera).gameObject);
   camera.exposureCompensation = 1;
-  const farol = makeFarol('opaque');
+  const farol = makeFarol('forward-single-pass');
   const redraw = vi.fn<() => void>();
   const picture = new PictureRenderer(farol, { redraw, failed });
   picture.render(scene, camera.three, camera);
@@ -110,7 +118,7 @@ test("tone mapping reaches the renderer for the frame alone, with the camera's o
 test('a technique that is not there is told once, and the default draws until it comes', () => {
   const scene = new Scene();
   scene.settings.technique = 'glow';
-  const farol = makeFarol('opaque');
+  const farol = makeFarol('forward-single-pass');
   let technique = 'auto';
   const known = new Set(['auto']);
   Object.defineProperty(farol, 'technique', {
@@ -134,7 +142,7 @@ test('a technique that is not there is told once, and the default draws until it
 
 test('edges are smoothed by SMAA where a G-buffer is shaded, unless the scene says otherwise or pictures are compared', async () => {
   const scene = new Scene();
-  const farol = makeFarol('g-buffer');
+  const farol = makeFarol('deferred');
   const { effects } = new PictureRenderer(farol, { failed });
   effects.update(scene.settings);
   await vi.waitFor(() => expect(names(farol)).toEqual(['SMAA']));
@@ -143,7 +151,7 @@ test('edges are smoothed by SMAA where a G-buffer is shaded, unless the scene sa
   effects.suspended = false;
   scene.settings.antialiasing = 'taa';
   effects.update(scene.settings);
-  expect(names(farol)).toEqual(['TAA']);
+  await vi.waitFor(() => expect(names(farol)).toEqual(['TAA']));
   expect(effects.frames).toBeGreaterThan(1);
   scene.settings.antialiasing = 'none';
   effects.update(scene.settings);
@@ -153,7 +161,7 @@ test('edges are smoothed by SMAA where a G-buffer is shaded, unless the scene sa
 
 test('a technique that cannot occlude goes without, and effects of plugins come and go by name', async () => {
   const scene = new Scene();
-  const farol = makeFarol('opaque');
+  const farol = makeFarol('forward-single-pass');
   const { effects } = new PictureRenderer(farol, { failed });
   Object.assign(scene.settings, { ambientOcclusion: true, pluginEffects: 'haze, unheard of' });
   farol.technique = 'forward';
@@ -176,7 +184,7 @@ test('kind, cascades and softness of shadows are those of the scene, also after 
   lamp.addComponent(Light, { castShadow: true, shadowRadius: 1.5 });
   scene.add(lamp);
   const again = await reopened(scene);
-  const farol = makeFarol('opaque');
+  const farol = makeFarol('forward-single-pass');
   const { shadowMap } = farol.webgl;
   const picture = new PictureRenderer(farol, { failed });
   const look = (of: Scene): unknown[] => {

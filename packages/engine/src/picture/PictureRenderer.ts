@@ -1,4 +1,4 @@
-import type { FarolEffect, FarolRenderer, PassInfo, TechniqueName } from '@farol/renderer';
+import type { FarolEffect, FarolRenderer, TechniqueName } from '@farol/renderer';
 import { type Camera, NoToneMapping, type Scene as ThreeScene, Vector4, type WebGLRenderTarget } from 'three';
 import { followEffects } from './followEffects';
 import { LateCode } from '../base/LateCode';
@@ -10,11 +10,11 @@ import { LastPicture } from './LastPicture';
 import { PictureEffects } from './PictureEffects';
 import { PictureLook } from './PictureLook';
 import { PictureShadows } from './PictureShadows';
+import { techniqueAbilities } from './techniqueAbilities';
 
 const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
-const isGBuffer = ({ name }: PassInfo): boolean => name === 'g-buffer';
 
 /** What draws a three scene: a FarolRenderer, or several side by side. */
 export interface ScenePainter {
@@ -207,9 +207,9 @@ export class PictureRenderer {
 
   /** Samples a pixel: as the canvas has, unless what shades a G-buffer or smooths edges has no use for them. */
   private get samples(): number {
-    const { webgl, info, effects } = this.farol;
+    const { webgl, info, techniques, effects } = this.farol;
     if (webgl.getContextAttributes()?.antialias !== true || effects.some(takesPicture)) return 0;
-    return info.passes.some(isGBuffer) ? 0 : 4;
+    return techniqueAbilities(techniques, info.technique).samples ? 4 : 0;
   }
 
   /** What draws the picture's effects; null where there are none, or their code is not there yet. */

@@ -16,6 +16,7 @@ const makeFarol = () =>
     view: 'final',
     technique: 'auto',
     effects: [],
+    techniques: {},
     info: { technique: '', passes: [] },
     ready: Promise.resolve(),
     render: () => {},

@@ -10,6 +10,7 @@ import {
   number,
   string,
 } from '@farol/editing/fields';
+import { antialiasingEffects, effectEntries, effectFields } from './effectFields';
 import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
 /** Shown only while a switch is on. */
@@ -300,42 +301,16 @@ export const shadowFields = {
 
 export const renderingFields = {
   technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
-  antialiasing: choice('auto', ['auto', 'none', 'smaa', 'edges', 'taa'], {
+  antialiasing: choice('auto', ['auto', 'none', ...antialiasingEffects], {
     help: 'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.',
     label: 'Anti-aliasing',
     optionLabels: {
       auto: 'Automatic',
       none: 'Of the technique',
-      smaa: 'SMAA',
-      edges: 'Multisampled edges',
-      taa: 'TAA',
+      ...Object.fromEntries(antialiasingEffects.map((name) => [name, effectEntries[name].label])),
     },
   }),
-  ambientOcclusion: boolean(false, {
-    help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
-    label: 'Ambient occlusion',
-  }),
-  occlusionRadius: number(0.5, {
-    unit: 'm',
-    min: 0.01,
-    max: 100,
-    step: 0.05,
-    help: 'How far off things close a corner.',
-    label: 'Occlusion radius',
-    ...on('ambientOcclusion'),
-  }),
-  occlusionStrength: number(1, {
-    min: 0,
-    max: 4,
-    step: 0.05,
-    help: 'How dark corners become; 1 is as computed.',
-    label: 'Occlusion strength',
-    ...on('ambientOcclusion'),
-  }),
-  unsortedTransparency: boolean(false, {
-    help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
-    label: 'Unsorted transparency',
-  }),
+  ...effectFields,
   pluginEffects: string('', {
     help: 'Names of effects of plugins that are on, with commas between them.',
     label: 'Effects of plugins',

@@ -1,62 +1,124 @@
 import type { FarolEffect } from '../frame/FarolEffect';
-import { AmbientOcclusion } from './ambient-occlusion';
-import { MultisampledEdges, SMAA, TAA } from './antialiasing';
-import { Decals } from './decals';
-import { WeightedBlendedOIT } from './transparency';
 
-/** An effect as a menu shows it. */
-export interface EffectEntry {
+/** A number of an effect, as menus and files have it. */
+export interface EffectField {
+  readonly kind: 'number';
+  /** Property of the effect that it sets. */
+  readonly property: string;
   /** Name in menus. */
   readonly label: string;
   /** One line of help. */
   readonly help: string;
-  /** Of the entries of one group at most one is used at a time; null for those that stand alone. */
-  readonly group: 'antialiasing' | null;
-  /** A new effect, with its defaults. */
-  make(): FarolEffect;
+  readonly default: number;
+  /** SI unit; none for a pure number. */
+  readonly unit?: string;
+  /** Range of allowed values, and the step of sliders. */
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
 }
+
+/** Makes an effect with its defaults. */
+type EffectClass = new () => FarolEffect;
+
+/** An effect as menus and files have it. Its code is fetched by `load`. */
+export interface EffectEntry {
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. Default: the label says all. */
+  readonly help?: string;
+  /** At most one of the entries of a group is used at a time. Default: it stands alone. */
+  readonly group?: 'antialiasing';
+  /** Name of its switch in the settings of a scene. Default: it has none there. */
+  readonly setting?: string;
+  /** Short name of the switch, for addresses. Default: `setting`. */
+  readonly short?: string;
+  /** Numbers that menus set, by their names in the settings of a scene. */
+  readonly fields?: Readonly<Record<string, EffectField>>;
+  /** What the technique has to make before it shades; by techniques that do not it is left out. Default: nothing. */
+  readonly needs?: 'depth' | 'gbuffer';
+  /** Frames of a still scene after which its picture changes no more. Default 1. */
+  readonly stillFrames?: number;
+  /** Fetches its class. @throws Error (as a rejection) when it cannot be fetched; try again */
+  load(): Promise<EffectClass>;
+}
+
+const decals = () => import('./decals');
+const ambientOcclusion = () => import('./ambient-occlusion');
+const transparency = () => import('./transparency');
+const antialiasing = () => import('./antialiasing');
 
 /**
  * The effects that a menu offers, by key, in the order in which they are to stand in `FarolRenderer.effects`. A new one is a file
- * and a line here. `Particles` is not among them: whoever has emitters has it too, and scenes without need not fetch it.
+ * and an entry here. `Particles` is not among them: whoever has emitters has it too.
  */
 export const effects = {
   decals: {
     label: 'Decals',
-    help: 'Draws the decals of the scene on the surfaces in their boxes; needs a technique with a G-buffer.',
-    group: null,
-    make: () => new Decals(),
+    needs: 'gbuffer',
+    load: async () => (await decals()).Decals,
   },
   'ambient-occlusion': {
     label: 'Ambient occlusion',
-    help: 'Indirect light reaches less into corners; needs a technique that knows depth before it shades.',
-    group: null,
-    make: () => new AmbientOcclusion(),
+    help: 'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.',
+    setting: 'ambientOcclusion',
+    short: 'ao',
+    needs: 'depth',
+    fields: {
+      occlusionRadius: {
+        kind: 'number',
+        property: 'radius',
+        default: 0.5,
+        unit: 'm',
+        min: 0.01,
+        max: 100,
+        step: 0.05,
+        help: 'How far off things close a corner.',
+        label: 'Occlusion radius',
+      },
+      occlusionStrength: {
+        kind: 'number',
+        property: 'strength',
+        default: 1,
+        min: 0,
+        max: 4,
+        step: 0.05,
+        help: 'How dark corners become; 1 is as computed.',
+        label: 'Occlusion strength',
+      },
+    },
+    load: async () => (await ambientOcclusion()).AmbientOcclusion,
   },
   'order-independent-transparency': {
-    label: 'Order-independent transparency',
+    label: 'Unsorted transparency',
     help: 'Transparent layers are averaged, not sorted: they may pass through one another.',
-    group: null,
-    make: () => new WeightedBlendedOIT(),
+    setting: 'unsortedTransparency',
+    short: 'oit',
+    load: async () => (await transparency()).WeightedBlendedOIT,
   },
   smaa: {
     label: 'SMAA',
-    help: 'Smooths the edges of each picture by itself.',
     group: 'antialiasing',
-    make: () => new SMAA(),
+    load: async () => (await antialiasing()).SMAA,
   },
   edges: {
     label: 'Multisampled edges',
-    help: 'Draws the geometry once more, with 4 samples a pixel, and shades what edges hide: as antialias does.',
     group: 'antialiasing',
-    make: () => new MultisampledEdges(),
+    load: async () => (await antialiasing()).MultisampledEdges,
   },
   taa: {
     label: 'TAA',
-    help: 'Smooths edges over several frames, each drawn a part of a pixel off.',
     group: 'antialiasing',
-    make: () => new TAA(),
+    stillFrames: 40,
+    load: async () => (await antialiasing()).TAA,
   },
 } as const satisfies Record<string, EffectEntry>;
 
 export type EffectName = keyof typeof effects;
+
+/** The classes of all effects, fetched. @throws Error (as a rejection) when one cannot be fetched; try again */
+export async function loadEffects(): Promise<Record<EffectName, EffectClass>> {
+  const entries = Object.entries<EffectEntry>(effects);
+  const classes = entries.map(async ([name, { load }]): Promise<[string, EffectClass]> => [name, await load()]);
+  return Object.fromEntries(await Promise.all(classes)) as Record<EffectName, EffectClass>;
+}

@@ -68,6 +68,8 @@ export interface FarolEffect {
    * compiled, one a call.
    */
   warmUp?(frame: Frame): void;
+  /** Forgets what it has gathered over earlier frames. */
+  reset?(): void;
   /** Frees the GPU resources; a later frame makes them anew. */
   dispose(): void;
 }

@@ -1,6 +1,6 @@
 import type { Fills } from './Fills';
 import type { Lazy } from './Lazy';
-import type { Pass } from './Pass';
+import type { Pass, Resource } from './Pass';
 import type { LightOrder } from '../lighting/LightTable';
 
 /** A way of drawing: an array of passes, which hand one another `frame.resources`. */
@@ -20,6 +20,11 @@ export interface Technique {
    * lights are few or the device has no float targets. Default: that of `lightOrder`.
    */
   readonly lazy?: Lazy<object>;
+  /**
+   * `gbuffer`, and `scene-depth` of the picture's size, where its passes write them: for whoever asks before `lazy` is there.
+   * Default none; where no code is fetched the passes say it.
+   */
+  readonly writes?: readonly Resource[];
   /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */
   passes(): Pass[];
 }

@@ -9,7 +9,9 @@ export const auto: Technique = {
   needsFloatTargets: false,
   // most scenes are drawn by it: fetched ahead
   lazy: gridCode,
+  // it picks one that writes what an effect works on
+  writes: ['gbuffer', 'scene-depth'],
   passes() {
-    throw new Error('The technique "auto" has no passes of its own; FarolRenderer draws with the one it picks.');
+    throw new Error('Farol: "auto" has no passes; those of the technique that it picks draw.');
   },
 };

@@ -12,5 +12,6 @@ export const clusteredDeferred: Technique = {
   needsFloatTargets: true,
   fills: 'every-pixel',
   lazy: gridCode,
+  writes: ['gbuffer', 'scene-depth'],
   passes: () => gridCode.required.clusteredDeferredPasses(),
 };

@@ -12,5 +12,6 @@ export const forwardPlus: Technique = {
   lightOrder: 'by-depth',
   needsFloatTargets: false,
   lazy: tileCode,
+  writes: ['scene-depth'],
   passes: () => tileCode.required.forwardPlusPasses(),
 };

@@ -13,5 +13,6 @@ export const lightPrepass: Technique = {
   lightOrder: 'by-volume',
   needsFloatTargets: true,
   lazy: lightBufferCode,
+  writes: ['scene-depth'],
   passes: () => lightBufferCode.required.lightPrepassPasses(),
 };

@@ -13,5 +13,6 @@ export const tiledDeferred: Technique = {
   needsFloatTargets: true,
   fills: 'every-pixel',
   lazy: tileCode,
+  writes: ['gbuffer', 'scene-depth'],
   passes: () => tileCode.required.tiledDeferredPasses(),
 };

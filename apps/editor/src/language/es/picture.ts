@@ -89,8 +89,10 @@ export const picture: Texts = {
   'How light becomes a picture.': 'Cómo la luz se convierte en imagen.',
   'Picture effects': 'Efectos de imagen',
   'What is done to the finished picture.': 'Lo que se hace a la imagen terminada.',
-  'This technique knows no depth before it shades: no ambient occlusion. Automatic, the deferred ones, light pre-pass and Forward+ have it.':
-    'Esta técnica no conoce la profundidad antes de sombrear: no hay oclusión ambiental. Automático, las diferidas, light pre-pass y Forward+ la tienen.',
+  'This technique knows no depth before it shades: no {effect}. {names} have it.':
+    'Esta técnica no conoce la profundidad antes de sombrear: no hay {effect}. La tienen: {names}.',
+  'This technique has no G-buffer: no {effect}. {names} have it.':
+    'Esta técnica no tiene G-buffer: no hay {effect}. La tienen: {names}.',
   'This technique shades one sample a pixel: edges are jagged. Automatic smooths them by SMAA.':
     'Esta técnica sombrea una muestra por píxel: los bordes quedan dentados. Automático los suaviza con SMAA.',
   'This technique has no G-buffer: decals are not seen. Automatic picks one.':

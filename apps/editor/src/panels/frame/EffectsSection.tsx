@@ -1,4 +1,5 @@
 import { t } from '@farol/editing';
+import { effectFields } from '@farol/engine';
 import { type ReactNode, useMemo } from 'react';
 import { setValues } from '../../model/edits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -9,7 +10,7 @@ import { FieldList } from '../inspector/FieldList';
 import { Section } from '../inspector/Section';
 import { TechniqueLimit } from '../inspector/TechniqueLimit';
 
-const shown = ['antialiasing', 'ambientOcclusion', 'occlusionRadius', 'occlusionStrength', 'unsortedTransparency'];
+const shown = ['antialiasing', ...Object.keys(effectFields)];
 
 /** What takes part in the picture beside the technique: settings of the scene, and effects of plugins. */
 export function EffectsSection(): ReactNode {

@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import type { SceneSettings } from '@farol/engine';
+import { effectFields, type SceneSettings } from '@farol/engine';
 import { type ReactNode, useMemo } from 'react';
 import { FieldList } from './FieldList';
 import { Section } from './Section';
@@ -22,10 +22,7 @@ const sky = [
   ...['environmentIntensity', 'backgroundIntensity', 'backgroundRotation', 'backgroundBlur'],
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
-const picture = [
-  ...['technique', 'antialiasing', 'toneMapping', 'exposure', 'ambientOcclusion', 'occlusionRadius'],
-  ...['occlusionStrength', 'unsortedTransparency'],
-];
+const picture = ['technique', 'antialiasing', 'toneMapping', 'exposure', ...Object.keys(effectFields)];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
 const effects = [
   ...['bloom', 'bloomIntensity', 'bloomThreshold', 'bloomRadius'],

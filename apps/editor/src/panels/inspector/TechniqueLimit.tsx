@@ -1,33 +1,41 @@
 import { t } from '@farol/editing';
-import { Decal, type SceneSettings, techniqueLimits } from '@farol/engine';
-import type { ReactNode } from 'react';
+import { Decal, type SceneSettings, techniqueAbilities } from '@farol/engine';
+import { type EffectEntry, effects } from '@farol/renderer/effects';
+import { type ReactNode, useMemo } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
-import { useMemo } from 'react';
 
-/** What the scene asks for and its technique cannot do, a line each. */
-function limitsOf({ technique, ambientOcclusion, antialiasing }: SceneSettings, hasDecals: boolean): string[] {
-  const { occlusion, samples, decals } = techniqueLimits(technique);
-  const lines: string[] = [];
-  if (ambientOcclusion && occlusion)
-    lines.push(
-      t(
-        'This technique knows no depth before it shades: no ambient occlusion. Automatic, the deferred ones, light pre-pass and Forward+ have it.',
-      ),
-    );
-  if (antialiasing === 'none' && samples)
+type Techniques = Parameters<typeof techniqueAbilities>[0];
+
+/** A line for an effect that is left out by the technique of the scene. */
+function leftOut({ label, needs = 'depth' }: EffectEntry, techniques: Techniques): string {
+  const able = Object.entries(techniques).filter(([name]) => techniqueAbilities(techniques, name)[needs]);
+  const words = { effect: t(label).toLowerCase(), names: able.map(([, each]) => t(each.label)).join(', ') };
+  return needs === 'depth'
+    ? t('This technique knows no depth before it shades: no {effect}. {names} have it.', words)
+    : t('This technique has no G-buffer: no {effect}. {names} have it.', words);
+}
+
+/** Lines for all that a scene asks for and its technique cannot do. */
+function linesOf(settings: SceneSettings, techniques: Techniques, hasDecals: boolean): string[] {
+  const abilities = techniqueAbilities(techniques, settings.technique);
+  const lines = Object.values<EffectEntry>(effects)
+    .filter(({ setting, needs }) => setting && needs && settings.get(setting) === true && !abilities[needs])
+    .map((entry) => leftOut(entry, techniques));
+  if (settings.antialiasing === 'none' && !abilities.samples)
     lines.push(t('This technique shades one sample a pixel: edges are jagged. Automatic smooths them by SMAA.'));
-  if (hasDecals && decals) lines.push(t('This technique has no G-buffer: decals are not seen. Automatic picks one.'));
+  if (hasDecals && !abilities.gbuffer)
+    lines.push(t('This technique has no G-buffer: decals are not seen. Automatic picks one.'));
   return lines;
 }
 
-/** What the technique of a scene cannot do of what the scene asks for; nothing where it can do all. */
+/** Tells what the scene asks for and its technique cannot do; nothing where it can do all. */
 export function TechniqueLimit({ settings }: { settings: SceneSettings }): ReactNode {
-  const { document } = useEditor();
+  const { document, viewport } = useEditor();
   useSignal(document.structure);
   useOwnersRevision(useMemo(() => [settings], [settings]));
   const hasDecals = document.scene.componentsOf(Decal).length > 0;
-  return limitsOf(settings, hasDecals).map((line) => (
+  return linesOf(settings, viewport.farol.techniques, hasDecals).map((line) => (
     <p key={line} className="technique-limit">
       {line}
     </p>

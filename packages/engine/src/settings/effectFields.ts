@@ -1,0 +1,31 @@
+import { boolean, type BooleanField, type FieldTable, type NumberField } from '@farol/editing/fields';
+import { type EffectEntry, type EffectName, effects } from '@farol/renderer/effects';
+
+type Entry = (typeof effects)[EffectName];
+type SwitchOf<E> = E extends { readonly setting: infer Name extends string } ? Name : never;
+type NumberOf<E> = E extends { readonly fields: infer Fields } ? keyof Fields : never;
+
+/** Effects of the renderer as menus have them, by key. */
+export const effectEntries: Readonly<Record<string, EffectEntry>> = effects;
+
+function makeFields(): FieldTable {
+  const table: Record<string, BooleanField | NumberField> = {};
+  for (const { label, help = label, setting, fields = {} } of Object.values(effectEntries)) {
+    if (setting === undefined) continue;
+    table[setting] = boolean(false, { label, help });
+    for (const name of Object.keys(fields)) {
+      table[name] = { ...fields[name], visibleWhen: { field: setting, equals: [true] } };
+    }
+  }
+  return table;
+}
+
+/** Settings of a scene that switch effects of the renderer on, and set them: of each effect the switch, then its numbers. */
+export const effectFields = makeFields() as Readonly<
+  Record<SwitchOf<Entry>, BooleanField> & Record<NumberOf<Entry>, NumberField>
+>;
+
+/** Keys of the effects that smooth edges. */
+export const antialiasingEffects = Object.keys(effects).filter(
+  (name) => effectEntries[name].group === 'antialiasing',
+) as { [Name in EffectName]: (typeof effects)[Name] extends { group: 'antialiasing' } ? Name : never }[EffectName][];
