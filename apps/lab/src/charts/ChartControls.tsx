@@ -3,7 +3,7 @@ import { competitorHelp, competitorLabel, metricWords } from '../words/names';
 import { missingMetric } from '../words/missingMetric';
 import type { ChartSettings } from './ChartSpec';
 import { CompetitorSwatch } from './CompetitorSwatch';
-import { runDashes } from './plotMarks';
+import { runDashes } from './chartPaint';
 
 interface Props {
   runs: readonly LabRun[];
@@ -14,7 +14,7 @@ interface Props {
   onChange: (settings: ChartSettings) => void;
 }
 
-/** What all charts show: the metric, the axes, the competitors. */
+/** Settings of all charts: the metric, the axes, the competitors; and the line of each run. */
 export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
   const { metric, scale, hidden } = settings;
   const toggle = (name: string): void => {

@@ -1,16 +1,18 @@
 import { pagePaint } from './chartPaint';
-import { competitorMark } from './competitorMarks';
-import { isStroked, symbolPath } from './markSymbols';
+import { competitorSymbol } from './competitorSymbol';
+import { tag } from './svg';
 
 /** A competitor's line and symbol, as in the charts. */
 export function CompetitorSwatch({ name }: { name: string }) {
-  const { symbol, hollow } = competitorMark(name);
-  const colour = pagePaint.competitor(name);
-  const fill = isStroked(symbol) ? 'none' : hollow ? pagePaint.background : colour;
+  const line = { d: 'M-12,0H12', stroke: pagePaint.competitor(name), 'stroke-width': name === 'auto' ? 2.6 : 1.8 };
   return (
-    <svg class="chart-swatch" width="24" height="14" viewBox="-12 -7 24 14" aria-hidden="true">
-      <path d="M-12,0H12" stroke={colour} stroke-width={name === 'auto' ? 2.6 : 1.8} />
-      <path d={symbolPath(symbol, 4)} fill={fill} stroke={colour} stroke-width={hollow ? 1.7 : 1} />
-    </svg>
+    <svg
+      class="chart-swatch"
+      width="24"
+      height="14"
+      viewBox="-12 -7 24 14"
+      aria-hidden="true"
+      dangerouslySetInnerHTML={{ __html: tag('path', line) + competitorSymbol(name, 0, 0, 4, pagePaint) }}
+    />
   );
 }

@@ -21,3 +21,14 @@ export function shortDevice(device: string): string {
   const model = angle.replace(/^Vulkan [\d.]+ \((.*?)\).*$/, '$1').split(/,| Direct3D| OpenGL| \(0x| \(Subzero/)[0];
   return model.trim() || 'unknown device';
 }
+
+/** One line on where and when runs were made, with their warnings. */
+export function sourceOf(runs: readonly LabRun[]): string {
+  const lines = runs.map(({ surroundings: { device, browser, system, date, build, warnings } }) =>
+    [
+      ['Farol Lab', build, shortDevice(device), browser, system, date.slice(0, 10)].filter(Boolean).join(', '),
+      ...warnings,
+    ].join('. '),
+  );
+  return [...new Set(lines)].join(' | ');
+}

@@ -33,7 +33,7 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
     label,
     help,
     async make(run) {
-      const files = chartFiles([run]).map(async ({ name, svg }) => {
+      const files = chartFiles(run).map(async ({ name, svg }) => {
         const content = kind === 'png' ? await chartPNG(svg) : new Blob([svg]);
         return { name: `${name}.${kind}`, bytes: new Uint8Array(await content.arrayBuffer()) };
       });

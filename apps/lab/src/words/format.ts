@@ -12,12 +12,6 @@ export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
 
-/** Shortest to longest of some times: `0.1 ms to 2 ms`, or `0.1 ms` where both read the same. */
-export function formatMsRange(times: readonly number[]): string {
-  const [low, high] = [formatMs(Math.min(...times)), formatMs(Math.max(...times))];
-  return low === high ? low : `${low} to ${high}`;
-}
-
 const dates = new Intl.DateTimeFormat('en', { dateStyle: 'medium', timeStyle: 'short' });
 
 /** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; what is no date as it is. */
@@ -47,14 +41,4 @@ export function formatPercent(share: number): string {
 /** `a`, `a and b`, `a, b and c`. */
 export function listOf(items: readonly string[]): string {
   return items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} and ${items.at(-1)}`;
-}
-
-/** The first letter as a capital. */
-export function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
-/** A sentence that others wrote, with its full stop and no more. */
-export function asClause(sentence: string): string {
-  return sentence.trim().replace(/\.$/, '');
 }
