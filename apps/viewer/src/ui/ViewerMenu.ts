@@ -5,24 +5,25 @@ import { type EffectName, effects } from '@farol/renderer/effects';
 import GUI, { type Controller } from 'lil-gui';
 import { chooseFiles } from '../chooseFiles';
 import { modelParameters } from '../model/modelScene';
-import { known, type Viewer } from '../Viewer';
+import { known } from '../state/known';
+import type { Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
-/** A failure that a message on the page tells of. */
-const told = () => {};
+/** Handler of a failure that a message on the page explains already. */
+const ignore = () => {};
 
-/** Name of an anti-aliasing in the menu. */
+/** Label of an anti-aliasing in the menu. */
 function labelOf(name: string): string {
   return name === 'none' ? 'None' : effects[name as EffectName].label;
 }
 
-/** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
+/** The menu at the top right, made from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
 
   private readonly gui = new GUI({ title: 'Farol' });
   private readonly parameters: GUI;
-  /** What the controllers are bound to. */
+  /** Values that the controllers are bound to. */
   private readonly values: {
     technique: string;
     view: string;
@@ -35,7 +36,8 @@ export class ViewerMenu {
     dragon: string;
     stopped: boolean;
   };
-  private shown = '';
+  /** Scene or model whose parameters the menu has. */
+  private scene = '';
   private parameterValues: Record<string, unknown> = {};
 
   constructor(private readonly viewer: Viewer) {
@@ -78,13 +80,13 @@ export class ViewerMenu {
 
     const buttons = gui.addFolder('Scenes');
     for (const [name, { label, help }] of Object.entries(scenes)) {
-      buttons.add({ show: () => void viewer.chooseScene(name).catch(told) }, 'show').name(label).domElement.title =
+      buttons.add({ show: () => void viewer.chooseScene(name).catch(ignore) }, 'show').name(label).domElement.title =
         help;
     }
     buttons
       .add(this.values, 'dragon', [...known.dragons])
       .name('Dragon')
-      .onChange((name: string) => viewer.setDragon(name).catch(told));
+      .onChange((name: string) => viewer.setDragon(name).catch(ignore));
     const models = gui.addFolder('Models');
     this.addChooser(
       models,
@@ -97,13 +99,13 @@ export class ViewerMenu {
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
 
-    // it would cover most of a phone's picture
+    // an open menu would cover most of a phone's picture
     if (innerWidth < 600) gui.close();
     viewer.onChange(() => this.refresh());
     this.refresh();
   }
 
-  /** Brings the menu up to the viewer's state. */
+  /** Updates the menu from the viewer's state. */
   refresh(): void {
     const { state, modelName } = this.viewer;
     this.values.technique = state.technique;
@@ -118,10 +120,10 @@ export class ViewerMenu {
     this.values.stopped = state.time !== null;
     this.gui.show(state.gui);
 
-    const shown = modelName ?? state.scene;
+    const title = modelName ?? state.scene;
     const fields = modelName ? modelParameters : (scenes[state.scene]?.parameters ?? {});
-    if (shown !== this.shown) {
-      this.shown = shown;
+    if (title !== this.scene) {
+      this.scene = title;
       this.gui.title(`Farol: ${modelName ?? scenes[state.scene]?.label ?? ''}`);
       for (const controller of [...this.parameters.controllers]) controller.destroy();
       this.parameterValues = {};
@@ -151,7 +153,7 @@ export class ViewerMenu {
     let controller: Controller;
     if (field.kind === 'number') {
       const { min, max, step = field.integer ? 1 : undefined } = field;
-      // Over a huge range, such as that of a seed, a slider is of no use.
+      // no slider over a huge range, such as that of a seed
       const slides = min !== undefined && max !== undefined && max - min <= 100_000;
       controller = parameters.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
     } else if (field.kind === 'choice') {
@@ -161,11 +163,11 @@ export class ViewerMenu {
     } else if (field.kind === 'asset') {
       controller = parameters.add(values, name, this.viewer.assets.list(field.assetType));
     } else {
-      delete values[name]; // no scene has one; its address parameter works all the same
+      delete values[name]; // no control for this kind of field; its address parameter works
       return;
     }
     controller.name(field.label ?? name).onFinishChange((value: number | string | boolean) => {
-      void this.viewer.setParameters({ [name]: value }).catch(told);
+      void this.viewer.setParameters({ [name]: value }).catch(ignore);
     });
     controller.domElement.title = field.help;
   }
