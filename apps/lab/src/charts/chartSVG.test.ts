@@ -98,7 +98,7 @@ test('texts that others wrote cannot leave their place in a file', () => {
 });
 
 test('passes that a software rasteriser timed are not called GPU time', () => {
-  const run = sampleRun({ software: true, timer: true });
+  const run = sampleRun({ software: true });
   const { title, description } = passChart(run, defaultSettings)!;
   expect(`${title} ${description}`).not.toContain('GPU');
 });

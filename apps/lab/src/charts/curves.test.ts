@@ -6,7 +6,7 @@ import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
 import { competitorMark } from './competitorMarks';
 import { curvesOf } from './curveData';
-import { runNames, shortDevice } from './runNames';
+import { runNames } from './runNames';
 import { sampleRun } from './sampleRuns';
 import { linearTicks, logTicks, scaleOf, ticksWithRoom } from './scales';
 import { spreadLabels } from './spreadLabels';
@@ -185,16 +185,8 @@ test('arrow keys walk a line and change lines; the pointer takes the nearest', (
   expect(nearestPoint(points, 90, 90, 20)).toBeNull();
 });
 
-test('devices are called by their model, runs of one device by number', () => {
-  expect(shortDevice('ANGLE (NVIDIA, NVIDIA H200 (0x00002335), OpenGL ES 3.2)')).toBe('NVIDIA H200');
-  expect(
-    shortDevice('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)'),
-  ).toBe('SwiftShader Device');
-  expect(shortDevice('ANGLE (Intel, Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6)')).toBe(
-    'Mesa Intel(R) UHD Graphics 620 (KBL GT2)',
-  );
-  expect(shortDevice('Apple M2')).toBe('Apple M2');
-  expect(runNames([sampleRun(), { ...sampleRun(), name: 'Mine' }, sampleRun({ seed: 2 })])).toEqual([
+test('runs are called by device and date, those of one day by number', () => {
+  expect(runNames([sampleRun(), { ...sampleRun(), name: 'Mine' }, sampleRun()])).toEqual([
     'NVIDIA H200, 2026-11-22, run 1',
     'Mine',
     'NVIDIA H200, 2026-11-22, run 2',

@@ -1,6 +1,6 @@
 import type { LabRow, LabRun } from '../results/LabRun';
 import { formatMs, formatNumber } from '../words/format';
-import { isSoftware } from '../words/isSoftware';
+import { isSoftware } from '../words/device';
 import { competitorLabel, competitorWord } from '../words/names';
 import { casesOf } from '../words/seriesCases';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
@@ -22,7 +22,7 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   const { label } = cases[selected];
   const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
   const isTimed = rows.every((row) => row.passes!.kind === 'gpu');
-  const kind = !isTimed ? 'CPU' : isSoftware(run) ? 'Rasteriser' : 'GPU';
+  const kind = !isTimed ? 'CPU' : isSoftware(run.surroundings.device) ? 'Rasteriser' : 'GPU';
   const names = passNames(cases.flatMap((each) => each.rows));
   const most = Math.max(...rows.map(passTotal));
   const drawn = rows.map((row): ChartRow => {

@@ -3,7 +3,7 @@ import type { ChartSettings, ChartSpec, ChartTip } from '../charts/ChartSpec';
 import { type ChartRow, drawRows, type RowBar, type RowMark } from '../charts/drawRows';
 import type { LabRun } from '../results/LabRun';
 import { formatMs, formatNumber } from '../words/format';
-import { isSoftware } from '../words/isSoftware';
+import { isSoftware } from '../words/device';
 import { byMetric, competitorLabel, competitorWord, isTechnique } from '../words/names';
 import { compareThesis, type ThesisPair, timeIn } from './compareThesis';
 import type { Frames } from './thesis2015';
@@ -37,7 +37,7 @@ export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'
     description: `Frames a second of forward and deferred shading, row by row of the thesis’s three tables: pale bars are the ranges of 2015, symbols this run’s medians.`,
     notes: [
       'Pale bars: the thesis, in a browser that showed 60 frames a second at most; where there is none, its counter could not follow. Symbols: this run, without a display to wait for.',
-      ...(isSoftware(run)
+      ...(isSoftware(run.surroundings.device)
         ? ['A software rasteriser drew this run: it ranks the techniques on a processor, not on a GPU.']
         : []),
     ],

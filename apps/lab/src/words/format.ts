@@ -20,10 +20,11 @@ export function formatDate(text: string): string {
   return Number.isNaN(date.getTime()) ? text : dates.format(date);
 }
 
-/** Bytes, as `640 B`, `1.2 kB`, `35 MB`. */
+/** Bytes, as `640 B`, `1.2 kB`, `35 MB`, `1.25 GB`. */
 export function formatBytes(bytes: number): string {
   if (bytes < 1000) return `${formatNumber(bytes)} B`;
-  return bytes < 1e6 ? `${formatNumber(bytes / 1000)} kB` : `${formatNumber(bytes / 1e6)} MB`;
+  if (bytes < 1e6) return `${formatNumber(bytes / 1000)} kB`;
+  return bytes < 1e9 ? `${formatNumber(bytes / 1e6)} MB` : `${formatNumber(bytes / 1e9)} GB`;
 }
 
 /** A factor in words: `4.1 times`, `1.15 times`. */

@@ -6,7 +6,7 @@ import { sampleRun } from '../charts/sampleRuns';
 import { winnerMaps } from '../charts/winnerMap';
 import type { LabRun } from '../results/LabRun';
 import { exactly, madeUpRow, madeUpRun } from './madeUpRun';
-import { missingMetric } from './missingMetric';
+import { missingMetric } from './compareSpreads';
 import { winnersOf } from './winners';
 
 const wide = (median: number) => ({ median, low: median * 0.5, high: median * 2, samples: 9 });
