@@ -3,7 +3,6 @@ import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { labBuild } from '@farol/tools/labBuild';
 import { runInfo } from '@farol/tools/runInfo';
 import { rivals } from '@farol/tools/rivalsPlugin';
-import { smallPlot } from '@farol/tools/smallPlot';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
@@ -13,7 +12,7 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses(), smallPlot()],
+  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

@@ -244,7 +244,7 @@ function writeRun(run, { out, name, withoutPictures }) {
 /** @param {import('./benchLabBrowser.mjs').LabRow} row */
 const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.likeness, thumbnail: '' } });
 
-/** Tables, sentences and drawings of the whole run. @param {LabBrowser} browser @param {LabRun} run @param {LabBench} options */
+/** Writes tables and drawings of the whole run. @param {LabBrowser} browser @param {LabRun} run @param {LabBench} options */
 async function writeFiles(browser, run, options) {
   const { out } = options;
   writeRun(run, options);

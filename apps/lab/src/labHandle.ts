@@ -68,7 +68,7 @@ export interface LabHandle {
   merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
   /** @throws FormatError */
   parse(json: string): LabRun;
-  /** The run as Markdown with the sentences of its charts, and each chart as SVG. */
+  /** The run as Markdown, and each chart as SVG. */
   files(run: LabRun): TextFile[];
 }
 
@@ -139,8 +139,8 @@ function configurationIn(fragment: string): Configuration {
 }
 
 function files(run: LabRun): TextFile[] {
-  const charts = chartFiles([run]);
-  const text = `${runMarkdown(run, charts)}${againstMarkdown(run)}`;
+  const charts = chartFiles(run);
+  const text = `${runMarkdown(run)}${againstMarkdown(run)}`;
   return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
 }
 

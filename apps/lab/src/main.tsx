@@ -1,8 +1,7 @@
 import { render } from 'preact';
 import { LabPage } from './ui/LabPage';
-import { NoStart } from './ui/NoStart';
+import { NoStart, webglProblem } from './ui/NoStart';
 import { applyTheme, storedTheme } from './ui/support/theme';
-import { webglProblem } from './ui/support/webglProblem';
 import './style.css';
 
 // npm run bench measures without the page

@@ -10,8 +10,7 @@ import {
 import type { FieldValue } from '@farol/engine/fields';
 import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
-import { type FarolEffect, FarolRenderer, type TechniqueName, techniques, type View, views } from '@farol/renderer';
-import { loadEffects } from '@farol/renderer/effects';
+import { FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
@@ -20,50 +19,24 @@ import { setDemoRectangles } from './demoRectangles';
 import { dragonUrls } from './dragonUrls';
 import { measureScene } from './measure/measureScene';
 import { loadModel, type LoadedModel } from './model/loadModel';
-import { disposeModel, modelParameters, modelScene } from './model/modelScene';
+import { disposeModel, modelScene, modelValues } from './model/modelScene';
 import { type Pixels, readPixels } from './readPixels';
-import { fitSize } from './state/fitSize';
-import { withDefaults } from './state/withDefaults';
-import { antialiasingNames, effectEntries, effectParameters, switchName } from './state/effectParameters';
-import { writeAddress } from './state/writeAddress';
+import { fitSize, largestSide } from './state/fitSize';
+import { known } from './state/known';
 import { readState } from './state/readState';
-import type { KnownNames, ViewerState } from './state/ViewerState';
-import { writeState } from './state/writeState';
+import type { ViewerState } from './state/ViewerState';
+import { writeAddress, writeState } from './state/writeState';
 import { Messages } from './ui/Messages';
+import { ViewerEffects } from './ViewerEffects';
 
-/** What the address may name, and what it means when it says nothing. */
-export const known: KnownNames = {
-  scenes,
-  techniques: Object.keys(techniques),
-  views,
-  dragons: Object.keys(dragonUrls),
-  antialiasing: antialiasingNames,
-  effects: effectParameters,
-  defaults: {
-    ...{
-      scene: 'temple',
-      technique: 'auto',
-      view: 'final',
-      parameters: {},
-      dragon: 'medium',
-      aa: 'none',
-      effects: {},
-      decals: false,
-      particles: 0,
-      rectangles: 0,
-    },
-    ...{ time: null, width: null, height: null, dpr: null, gui: true },
-  },
-};
-
-/** How long a model may take before a message tells of it (ms). */
+/** Delay after which a message says that a model is being read (ms). */
 const LONG = 1000;
 
 /**
- * The thesis's App: a scene over the whole page, drawn by any technique. Its state stands in the address of the page, and
- * is changed from there, from the menu, or by these methods, which tests and benchmarks call as `window.viewer`.
+ * The thesis's App: a scene over the whole page, drawn by any technique. Its state is in the address of the page and
+ * changes with the address, by the menu, or by these methods, which tests and benchmarks call as `window.viewer`.
  *
- * With a fixed time (`?time=`) nothing moves and no loop runs: each call draws what it says and no more.
+ * With a fixed time (`?time=`) nothing moves and no loop runs: each call that changes the picture draws one frame.
  */
 export class Viewer {
   /** Fulfilled when the first scene is loaded and drawn. */
@@ -71,21 +44,19 @@ export class Viewer {
   readonly app: App;
   readonly messages: Messages;
   readonly state: ViewerState;
-  /** Every scene, technique and view that may be chosen. */
+  /** Scenes, techniques and views to choose from. */
   readonly known = known;
 
-  /** Meshes and textures that all scenes share, by the resolution of the dragon in them. */
+  /** Meshes and textures shared by all scenes, by resolution of the Stanford dragon. */
   private readonly libraries = new Map<string, AssetLibrary>();
   private model: LoadedModel | null = null;
   private loads = 0;
   private size = '';
-  /** Every effect, one of each, once their code is there; those in use are in `farol.effects`. */
-  private readonly allEffects = new Map<string, FarolEffect>();
-  private effectNames = '';
+  private readonly effects: ViewerEffects;
   private readonly listeners = new Set<() => void>();
 
   /**
-   * @param parent - what the canvas is put into
+   * @param parent - element that gets the canvas
    * @param search - query of the page's address
    * @throws Error when the browser has no WebGL 2
    */
@@ -95,21 +66,24 @@ export class Viewer {
     this.state = state;
     this.messages.show('address', problems.join('\n'));
     this.app = new App({ parent });
+    this.effects = new ViewerEffects(this.farol);
     this.chooseTechnique(state.technique, 'auto');
     this.chooseView(state.view, 'final');
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     watchPixelRatio(() => this.resize());
-    // what the first frame may need is there before it
-    this.ready = Promise.all([FarolRenderer.preload(), this.fetchEffects()]).then(() => this.chooseScene(state.scene));
-    this.ready.catch(() => {}); // told by a message; who waits for it hears of it too
+    // fetched before the first frame, so that it lacks nothing
+    this.ready = Promise.all([FarolRenderer.preload(), this.effects.fetch(this.state)]).then(() =>
+      this.chooseScene(state.scene),
+    );
+    this.ready.catch(() => {}); // a message says it already; whoever awaits `ready` gets the error too
   }
 
   get farol(): FarolRenderer {
     return this.app.renderer;
   }
 
-  /** three's renderer, which Farol draws with. */
+  /** three's renderer, by which Farol draws. */
   get three(): WebGLRenderer {
     return this.app.webgl;
   }
@@ -122,7 +96,7 @@ export class Viewer {
     return this.cameraComponent.three;
   }
 
-  /** Meshes and textures for scenes that are built now. */
+  /** Meshes and textures for new scenes. */
   get assets(): AssetLibrary {
     const { dragon } = this.state;
     let library = this.libraries.get(dragon);
@@ -131,12 +105,12 @@ export class Viewer {
     return library;
   }
 
-  /** The engine's scene, whose GameObjects made `scene`. */
+  /** The engine's scene; its GameObjects hold the objects of `scene`. */
   get engineScene(): Scene {
     return this.app.scene;
   }
 
-  /** Name of the dropped model on show, or null. */
+  /** Name of the dropped model; null while a scene of the engine is drawn. */
   get modelName(): string | null {
     return this.model?.name ?? null;
   }
@@ -147,12 +121,12 @@ export class Viewer {
     this.changed({ technique: name });
   }
 
-  /** Draws by a technique, or, with a message, by another one where the device cannot. */
+  /** Draws by a technique, or by `otherwise`, with a message, if the device cannot. */
   chooseTechnique(name: string, otherwise = this.farol.technique): void {
     this.choose(name, otherwise, (one) => this.setTechnique(one));
   }
 
-  /** Shows a view, or, with a message, another one where the device cannot. */
+  /** Shows a view, or `otherwise`, with a message, if the device cannot. */
   chooseView(name: string, otherwise = this.farol.view): void {
     this.choose(name, otherwise, (one) => this.setView(one));
   }
@@ -179,33 +153,33 @@ export class Viewer {
     this.changed({ effects: { ...this.state.effects, [name]: value } });
   }
 
-  /** Throws decals on the scene, or takes them away. */
+  /** Adds the decals of the demo to the scene, or removes them. */
   setDecals(on: boolean): void {
     this.changed({ decals: on });
   }
 
-  /** Fills the scene with so many particles that are lights; 0 for none. */
+  /** Fills the scene with `count` particles that shine; 0 for none. */
   setParticles(count: number): void {
     this.changed({ particles: count });
   }
 
-  /** Fills the scene with so many rectangle lights; 0 for none. */
+  /** Fills the scene with `count` rectangle lights; 0 for none. */
   setRectangles(count: number): void {
     this.changed({ rectangles: count });
   }
 
-  /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the scene on show anew. */
+  /** Chooses the resolution of the Stanford dragon, a key of `known.dragons`, and builds the current scene anew. */
   async setDragon(name: string): Promise<void> {
     this.changed({ dragon: name });
     if (!this.model) await this.chooseScene(this.state.scene, true);
   }
 
   /**
-   * Shows a scene of the engine's, when it is loaded. Of several calls that run at once the last one counts.
+   * Loads and shows a scene of the engine. Of several calls at once the last one counts.
    *
    * @param parameters - values of its parameters; the rest have their defaults
-   * @param keepCamera - look from where the present camera is
-   * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the present scene stays
+   * @param keepCamera - whether the camera keeps its pose
+   * @throws Error (as a rejection) when there is no such scene or a parameter is wrong; the current scene stays
    */
   async loadScene(name: string, parameters: Record<string, FieldValue> = {}, keepCamera = false): Promise<void> {
     const load = ++this.loads;
@@ -217,15 +191,15 @@ export class Viewer {
   }
 
   /**
-   * Shows a scene with those of some parameters that it has; a message tells when it cannot be shown.
+   * Shows a scene, or a message if it cannot be shown.
    *
-   * @param parameters - the state's by default
+   * @param parameters - those that the scene does not have are ignored; the state's by default
    */
   async chooseScene(name: string, keepCamera = false, parameters = this.state.parameters): Promise<void> {
     const fields = scenes[name]?.parameters ?? {};
-    const own = Object.entries(parameters).filter(([parameter]) => Object.hasOwn(fields, parameter));
+    const known = Object.entries(parameters).filter(([parameter]) => Object.hasOwn(fields, parameter));
     try {
-      await this.loadScene(name, Object.fromEntries(own), keepCamera);
+      await this.loadScene(name, Object.fromEntries(known), keepCamera);
       this.messages.show('scene', '');
     } catch (error) {
       this.messages.show('scene', `Scene ${name}: ${error instanceof Error ? error.message : String(error)}`);
@@ -234,9 +208,9 @@ export class Viewer {
   }
 
   /**
-   * Shows the model among some files. A message tells of files that cannot be shown; the present scene stays then.
+   * Shows the model among some files. If it cannot be read, a message says why and the current scene stays.
    *
-   * @param files - a glTF or OBJ, and what it names; those of a drop are on their way
+   * @param files - a glTF or OBJ with the files that it names; a promise for those of a drop
    */
   async loadFiles(files: FileMap | Promise<FileMap>): Promise<void> {
     const load = ++this.loads;
@@ -263,7 +237,7 @@ export class Viewer {
     }
   }
 
-  /** Opens the Lab with the scene on show, or tells why not. Call it while a click or a key is answered: see `openBeside`. */
+  /** Opens the Lab with the current scene; a message says why it cannot. Call it from a click or key event: see `openBeside`. */
   async measure(): Promise<void> {
     this.messages.show('lab', '');
     try {
@@ -273,7 +247,7 @@ export class Viewer {
     }
   }
 
-  /** Changes parameters of the scene on show, and looks from where one looked before. */
+  /** Changes parameters of the current scene; the camera keeps its pose. */
   async setParameters(parameters: Record<string, FieldValue>): Promise<void> {
     const merged = { ...this.state.parameters, ...parameters };
     if (!this.model) return this.chooseScene(this.state.scene, true, merged);
@@ -281,33 +255,33 @@ export class Viewer {
     this.showModel(this.model, true);
   }
 
-  /** Fixes the time (s) and draws the scene as it is then; null lets time run on from where it is. */
+  /** Stops the scene at a time (s) and draws it; null lets time go on from the current one. */
   setTime(seconds: number | null): void {
     if (seconds !== null) this.app.scene.setTime(seconds);
     this.changed({ time: seconds });
   }
 
-  /** Stops time where it is (to a millisecond), or lets it run on. */
+  /** Stops time at the current millisecond, or lets it go on. */
   toggleTime(): void {
     this.setTime(this.state.time === null ? Math.round(this.app.scene.time * 1000) / 1000 : null);
   }
 
   /** Shows or hides the menu. */
-  setGui(shown: boolean): void {
-    this.changed({ gui: shown });
+  setGui(visible: boolean): void {
+    this.changed({ gui: visible });
   }
 
-  /** Draws exactly one frame, as the scene is at a time (s). */
+  /** Draws exactly one frame, of the scene at a time (s). */
   renderAt(seconds: number): void {
     this.app.renderAt(seconds);
   }
 
-  /** Draws the scene once more as it is and reads the picture: linear light, without tone mapping. */
+  /** Draws the scene once by Farol and reads the picture: linear light, without tone mapping. */
   readPixels(): Pixels {
     return readPixels(this.three, () => this.farol.render(this.scene, this.camera));
   }
 
-  /** The same by three's own `render`, to compare with. */
+  /** Draws the scene once by three's own `render` and reads the picture, for comparisons. */
   readStockPixels(): Pixels {
     return readPixels(this.three, () => this.three.render(this.scene, this.camera));
   }
@@ -317,7 +291,7 @@ export class Viewer {
     this.listeners.add(listener);
   }
 
-  /** Makes the canvas as large as the state says, or as the page. Draws anew when that is another size. */
+  /** Sizes the canvas by the state, or by the page where the state has no size; draws anew if the size changed. */
   resize(): void {
     const { width, height, dpr } = this.state;
     const parent = this.app.canvas.parentElement!;
@@ -328,13 +302,13 @@ export class Viewer {
     ];
     if (size.join() === this.size) return;
     this.size = size.join();
-    const fitted = fitSize(...size, this.largestSide);
+    const fitted = fitSize(...size, largestSide(this.three.getContext()));
     this.messages.show('size', fitted.problem);
     this.app.resize(size[0], size[1], fitted.dpr);
     this.redraw();
   }
 
-  /** Draws the scene as it is, when no loop does. */
+  /** Draws the scene if no loop does. */
   redraw(): void {
     if (this.state.time !== null && this.app.scene.activeCamera) this.app.step(0);
   }
@@ -348,15 +322,6 @@ export class Viewer {
     }
   }
 
-  /** Most pixels a side that the device can draw. */
-  private get largestSide(): number {
-    const gl = this.three.getContext();
-    const [width, height] = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
-    const asked = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);
-    // a lost context answers null
-    return Math.min(...[width, height, ...asked].map((side) => side || Infinity));
-  }
-
   private get cameraComponent(): CameraComponent {
     const camera = this.app.scene.activeCamera;
     if (!camera) throw new Error('The scene has no camera: wait for viewer.ready.');
@@ -364,7 +329,7 @@ export class Viewer {
   }
 
   private showModel(model: LoadedModel, keepCamera: boolean): void {
-    const scene = modelScene(model, withDefaults(modelParameters, this.state.parameters), this.assets);
+    const scene = modelScene(model, modelValues(this.state.parameters), this.assets);
     this.replaceScene(scene, keepCamera);
     if (model !== this.model) this.dropModel();
     this.model = model;
@@ -372,8 +337,8 @@ export class Viewer {
   }
 
   private replaceScene(scene: Scene, keepCamera: boolean): void {
-    const before = this.app.scene;
-    const pose = keepCamera ? before.activeCamera?.gameObject.object3D : null;
+    const previous = this.app.scene;
+    const pose = keepCamera ? previous.activeCamera?.gameObject.object3D : null;
     const camera = scene.activeCamera?.gameObject;
     if (!camera) throw new Error(`The scene ${scene.name} has no camera.`);
     if (!camera.getComponent(KeyController)) camera.addComponent(KeyController);
@@ -384,7 +349,7 @@ export class Viewer {
     setDemoParticles(scene, this.state.particles);
     setDemoRectangles(scene, this.state.rectangles);
     this.app.scene = scene;
-    before.dispose();
+    previous.dispose();
   }
 
   private dropModel(): void {
@@ -392,37 +357,17 @@ export class Viewer {
     this.model = null;
   }
 
-  private async fetchEffects(): Promise<void> {
-    for (const [name, Effect] of Object.entries(await loadEffects())) this.allEffects.set(name, new Effect());
-    this.setEffects();
-  }
-
-  /** Brings the renderer's effects up to the state. */
-  private setEffects(): void {
-    const { aa, effects } = this.state;
-    const names: string[] = [];
-    for (const [name, effect] of this.allEffects) {
-      const entry = effectEntries[name];
-      for (const [number, { property }] of Object.entries(entry.fields ?? {}))
-        Object.assign(effect, { [property]: effects[number] ?? effectParameters[number].default });
-      if (name === aa || effects[switchName(entry)] === true) names.push(name);
-    }
-    if (names.join() === this.effectNames) return;
-    this.effectNames = names.join();
-    this.farol.effects = names.map((name) => this.allEffects.get(name)!);
-  }
-
   private changed(changes: Partial<ViewerState>): void {
     Object.assign(this.state, changes);
     setDemoDecals(this.app.scene, this.state.decals);
     setDemoParticles(this.app.scene, this.state.particles);
     setDemoRectangles(this.app.scene, this.state.rectangles);
-    this.setEffects();
-    // Timer queries cannot be nested: without the menu they are left to whoever measures.
+    this.effects.update(this.state);
+    // timer queries cannot be nested: without the menu nobody reads them here, and a benchmark may use its own
     this.farol.timing = this.state.gui;
     writeAddress(writeState(this.state, known, this.model === null));
     for (const listener of this.listeners) listener();
-    if (!this.app.scene.activeCamera) return; // the first scene is on its way
+    if (!this.app.scene.activeCamera) return; // the first scene is still loading
     if (this.state.time === null) this.app.start();
     else this.app.stop();
     this.redraw();

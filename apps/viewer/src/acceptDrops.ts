@@ -8,7 +8,7 @@ export function acceptDrops(viewer: Viewer): void {
     document.body.classList.add('dropping');
   };
   const out = (event: DragEvent) => {
-    // Also told of every element that is left on the way; only outside of the window is it over.
+    // fires for each element left; without a related target the pointer left the window
     if (event.relatedTarget === null) document.body.classList.remove('dropping');
   };
   addEventListener('dragenter', over);

@@ -4,13 +4,13 @@ import { scenes, sponza } from '@farol/scenes';
 import type { Group, WebGLRenderer } from 'three';
 import { fetchModel } from './model/fetchModel';
 
-/** Where the real Sponza is, or null; set by vite.config.ts. */
+/** Address of the real Sponza, or null; set by vite.config.ts. */
 declare const SPONZA_URL: string | null;
 
 let realSponza: Promise<Group> | null = null;
 
 /**
- * Makes one of the engine's scenes. The real Sponza takes the place of the atrium where its glTF is at hand.
+ * Makes one of the engine's scenes. The real Sponza replaces the atrium if its glTF is available.
  *
  * @throws Error (as a rejection) when there is no such scene, a parameter is wrong or a file cannot be read
  */

@@ -1,12 +1,12 @@
 import type { FileMap } from '@farol/engine/files';
 
-/** What a model may consist of. */
+/** Extensions of models and of the files that they name. */
 const endings = '.glb,.gltf,.bin,.obj,.mtl,.stl,.ply,.zip,.png,.jpg,.jpeg,.webp,.tga,.bmp,.ktx2';
 
 /**
  * Asks the user for files, or for a folder with everything in it.
  *
- * @returns them by their paths; null when the user turned back
+ * @returns files by path; null when the user cancels
  */
 export function chooseFiles(what: 'files' | 'folder'): Promise<FileMap | null> {
   const input = document.createElement('input');

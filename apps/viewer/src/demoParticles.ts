@@ -2,12 +2,12 @@ import { GameObject, ParticleEmitter, type Scene } from '@farol/engine';
 import { Box3, Vector3 } from 'three';
 
 const NAME = 'Particles';
-/** Of each particle (s). */
+/** Lifetime of a particle (s). */
 const LIFE = 6;
 
 /**
- * Fills a scene with particles that are lights, or takes them away again. The same ones in every run.
- * @param count - that live at once; 0 for none
+ * Fills a scene with particles that shine, or removes them; equal in every run.
+ * @param count - particles alive at once; 0 for none
  */
 export function setDemoParticles(scene: Scene, count: number): void {
   const present = scene.roots.find(({ name }) => name === NAME);

@@ -2,12 +2,12 @@ import { createRandom, GameObject, Light, type Scene } from '@farol/engine';
 import { Box3, Color, Vector3 } from 'three';
 
 const NAME = 'Rectangle lights';
-/** Distance from a rectangle where its light ends (m). */
+/** Range of a rectangle's light (m). */
 const RANGE = 1.5;
 
 /**
- * Fills a scene with rectangle lights that shine down and aslant, or takes them away again. The same ones in every run.
- * @param count - of the lights; 0 for none
+ * Fills a scene with rectangle lights that shine down and sideways, or removes them; equal in every run.
+ * @param count - number of lights; 0 for none
  */
 export function setDemoRectangles(scene: Scene, count: number): void {
   const present = scene.roots.find(({ name }) => name === NAME);

@@ -2,7 +2,7 @@
  * The viewer's page. It exposes `window.viewer`, an object of class Viewer, for tests and benchmarks:
  *
  * - `ready`: promise, fulfilled when the first scene is loaded and drawn
- * - `renderAt(seconds)`: draws exactly one frame, as the scene is at that time
+ * - `renderAt(seconds)`: draws exactly one frame, of the scene at that time
  * - `readPixels()`, `readStockPixels()`: the picture by Farol, and by three's own renderer, as
  *   `{ width, height, data: Float32Array }` of linear RGBA, bottom row first
  * - `setTechnique(name)`, `setView(name)`, `loadScene(name, parameters)`
@@ -15,10 +15,11 @@ import './style.css';
 import { acceptDrops } from './acceptDrops';
 import { StoppedFlight } from './input/StoppedFlight';
 import { TouchOrbit } from './input/TouchOrbit';
+import { known } from './state/known';
 import { HelpPanel } from './ui/HelpPanel';
 import { Messages } from './ui/Messages';
 import { ViewerMenu } from './ui/ViewerMenu';
-import { known, Viewer } from './Viewer';
+import { Viewer } from './Viewer';
 import { watchContext } from './watchContext';
 
 declare global {

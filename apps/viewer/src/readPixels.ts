@@ -17,9 +17,8 @@ export interface Pixels {
 }
 
 /**
- * Draws into a float target of the canvas's size and reads it back. Tone mapping and the screen's encoding are left out,
- * as three does for any render target. 32 bits a channel, or 16 where the device cannot blend 32, or 8 where it
- * draws to no floats.
+ * Draws into a target of the canvas's size and reads it back: without tone mapping and sRGB encoding, as three draws into
+ * any render target. Channels are floats of 32 bits; of 16 if the device cannot blend 32; bytes if it draws to no floats.
  *
  * @param draw - draws one frame to the current render target
  */

@@ -1,10 +1,10 @@
 import type { Viewer } from './Viewer';
 
-/** Tells of a lost WebGL context, and draws again when the browser gives it back. */
+/** Shows a message while the WebGL context is lost, and draws again once the browser restores it. */
 export function watchContext(viewer: Viewer): void {
   const { canvas } = viewer.app;
   canvas.addEventListener('webglcontextlost', (event: Event) => {
-    event.preventDefault(); // else the browser does not give it back
+    event.preventDefault(); // otherwise the browser does not restore it
     const text = 'The graphics device was lost. The picture comes back by itself; if it does not, reload the page.';
     viewer.messages.show('context', text);
   });

@@ -1,9 +1,10 @@
 import type { LabRun, Metric } from '../results/LabRun';
 import { competitorHelp, competitorLabel, metricWords } from '../words/names';
-import { missingMetric } from '../words/missingMetric';
+import { missingMetric } from '../words/compareSpreads';
 import type { ChartSettings } from './ChartSpec';
-import { CompetitorSwatch } from './CompetitorSwatch';
-import { runDashes } from './plotMarks';
+import { competitorSymbol } from './competitorSymbol';
+import { pagePaint, runDashes } from './chartPaint';
+import { tag } from './svg';
 
 interface Props {
   runs: readonly LabRun[];
@@ -14,7 +15,7 @@ interface Props {
   onChange: (settings: ChartSettings) => void;
 }
 
-/** What all charts show: the metric, the axes, the competitors. */
+/** Settings of all charts: the metric, the axes, the competitors; and the line of each run. */
 export function ChartControls({ runs, names, competitors, settings, onChange }: Props) {
   const { metric, scale, hidden } = settings;
   const toggle = (name: string): void => {
@@ -99,5 +100,20 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
         </ul>
       )}
     </div>
+  );
+}
+
+/** A competitor's line and symbol, as in the charts. */
+function CompetitorSwatch({ name }: { name: string }) {
+  const line = { d: 'M-12,0H12', stroke: pagePaint.competitor(name), 'stroke-width': name === 'auto' ? 2.6 : 1.8 };
+  return (
+    <svg
+      class="chart-swatch"
+      width="24"
+      height="14"
+      viewBox="-12 -7 24 14"
+      aria-hidden="true"
+      dangerouslySetInnerHTML={{ __html: tag('path', line) + competitorSymbol(name, 0, 0, 4, pagePaint) }}
+    />
   );
 }

@@ -6,22 +6,22 @@ import { pagePaint } from './chartPaint';
 import { useChartSize } from './useChartSize';
 import { nearestPoint, walkPoints } from './walkPoints';
 
-/** How near the pointer must come to a point (pixels). */
+/** Distance within which the pointer chooses a point (pixels). */
 const REACH = 48;
 
 interface Props {
   chart: ChartSpec;
-  /** Where the figures come from, for files. */
+  /** Origin of the figures, for files. */
   source: string;
   onChoose: (index: number) => void;
 }
 
-/** A chart with its title, sentences, table and files. */
+/** A chart with its title, notes, table and files. */
 export function ChartFigure({ chart, source, onChoose }: Props) {
   const id = useId();
   const [showsTable, setShowsTable] = useState(false);
   return (
-    <figure class={`chart${chart.wide ? ' chart-wide' : ''}`} aria-labelledby={`${id}-title`} data-chart={chart.key}>
+    <figure class="chart" aria-labelledby={`${id}-title`} data-chart={chart.key}>
       <header>
         <h3 id={`${id}-title`}>{chart.title}</h3>
         {chart.choice && (
@@ -37,41 +37,22 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
           </label>
         )}
       </header>
-      <div class="chart-body">
-        <div>
-          <ChartDrawing chart={chart} />
-          {chart.keys.length > 0 && (
-            <ul class="chart-keys" aria-label="Colours">
-              {chart.keys.map(({ label, colour }) => (
-                <li key={label}>
-                  <span style={{ background: colour(pagePaint) }} />
-                  {label}
-                </li>
-              ))}
-            </ul>
-          )}
-        </div>
-        <figcaption>
-          {chart.sentences.map((sentence) => (
-            <p key={sentence}>{sentence}</p>
+      <ChartDrawing chart={chart} />
+      {chart.keys && (
+        <ul class="chart-keys" aria-label="Colours">
+          {chart.keys.map(({ label, colour }) => (
+            <li key={label}>
+              <span style={{ background: colour(pagePaint) }} />
+              {label}
+            </li>
           ))}
-          {chart.verdicts.length > 0 && (
-            <ul class="chart-verdicts">
-              {chart.verdicts.map(({ claim, verdict, evidence }) => (
-                <li key={claim} data-verdict={verdict}>
-                  <strong>{verdict}</strong>
-                  <q>{claim}</q> {evidence}
-                </li>
-              ))}
-            </ul>
-          )}
-          {chart.notes.map((note) => (
-            <p key={note} class="chart-note">
-              {note}
-            </p>
-          ))}
-        </figcaption>
-      </div>
+        </ul>
+      )}
+      {chart.notes?.map((note) => (
+        <p key={note} class="chart-note">
+          {note}
+        </p>
+      ))}
       <footer>
         <details class="chart-table" onToggle={(event) => setShowsTable(event.currentTarget.open)}>
           <summary>Table</summary>
@@ -87,20 +68,21 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
 function ChartDrawing({ chart }: { chart: ChartSpec }) {
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLDivElement>(null);
-  const shown = useRef<{ chart: ChartSpec; width: number } | null>(null);
+  const drawnFor = useRef<{ chart: ChartSpec; width: number } | null>(null);
   const points = useRef<readonly ChartPoint[]>([]);
   const [current, setCurrent] = useState<{ point: ChartPoint; byKey: boolean } | null>(null);
   const { width, isNear } = useChartSize(host);
 
   useLayoutEffect(() => {
-    if (width === 0 || !isNear || (shown.current?.chart === chart && shown.current.width === width)) return;
-    shown.current = { chart, width };
+    if (width === 0 || !isNear || (drawnFor.current?.chart === chart && drawnFor.current.width === width)) return;
+    drawnFor.current = { chart, width };
     const drawn = chart.draw({ width, paint: pagePaint });
-    drawn.svg.setAttribute('aria-hidden', 'true');
-    canvas.current!.replaceChildren(drawn.svg);
+    const { height, svg } = drawn;
+    const style = `font-size="12" text-anchor="middle" fill="${pagePaint.text}"`;
+    canvas.current!.innerHTML = `<svg width="${width}" height="${height}" ${style} aria-hidden="true">${svg}</svg>`;
     points.current = drawn.points;
     host.current!.dataset.drawn = '';
-    // the same point may stand elsewhere now
+    // the chosen point may have moved
     setCurrent((old) => {
       const same = drawn.points.find(({ group, order }) => group === old?.point.group && order === old.point.order);
       return old && same ? { ...old, point: same } : null;

@@ -1,4 +1,6 @@
 import { useState } from 'preact/hooks';
+import { saveFile } from '../results/saveFile';
+import { messageOf } from '../run/messageOf';
 import { chartPNG } from './chartPNG';
 import { chartSVG } from './chartSVG';
 import type { ChartSpec } from './ChartSpec';
@@ -10,10 +12,10 @@ export function ChartTools({ chart, source }: { chart: ChartSpec; source: string
     try {
       const svg = chartSVG(chart, { theme: themeOf(event.currentTarget as HTMLElement), source });
       const blob = kind === 'svg' ? new Blob([svg], { type: 'image/svg+xml' }) : await chartPNG(svg);
-      saveBlob(blob, `${chart.key}.${kind}`);
+      saveFile(`${chart.key}.${kind}`, blob);
       setProblem('');
     } catch (error) {
-      setProblem(error instanceof Error ? error.message : String(error));
+      setProblem(messageOf(error));
     }
   };
   return (
@@ -39,13 +41,4 @@ function themeOf(element: HTMLElement): 'light' | 'dark' {
   const isBoth = scheme.includes('light') === scheme.includes('dark');
   const isDark = isBoth ? matchMedia('(prefers-color-scheme: dark)').matches : scheme.includes('dark');
   return isDark ? 'dark' : 'light';
-}
-
-function saveBlob(blob: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  // the browser has taken the file by then
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

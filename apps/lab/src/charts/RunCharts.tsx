@@ -1,13 +1,12 @@
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun, Metric } from '../results/LabRun';
-import { sourceOf } from './sourceOf';
 import { ChartControls } from './ChartControls';
 import { ChartFigure } from './ChartFigure';
 import { defaultSettings, type ChartSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintProperties } from './chartPaint';
 import { competitorOrder } from './competitorMarks';
-import { runNames } from './runNames';
+import { runNames, sourceOf } from './runNames';
 import './charts.css';
 
 /** All charts of one run, or of several drawn over one another; `metric` is the one to begin with. */

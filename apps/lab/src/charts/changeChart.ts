@@ -1,23 +1,21 @@
-import type { LabRow, LabRun } from '../results/LabRun';
-import { changeOf, changeWords } from '../words/changeWords';
+import type { Change, LabRow, LabRun } from '../results/LabRun';
 import { timeOf } from '../words/compareSpreads';
 import { formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord } from '../words/names';
 import { casesOf } from '../words/seriesCases';
-import { logTicks } from './axisTicks';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows, type RowBar } from './drawRows';
 
 const kinds = ['First frame', 'Ten lights more', 'Technique changed'] as const;
 
-/** Frames after changes, a bar a change for each competitor in one case; null where none were measured. */
+/** Frames after changes in one case, three bars per competitor; null if none were measured. */
 export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes'): ChartSpec | null {
   const cases = casesOf(run).flatMap(({ series, index, label }) => {
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && hasChange(row));
     return rows.length > 0 ? [{ label, rows }] : [];
   });
-  // first frames alone are measured by every run and no subject
+  // every run measures first frames: alone they make no chart
   if (!cases.some(({ rows }) => rows.some(({ added, changed }) => added !== null || changed !== null))) return null;
   const selected = Math.min(settings.cases[key] ?? cases.length - 1, cases.length - 1);
   const { label } = cases[selected];
@@ -60,9 +58,6 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
     key,
     title: 'What a change costs',
     description: `Milliseconds of the first frame, of the frame after ten lights more and of the frame after a change of technique, with programs linked; a line across each group is an ordinary frame. ${label}.`,
-    sentences: changeWords(rows),
-    verdicts: [],
-    notes: [],
     table: {
       columns: ['Competitor', 'Ordinary frame, ms', ...kinds.flatMap((kind) => [`${kind}, ms`, 'Programs'])],
       rows: rows.map((row) => [
@@ -74,16 +69,12 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
         ]),
       ]),
     },
-    legend: [],
     keys: kinds.map((kind, i) => ({ label: kind, colour: (paint) => paint.shade(i) })),
-    runs: [],
     choice: { label: 'Case', options: cases.map((each) => each.label), selected },
-    wide: false,
     draw: (options) =>
       drawRows(
         {
           ...{ rows: drawn, lanes: 3, type: settings.scale, domain, label: 'Frame (ms)', format: formatNumber },
-          ticks: isLog ? logTicks(domain[0], domain[1], options.width < 520 ? 4 : 8) : undefined,
         },
         options,
       ),
@@ -94,6 +85,11 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
 function timesOf(row: LabRow): ({ ms: number; programs: number | null } | null)[] {
   const first = row.firstMs !== null && row.firstMs > 0 ? { ms: row.firstMs, programs: null } : null;
   return [first, changeOf(row.added), changeOf(row.changed)];
+}
+
+/** A change that took a time; null if it was not measured. */
+function changeOf(change: Change | null): Change | null {
+  return change !== null && Number.isFinite(change.ms) && change.ms > 0 ? change : null;
 }
 
 function hasChange(row: LabRow): boolean {

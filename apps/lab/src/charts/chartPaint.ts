@@ -1,20 +1,21 @@
 import { competitorMark, competitorMarks } from './competitorMarks';
 
-/** Colours that a chart is drawn with: CSS values that Observable Plot knows as colours. */
+/** Colours of a chart, as CSS values. */
 export interface ChartPaint {
-  /** Of text, of secondary text, of lines of the grid, and of what lies behind. */
   readonly text: string;
+  /** Secondary text. */
   readonly dim: string;
+  /** Lines of the grid. */
   readonly grid: string;
   readonly background: string;
   /** Text over a filled bar or cell. */
   readonly over: string;
   competitor(name: string): string;
-  /** Shades of a sequence without a meaning, such as passes of a frame; repeats itself. */
+  /** Colour of an item of a list, such as a pass of a frame; eight colours, then again from the first. */
   shade(index: number): string;
 }
 
-/** Colours by name, each for a light and a dark theme. */
+/** Colours for a light and a dark background. */
 const colours: Readonly<Record<'text' | 'dim' | 'grid' | 'background' | 'over', readonly [string, string]>> = {
   text: ['#1d2129', '#e3e6ec'],
   dim: ['#565f6c', '#9aa3b2'],
@@ -22,6 +23,9 @@ const colours: Readonly<Record<'text' | 'dim' | 'grid' | 'background' | 'over', 
   background: ['#ffffff', '#15181d'],
   over: ['#ffffff', '#101216'],
 };
+
+/** Kinds of line (`stroke-dasharray`) by index of the run: the first solid, others dashed. */
+export const runDashes: readonly (string | undefined)[] = [undefined, '7 4', '2 4', '10 3 2 3'];
 
 const shades = [
   ['#33629c', '#6ea3e6'],
@@ -34,7 +38,7 @@ const shades = [
   ['#626873', '#a6adba'],
 ] as const;
 
-/** Colours of one theme, for files. */
+/** Colours of one theme: files have no custom properties. */
 export function paintOf(theme: 'light' | 'dark'): ChartPaint {
   const side = theme === 'light' ? 0 : 1;
   return {

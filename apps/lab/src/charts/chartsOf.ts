@@ -1,7 +1,6 @@
 import type { LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
 import { thesisChart } from '../thesis/thesisChart';
-import { metricWords } from '../words/names';
 import { changeChart } from './changeChart';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { curveChart } from './curveChart';
@@ -11,7 +10,7 @@ import { ratioChart } from './ratioChart';
 import { regretChart } from './regretChart';
 import { runNames } from './runNames';
 
-/** Charts that a run has for itself, each with its key's ending. */
+/** Charts of a single run; the ending of their keys tells runs apart. */
 const kinds: readonly ((run: LabRun, settings: ChartSettings, ending: string) => ChartSpec[])[] = [
   (run, settings, ending) => mapCharts(run, settings, `map${ending}`),
   (run, settings, ending) => listed(thesisChart(run, settings, `thesis${ending}`)),
@@ -20,44 +19,36 @@ const kinds: readonly ((run: LabRun, settings: ChartSettings, ending: string) =>
   (run, settings, ending) => listed(changeChart(run, settings, `changes${ending}`)),
 ];
 
-/** A chart that compares times, titled by the time where it is another than that of frames. */
-function byMetric(chart: ChartSpec, { metric }: ChartSettings): ChartSpec {
-  const compares = chart.choice === null || chart.verdicts.length > 0;
-  return metric === 'frame' || !compares
-    ? chart
-    : { ...chart, title: `${chart.title}, by ${metricWords[metric].noun}` };
-}
-
 function listed(chart: ChartSpec | null): ChartSpec[] {
   return chart === null ? [] : [chart];
 }
 
 /**
- * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of later runs lie over those of the first with the
- * same name of a series; of the other charts each run has its own.
+ * All charts of one or several runs, in the order of the page: ratios to the first run, curves, the rest. Curves of later
+ * runs lie over those of the first with the same series name; of the other charts each run has its own.
  */
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
-  const shown = runs.map((run) => withoutHidden(run, settings.hidden));
-  if (settings.hidden.size > 0 && shown.every(({ plan }) => plan.competitors.length === 0)) {
-    const sentences = ['All competitors are hidden: choose one above.'];
-    return seriesOf(shown).map((series) => ({ ...curveChart(shown, series, settings), sentences }));
+  const visible = runs.map((run) => withoutHidden(run, settings.hidden));
+  if (settings.hidden.size > 0 && visible.every(({ plan }) => plan.competitors.length === 0)) {
+    const notes = ['All competitors are hidden: choose one above.'];
+    return seriesOf(visible).map((series) => ({ ...curveChart(visible, series, settings), notes }));
   }
   const names = runNames(runs);
-  const own = kinds.flatMap((make) =>
-    shown.flatMap((run, i) => {
-      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`).map((chart) => byMetric(chart, settings));
+  const single = kinds.flatMap((make) =>
+    visible.flatMap((run, i) => {
+      const charts = make(run, settings, i === 0 ? '' : `-run-${i + 1}`);
       return runs.length === 1 ? charts : charts.map((chart) => ({ ...chart, title: `${chart.title}: ${names[i]}` }));
     }),
   );
-  const ratios = shown.slice(1).flatMap((run, i) => {
-    const chart = ratioChart([shown[0], names[0]], [run, names[i + 1]], settings, i === 0 ? 'ratio' : `ratio-${i + 2}`);
-    return chart ?? [];
+  const ratios = visible.slice(1).flatMap((run, i) => {
+    const key = i === 0 ? 'ratio' : `ratio-${i + 2}`;
+    return listed(ratioChart([visible[0], names[0]], [run, names[i + 1]], settings, key));
   });
-  return [...ratios, ...seriesOf(shown).map((series) => curveChart(shown, series, settings)), ...own];
+  return [...ratios, ...seriesOf(visible).map((series) => curveChart(visible, series, settings)), ...single];
 }
 
-/** Series of all runs by name, as the first run that has one plans it. */
-export function seriesOf(runs: readonly LabRun[]): LabSeries[] {
+/** Series of all runs by name, each as planned by the first run that has it. */
+function seriesOf(runs: readonly LabRun[]): LabSeries[] {
   const byName = new Map<string, LabSeries>();
   for (const { plan } of runs) {
     for (const series of plan.series) if (!byName.has(series.name)) byName.set(series.name, series);

@@ -1,7 +1,7 @@
 import { competitorNames } from '../competitors/competitorNames';
-import type { MarkSymbolName } from './markSymbols';
+import type { MarkSymbolName } from './competitorSymbol';
 
-/** How a competitor looks in every chart. */
+/** Colours and symbol of a competitor in every chart. */
 export interface CompetitorMark {
   /** Colour on a light and on a dark background, 3:1 against it at least. */
   readonly light: string;

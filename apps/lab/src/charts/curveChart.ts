@@ -1,17 +1,17 @@
-import { isNamed, type LabSeries } from '../plan/LabPlan';
+import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import type { LabRow, LabRun, Metric } from '../results/LabRun';
 import { boundsOf, timeOf } from '../words/compareSpreads';
-import { curveWords, sizeText } from '../words/curveWords';
 import { formatNumber, listOf } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import { rowsOf } from '../words/rowsOf';
 import { seriesWord } from '../words/seriesCases';
-import type { ChartSettings, ChartSpec, ChartTable } from './ChartSpec';
+import type { ChartSettings, ChartSpec, ChartTable, DrawnChart, DrawOptions } from './ChartSpec';
 import { type Curve, curvesOf } from './curveData';
 import { drawCurves } from './drawCurves';
 import { drawRanking } from './drawRanking';
 import { runNames } from './runNames';
+import { textTag } from './svg';
 
 /** Times of every competitor along a series. */
 export function curveChart(runs: readonly LabRun[], series: LabSeries, settings: ChartSettings): ChartSpec {
@@ -31,73 +31,84 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
     description: isOneCase(curves)
       ? `${metricWords[metric].label} times in milliseconds, a bar a competitor, the shortest first.`
       : `${metricWords[metric].label} times in milliseconds ${how} from the 10th to the 90th percentile.`,
-    sentences: runs.flatMap((run, i) => {
-      const own = run.plan.series.find(({ name }) => name === series.name);
-      const sentences = own ? curveWords(run, own, metric) : [];
-      return runs.length > 1 && sentences.length > 0
-        ? [`${names[i]}: ${sentences[0]}`, ...sentences.slice(1, 2)]
-        : sentences;
-    }),
-    verdicts: [],
     notes: notesOf(runs, series, metric),
     table: tableOf(runs, names, series, metric),
     legend: [...new Set(curves.map(({ competitor }) => competitor))],
-    keys: [],
     runs: runs.length > 1 ? names : [],
-    choice: null,
-    wide: false,
-    draw: (options) =>
-      isOneCase(curves)
+    draw: (options) => {
+      if (curves.length === 0) return drawEmpty(options);
+      return isOneCase(curves)
         ? drawRanking(curves, names, settings, options)
-        : drawCurves(series, curves, names, settings, options),
+        : drawCurves(series, curves, names, settings, options);
+    },
   };
 }
 
-/** A series of one case by its scene and value; pixels are told by the size. */
+/** Title of a series of one case: scene and value. The size, which follows, is the value of pixels. */
 function caseText(series: LabSeries): string {
   return series.axis === 'pixels'
     ? seriesWord(series)
     : `${seriesWord(series)}, ${valueText(series.axis, series.values[0])}`;
 }
 
-/** Whether every run planned one case alone, and the same. */
+/** Whether every run planned one and the same case alone. */
 function isOneCase(curves: readonly Curve[]): boolean {
   return new Set(curves.flatMap((curve) => curve.series.values)).size === 1;
 }
 
-/** Whose times are missing by this metric though they have others. */
+/** Competitors without a figure in the whole series, by reason. */
 function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): string[] {
-  if (metric === 'frame') return [];
-  const without = new Set<string>();
+  const without = new Map<string, Set<string>>();
   for (const run of runs) {
     for (const [competitor, rows] of rowsOf(run, series)) {
-      if (rows.some((row) => timeOf(row, 'frame')) && !rows.some((row) => timeOf(row, metric))) without.add(competitor);
+      if (rows.some((row) => timeOf(row, metric)) || !rows.some(Boolean)) continue;
+      const isTimed = rows.some((row) => timeOf(row, 'frame'));
+      const start = `No ${isTimed ? metricWords[metric].noun : 'figure'} for `;
+      const reason = isTimed ? '.' : `: ${rows.find((row) => row?.problem)?.problem ?? 'unknown reason.'}`;
+      const key = JSON.stringify([start, reason]);
+      without.set(key, (without.get(key) ?? new Set()).add(competitorWord(competitor)));
     }
   }
-  return without.size === 0 ? [] : [`No ${metricWords[metric].noun} for ${listOf([...without].map(competitorWord))}.`];
+  return [...without].map(([key, names]) => {
+    const [start, reason] = JSON.parse(key) as [string, string];
+    return `${start}${listOf([...names])}${reason}`;
+  });
+}
+
+/** Pixels of the pictures, as `1280 × 720`; empty if the series has several sizes. */
+function sizeText(cases: readonly LabCase[]): string {
+  // no-break spaces: a line never ends within a size
+  const sizes = new Set(cases.map(({ width, height }) => `${width}\u00a0×\u00a0${height}`));
+  return sizes.size === 1 ? [...sizes][0] : '';
+}
+
+/** Drawing of a series without a figure. */
+function drawEmpty({ width, paint }: DrawOptions): DrawnChart {
+  const style = { x: width / 2, y: 40, fill: paint.dim, 'font-size': 13 };
+  return { height: 80, svg: textTag('No figures here', style), points: [] };
 }
 
 function tableOf(runs: readonly LabRun[], names: readonly string[], series: LabSeries, metric: Metric): ChartTable {
   const planned = runs.map(({ plan }) => plan.series.find(({ name }) => name === series.name));
   const cases = new Map<number, string>();
-  for (const own of planned) {
-    own?.values.forEach((value, i) => {
-      if (!cases.has(value)) cases.set(value, valueText(own.axis, value, own.cases[i]));
+  for (const each of planned) {
+    each?.values.forEach((value, i) => {
+      if (!cases.has(value)) cases.set(value, valueText(each.axis, value, each.cases[i]));
     });
   }
   const values = [...cases.keys()].sort((a, b) => a - b);
   const rows = runs.flatMap((run, i) => {
-    const own = planned[i];
-    if (!own) return [];
-    return [...rowsOf(run, own)].map(([competitor, list]) => [
+    const plan = planned[i];
+    if (!plan) return [];
+    return [...rowsOf(run, plan)].map(([competitor, list]) => [
       runs.length > 1 ? `${competitorLabel(competitor)} (${names[i]})` : competitorLabel(competitor),
-      ...values.map((value) => cellOf(list[own.values.indexOf(value)], metric)),
+      ...values.map((value) => cellOf(list[plan.values.indexOf(value)], metric)),
     ]);
   });
   return { columns: [`${metricWords[metric].label}: median (spread), ms`, ...values.map((v) => cases.get(v)!)], rows };
 }
 
-/** A time with its spread and warnings, or why there is none. */
+/** A time with its spread and warnings, or the reason why there is none. */
 function cellOf(row: LabRow | undefined, metric: Metric): string {
   const time = timeOf(row, metric);
   if (!row || !time) return row?.problem ?? '–';

@@ -21,10 +21,10 @@ export interface Curve {
   readonly run: number;
   /** The series as that run planned it: another run may have other values. */
   readonly series: LabSeries;
-  /** Points that follow one another, apart where a case in between has no time. */
+  /** Runs of points; a case without a time parts two of them. */
   readonly pieces: readonly (readonly CurvePoint[])[];
   readonly points: readonly CurvePoint[];
-  /** Why the curve ends before the last case, as a sentence; null where it reaches it, or nobody knows. */
+  /** Reason, a sentence, why the curve ends before the last case; null if it reaches it or the run has no reason. */
   readonly end: string | null;
 }
 
@@ -32,9 +32,9 @@ export interface Curve {
 export function curvesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): Curve[] {
   return runs
     .flatMap((run, place) => {
-      const own = run.plan.series.find(({ name }) => name === series.name);
-      if (!own) return [];
-      return [...rowsOf(run, own)].map(([competitor, rows]) => curveOf(competitor, place, own, rows, metric));
+      const planned = run.plan.series.find(({ name }) => name === series.name);
+      if (!planned) return [];
+      return [...rowsOf(run, planned)].map(([competitor, rows]) => curveOf(competitor, place, planned, rows, metric));
     })
     .filter(({ points }) => points.length > 0)
     .sort((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor) || a.run - b.run);

@@ -1,15 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import { competitorNames } from '../competitors/competitorNames';
 import { madeUpRun } from '../words/madeUpRun';
-import { logTicks, ticksWithRoom } from './axisTicks';
 import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';
 import { competitorMark } from './competitorMarks';
 import { curvesOf } from './curveData';
-import { runNames, shortDevice } from './runNames';
+import { runNames } from './runNames';
 import { sampleRun } from './sampleRuns';
-import { SvgDocument } from './SvgDocument';
+import { linearTicks, logTicks, scaleOf, ticksWithRoom } from './scales';
 import { spreadLabels } from './spreadLabels';
 import { nearestPoint, walkPoints } from './walkPoints';
 
@@ -51,8 +50,7 @@ describe('curves', () => {
     const run = madeUpRun([100], { forward: [3], deferred: [1], stock: ['Too many lights.'] });
     const [chart] = chartsOf([run], defaultSettings);
     expect(chart.title.replaceAll('\u00a0', ' ')).toBe('Made up, 100 lights, 1280 × 720');
-    const document = new SvgDocument() as unknown as Document;
-    const { points } = chart.draw({ width: 500, paint: paintOf('light'), document });
+    const { points } = chart.draw({ width: 500, paint: paintOf('light') });
     expect(points.map(({ tip }) => tip.title)).toEqual(['Farol: deferred, 100 lights', 'Farol: forward, 100 lights']);
     expect(points[0].y).toBeLessThan(points[1].y);
   });
@@ -60,7 +58,7 @@ describe('curves', () => {
   test('with everybody hidden no chart says that nothing was measured', () => {
     const run = sampleRun();
     const charts = chartsOf([run], { ...defaultSettings, hidden: new Set(run.plan.competitors) });
-    expect(new Set(charts.flatMap(({ sentences }) => sentences))).toEqual(
+    expect(new Set(charts.flatMap(({ notes }) => notes))).toEqual(
       new Set(['All competitors are hidden: choose one above.']),
     );
   });
@@ -86,13 +84,12 @@ describe('curves', () => {
     ]);
   });
 
-  test('hidden competitors are in no line, sentence or table', () => {
+  test('hidden competitors are in no line, note or table', () => {
     const run = sampleRun();
     const hidden = new Set(Object.keys(competitorNames).filter((name) => name !== 'deferred'));
     const [chart] = chartsOf([run], { ...defaultSettings, hidden });
     expect(chart.legend).toEqual(['deferred']);
     expect(chart.table.rows).toHaveLength(1);
-    expect(chart.sentences).toHaveLength(1);
   });
 });
 
@@ -121,6 +118,39 @@ test('ticks of a log axis: 1, 2, 5, or fewer where powers are many', () => {
   expect(logTicks(0.9, 11)).toEqual([1, 2, 5, 10]);
   expect(logTicks(0.9, 11_000, 6)).toEqual([1, 10, 100, 1000, 10_000]);
   expect(logTicks(1e-3, 1e9, 5).length).toBeLessThanOrEqual(5);
+});
+
+test('who has no figure in a whole series is named with the reason', () => {
+  const times = {
+    forward: [1, 2],
+    stock: ['Too many lights.', 'Too many lights.'],
+    babylon: [null, 'Too many lights.'],
+  };
+  const run = madeUpRun([10, 100], times);
+  const notesOf = (metric: 'frame' | 'gpu') =>
+    chartsOf([run], { ...defaultSettings, metric }).find(({ key }) => key === 'curve-made-up')!.notes;
+  const refused = 'No figure for three’s WebGLRenderer and Babylon.js: Too many lights.';
+  expect(notesOf('frame')).toEqual([refused]);
+  expect(notesOf('gpu')).toEqual(['No GPU time for forward.', refused]);
+});
+
+test('ticks of a linear axis: steps of 1, 2 or 5, within bounds', () => {
+  expect(linearTicks(0, 42.5, 9)).toEqual([0, 5, 10, 15, 20, 25, 30, 35, 40]);
+  expect(linearTicks(-0.05, 0.22, 5)).toEqual([-0.05, 0, 0.05, 0.1, 0.15, 0.2]);
+  expect(linearTicks(1, 1, 3)).toEqual([1]);
+  expect(linearTicks(0.3, 2.2, 4)).toEqual([0.5, 1, 1.5, 2]);
+});
+
+test('a scale maps the ends of its domain to those of its range, and clamps what lies outside', () => {
+  for (const [type, middle] of [
+    ['linear', 50],
+    ['log', 10],
+    ['symlog', Math.sqrt(2 * 101) - 1],
+  ] as const) {
+    const [low, high] = type === 'linear' ? [0, 100] : [1, 100];
+    const scale = scaleOf(type, [low, high], [200, 0]);
+    expect([low, middle, high, 1e4].map(scale)).toEqual([200, expect.closeTo(100, 9), 0, 0].map((y) => y));
+  }
 });
 
 test('ticks without room for their text are left out, the ends never', () => {
@@ -155,16 +185,8 @@ test('arrow keys walk a line and change lines; the pointer takes the nearest', (
   expect(nearestPoint(points, 90, 90, 20)).toBeNull();
 });
 
-test('devices are called by their model, runs of one device by number', () => {
-  expect(shortDevice('ANGLE (NVIDIA, NVIDIA H200 (0x00002335), OpenGL ES 3.2)')).toBe('NVIDIA H200');
-  expect(
-    shortDevice('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)'),
-  ).toBe('SwiftShader Device');
-  expect(shortDevice('ANGLE (Intel, Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6)')).toBe(
-    'Mesa Intel(R) UHD Graphics 620 (KBL GT2)',
-  );
-  expect(shortDevice('Apple M2')).toBe('Apple M2');
-  expect(runNames([sampleRun(), { ...sampleRun(), name: 'Mine' }, sampleRun({ seed: 2 })])).toEqual([
+test('runs are called by device and date, those of one day by number', () => {
+  expect(runNames([sampleRun(), { ...sampleRun(), name: 'Mine' }, sampleRun()])).toEqual([
     'NVIDIA H200, 2026-11-22, run 1',
     'Mine',
     'NVIDIA H200, 2026-11-22, run 2',

@@ -1,20 +1,17 @@
 import { formatMs, formatNumber } from '../words/format';
 import { competitorWord, metricWords } from '../words/names';
-import { logTicks } from './axisTicks';
 import type { ChartSettings, DrawnChart, DrawOptions } from './ChartSpec';
 import type { Curve } from './curveData';
-import { drawEmpty } from './drawEmpty';
 import { type ChartRow, drawRows, type RowBar } from './drawRows';
 import { rowTip } from './rowTip';
 
-/** Bars of a series of one case, the shortest time first: a curve of one point says less. */
+/** Bars of a series of one case, the shortest time first, in place of curves of one point. */
 export function drawRanking(
   curves: readonly Curve[],
   runNames: readonly string[],
   { metric, scale }: Pick<ChartSettings, 'metric' | 'scale'>,
   options: DrawOptions,
 ): DrawnChart {
-  if (curves.length === 0) return drawEmpty(options.width, options.paint, options.document ?? globalThis.document);
   const lanes = Math.max(...curves.map(({ run }) => run)) + 1;
   const medians = curves.map(({ points }) => points[0].median);
   const domain: [number, number] = [scale === 'log' ? Math.min(...medians) / 1.5 : 0, Math.max(...medians)];
@@ -22,9 +19,9 @@ export function drawRanking(
   const rows = competitors
     .map((competitor) => curves.filter((curve) => curve.competitor === competitor))
     .sort((a, b) => a[0].points[0].median - b[0].points[0].median)
-    .map((own): ChartRow => {
-      const { competitor } = own[0];
-      const bars = own.map(({ run, series, points: [{ median, row }] }): RowBar => {
+    .map((byRun): ChartRow => {
+      const { competitor } = byRun[0];
+      const bars = byRun.map(({ run, series, points: [{ median, row }] }): RowBar => {
         const tip = rowTip(row, series, metric, runNames.length > 1 ? runNames[run] : '');
         const fill: RowBar['fill'] = (paint) => paint.competitor(competitor);
         return {
@@ -40,6 +37,5 @@ export function drawRanking(
       return { label: competitorWord(competitor), competitor, bars };
     });
   const label = `${metricWords[metric].label} (ms)`;
-  const ticks = scale === 'log' ? logTicks(domain[0], domain[1], options.width < 520 ? 4 : 8) : undefined;
-  return drawRows({ rows, lanes, type: scale, domain, label, ticks, format: (ms) => formatNumber(ms) }, options);
+  return drawRows({ rows, lanes, type: scale, domain, label, format: (ms) => formatNumber(ms) }, options);
 }

@@ -1,17 +1,16 @@
 import type { LabRun } from '../results/LabRun';
 import { formatMs } from '../words/format';
-import { mapWords } from '../words/mapWords';
-import { competitorLabel, competitorWord, metricWords } from '../words/names';
+import { byMetric, competitorLabel, competitorWord, metricWords } from '../words/names';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { drawMap } from './drawMap';
 import { winnerMaps } from './winnerMap';
 
-/** Maps of who wins where: one for each pair of properties that the run varies. */
+/** Maps of the fastest competitor: one for each pair of properties that the run varies. */
 export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): ChartSpec[] {
   return winnerMaps(run, metric).map((map, place, { length }) => {
     const winners = map.cells.flatMap(({ winners }) => winners ?? []);
-    const shown = new Set(winners.flatMap(({ names }) => names));
+    const winning = new Set(winners.flatMap(({ names }) => names));
     const cellOf = (row: number, column: number): string => {
       const found = map.cells.find((cell) => cell.row === row && cell.column === column)?.winners;
       if (!found) return '–';
@@ -21,10 +20,8 @@ export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): 
     };
     return {
       key: place === 0 ? key : `${key}-${place + 1}`,
-      title: length === 1 ? 'Who wins where' : `Who wins where: ${map.columnTitle.toLowerCase()}`,
+      title: `Who wins where${length === 1 ? '' : `: ${map.columnTitle.toLowerCase()}`}${byMetric(metric)}`,
       description: `The fastest competitor by ${metricWords[metric].noun} in each case: ${map.rowTitle.toLowerCase()} by ${map.columnTitle.toLowerCase()}, a cell a case, coloured by the winner.`,
-      sentences: mapWords(winners),
-      verdicts: [],
       notes: winners.some(({ names }) => names.length > 1)
         ? ['≈ marks a tie: the strip below a cell has the colours of those that tie with the shortest median.']
         : [],
@@ -32,8 +29,7 @@ export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): 
         columns: [map.rowTitle, ...map.columns],
         rows: map.rows.map((words, row) => [words, ...map.columns.map((_, column) => cellOf(row, column))]),
       },
-      legend: [...shown].sort((a, b) => competitorOrder(a) - competitorOrder(b)),
-      ...{ keys: [], runs: [], choice: null, wide: false },
+      legend: [...winning].sort((a, b) => competitorOrder(a) - competitorOrder(b)),
       draw: (options) => drawMap(map, options),
     };
   });

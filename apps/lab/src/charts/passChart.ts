@@ -1,18 +1,17 @@
 import type { LabRow, LabRun } from '../results/LabRun';
 import { formatMs, formatNumber } from '../words/format';
-import { isSoftware } from '../words/isSoftware';
+import { isSoftware } from '../words/device';
 import { competitorLabel, competitorWord } from '../words/names';
-import { passTotal, passWords } from '../words/passWords';
 import { casesOf } from '../words/seriesCases';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 
-/** Most passes that have a shade of their own; shorter ones are summed. */
+/** Passes with a colour each, the longest ones; the rest is summed. */
 const MOST = 7;
 const REST = 'other passes';
 
-/** Bars by pass of each technique in one case; null where no passes were measured. */
+/** Bars by pass of each technique in one case; null if no passes were measured. */
 export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'): ChartSpec | null {
   const cases = casesOf(run).flatMap(({ series, index, label }) => {
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && passTotal(row) > 0);
@@ -23,7 +22,7 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   const { label } = cases[selected];
   const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
   const isTimed = rows.every((row) => row.passes!.kind === 'gpu');
-  const kind = !isTimed ? 'CPU' : isSoftware(run) ? 'Rasteriser' : 'GPU';
+  const kind = !isTimed ? 'CPU' : isSoftware(run.surroundings.device) ? 'Rasteriser' : 'GPU';
   const names = passNames(cases.flatMap((each) => each.rows));
   const most = Math.max(...rows.map(passTotal));
   const drawn = rows.map((row): ChartRow => {
@@ -47,8 +46,6 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
     key,
     title: `Where a frame goes: ${kind === 'Rasteriser' ? 'rasteriser' : kind} time by pass`,
     description: `${kind} milliseconds of each pass, stacked, a bar a technique; ${label}.`,
-    sentences: [...passWords(rows)],
-    verdicts: [],
     notes: [
       ...(kind === 'CPU' ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.'] : []),
       ...(kind === 'Rasteriser'
@@ -65,11 +62,8 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
         return [competitorLabel(row.competitor), ...cells, formatNumber(passTotal(row))];
       }),
     },
-    legend: [],
     keys: names.map((name) => ({ label: name, colour: fillOf(names, name) })),
-    runs: [],
     choice: { label: 'Case', options: cases.map((each) => each.label), selected },
-    wide: false,
     draw: (options) =>
       drawRows(
         { rows: drawn, lanes: 1, type: 'linear', domain: [0, most], label: `${kind} (ms)`, format: formatNumber },
@@ -97,12 +91,17 @@ function passNames(rows: readonly LabRow[]): string[] {
   return [...[...longest.keys()].filter((name) => kept.has(name)), REST];
 }
 
+/** Milliseconds of all passes of a row; those that are no numbers count as 0. */
+export function passTotal(row: LabRow): number {
+  return (row.passes?.passes ?? []).reduce((sum, { ms }) => sum + (Number.isFinite(ms) ? ms : 0), 0);
+}
+
 function segments(row: LabRow, names: readonly string[]): { name: string; ms: number }[] {
   const sums = new Map<string, number>();
   for (const { name, ms } of row.passes!.passes) {
     if (!(ms > 0)) continue;
-    const shown = names.includes(name) ? name : REST;
-    sums.set(shown, (sums.get(shown) ?? 0) + ms);
+    const key = names.includes(name) ? name : REST;
+    sums.set(key, (sums.get(key) ?? 0) + ms);
   }
   return names.flatMap((name) => (sums.has(name) ? [{ name, ms: sums.get(name)! }] : []));
 }

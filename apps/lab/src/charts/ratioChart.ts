@@ -1,13 +1,13 @@
 import type { LabRun } from '../results/LabRun';
 import { formatFactor, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord, metricWords } from '../words/names';
-import { geometricMean, ratiosOf, ratioWords } from '../words/ratios';
-import { logTicks } from './axisTicks';
+import { geometricMean, ratiosOf } from '../words/ratios';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
+import { logTicks } from './scales';
 
-/** Times of one run over those of another by competitor; null where they have no case in common. */
+/** Times of one run over those of another by competitor; null if they have no case in common. */
 export function ratioChart(
   [base, baseName]: readonly [LabRun, string],
   [run, name]: readonly [LabRun, string],
@@ -23,11 +23,11 @@ export function ratioChart(
   const highest = Math.max(1, ...ratios.map(({ ratio }) => ratio));
   const domain: [number, number] = scale === 'log' ? [lowest / 1.1, highest * 1.1] : [0, highest * 1.05];
   const rows = competitors.map((competitor): ChartRow => {
-    const own = ratios.filter((each) => each.competitor === competitor).sort((a, b) => a.ratio - b.ratio);
-    const mean = geometricMean(own.map(({ ratio }) => ratio));
-    const [least, most] = [own[0], own.at(-1)!];
+    const ratiosOfOne = ratios.filter((each) => each.competitor === competitor).sort((a, b) => a.ratio - b.ratio);
+    const mean = geometricMean(ratiosOfOne.map(({ ratio }) => ratio));
+    const [least, most] = [ratiosOfOne[0], ratiosOfOne.at(-1)!];
     const lines = [
-      `${formatFactor(mean)} as long over ${own.length} ${own.length === 1 ? 'figure' : 'figures'}`,
+      `${formatFactor(mean)} as long over ${ratiosOfOne.length} ${ratiosOfOne.length === 1 ? 'figure' : 'figures'}`,
       `${formatNumber(least.ratio)} (${least.of.label}) to ${formatNumber(most.ratio)} (${most.of.label})`,
     ];
     const tip = { title: competitorLabel(competitor), lines };
@@ -35,15 +35,13 @@ export function ratioChart(
     return {
       ...{ label: competitorWord(competitor), competitor },
       bars: [{ from: least.ratio, to: most.ratio, lane: 0, opacity: 0.35, fill, tip, text: formatNumber(mean) }],
-      marks: [{ at: mean, competitor, lane: 0, tip }],
+      marks: [{ value: mean, competitor, lane: 0, tip }],
     };
   });
   return {
     key,
     title: `${name} over ${baseName}`,
     description: `${metricWords[metric].label} time of ${name} over that of ${baseName}, a row a competitor: the bar from the least ratio to the greatest, the symbol at the geometric mean; 1 is equal.`,
-    sentences: ratioWords(ratios, name, baseName),
-    verdicts: [],
     notes: ['Bars run from the least ratio of a case to the greatest; symbols and numbers are geometric means.'],
     table: {
       columns: ['Case', 'Competitor', 'Ratio', 'By the spreads', 'Within the spread'],
@@ -52,12 +50,11 @@ export function ratioChart(
         ...[`${formatNumber(low)} to ${formatNumber(high)}`, isTie ? 'yes' : 'no'],
       ]),
     },
-    ...{ legend: [], keys: [], runs: [], choice: null, wide: false },
     draw: (options) =>
       drawRows(
         {
           ...{ rows, lanes: 1, type: scale, domain, label: 'Times as long', format: (value) => formatNumber(value) },
-          ...{ rules: [1], ticks: scale === 'log' ? ratioTicks(domain, options.width) : undefined },
+          ...{ rules: [1], ticks: scale === 'log' ? (most) => ratioTicks(domain, most) : undefined },
         },
         options,
       ),
@@ -65,8 +62,7 @@ export function ratioChart(
 }
 
 /** Ticks with 1 among them, closer together where the ratios are close. */
-function ratioTicks([low, high]: readonly [number, number], width: number): number[] {
-  const most = width < 520 ? 5 : 8;
+function ratioTicks([low, high]: readonly [number, number], most: number): number[] {
   const ticks = logTicks(low, high, most);
   if (ticks.length > 2) return ticks;
   const fine = [0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.5, 1.7, 2, 2.5, 3].filter((t) => t >= low && t <= high);

@@ -1,12 +1,38 @@
-import type { LabRun } from '../results/LabRun';
+import type { LabRun, Metric } from '../results/LabRun';
 import { formatMs, formatNumber, formatPercent } from '../words/format';
-import { competitorLabel, competitorWord } from '../words/names';
-import { type Regret, regretsOf, regretWords } from '../words/regret';
+import { byMetric, competitorLabel, competitorWord, isTechnique } from '../words/names';
+import { compareSpreads, timeOf } from '../words/compareSpreads';
+import { type Entry, entriesOf } from '../words/rowsOf';
+import { casesOf, type SeriesCase } from '../words/seriesCases';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
 
-/** Bars of what `auto` lost in each case against the best technique; null where it was not measured. */
+/** Loss of `auto` in a case against the best technique. */
+interface Regret {
+  readonly of: SeriesCase;
+  readonly auto: Entry;
+  readonly best: Entry;
+  /** Technique that `auto` chose; null if the run does not tell. */
+  readonly choice: string | null;
+  /** `auto`’s time over the best technique’s, less 1: 0.05 for 5% longer. Below 0 where noise favours `auto`. */
+  readonly regret: number;
+  readonly isTie: boolean;
+}
+
+/** `auto` against the best of Farol’s techniques, in each case that both drew. */
+export function regretsOf(run: LabRun, metric: Metric): Regret[] {
+  return casesOf(run).flatMap((of) => {
+    const entries = entriesOf(run, of.series, of.index, metric);
+    const auto = entries.find(({ competitor }) => competitor === 'auto');
+    const best = entries.find(({ competitor }) => isTechnique(competitor));
+    if (!auto || !best || !timeOf(auto.row, metric)) return [];
+    const regret = auto.time.median / best.time.median - 1;
+    return [{ of, auto, best, choice: auto.row.technique, regret, isTie: compareSpreads(auto.time, best.time) === 0 }];
+  });
+}
+
+/** Bars of what `auto` lost in each case against the best technique; null if it was not measured. */
 export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regret'): ChartSpec | null {
   const regrets = regretsOf(run, metric);
   if (regrets.length === 0) return null;
@@ -24,11 +50,9 @@ export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regre
   });
   return {
     key,
-    title: 'What auto loses against the best technique',
+    title: `What auto loses against the best technique${byMetric(metric)}`,
     description:
       'Time of auto over the time of the fastest technique, less 1, in percent: a bar a case, coloured by the technique that auto chose; pale where the difference is within the spread.',
-    sentences: regretWords(regrets),
-    verdicts: [],
     notes: regrets.length > 1 ? ['The dashed line is the mean. Pale bars lie within the spread.'] : [],
     table: {
       columns: ['Case', 'auto chose', 'auto, ms', 'Best technique', 'Its time, ms', 'Regret', 'Within the spread'],
@@ -45,7 +69,6 @@ export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regre
     legend: [...new Set(regrets.map(({ choice }) => choice ?? 'auto'))].sort(
       (a, b) => competitorOrder(a) - competitorOrder(b),
     ),
-    ...{ keys: [], runs: [], choice: null, wide: false },
     draw: (options) =>
       drawRows(
         {

@@ -5,15 +5,15 @@ import { formatBytes, formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import type { ChartTip } from './ChartSpec';
 
-/** All that a row tells, for the note at a point and for screen readers. */
+/** Figures of a row as the note at its point. */
 export function rowTip(row: LabRow, series: LabSeries, metric: Metric, runName = ''): ChartTip {
   const value = valueText(series.axis, series.values[row.index], series.cases[row.index]);
   const title = `${competitorLabel(row.competitor)}, ${value}${runName ? ` (${runName})` : ''}`;
   return { title, lines: rowLines(row, metric) };
 }
 
-/** The lines under the title: times, picture, counts, what spoils the figure. */
-export function rowLines(row: LabRow, metric: Metric): string[] {
+/** Times, likeness of the picture, counts and warnings. */
+function rowLines(row: LabRow, metric: Metric): string[] {
   if (row.problem !== null) return [row.problem];
   const time = timeOf(row, metric);
   const lines: string[] = [];

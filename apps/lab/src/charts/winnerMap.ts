@@ -6,15 +6,16 @@ import { namedValue, valueText } from '../words/names';
 import { type Winners, winnersOf } from '../words/winners';
 import { formatNumber } from '../words/format';
 
-/** A cell of a map; null winners where nobody has a time. */
+/** A cell of a map; its winners are null if no competitor has a time. */
 export interface MapCell {
   readonly row: number;
   readonly column: number;
-  readonly of: SeriesCase;
+  /** Scene and value. */
+  readonly label: string;
   readonly winners: Winners | null;
 }
 
-/** Cases by two properties, and who is fastest in each. */
+/** Cases by two properties, with the fastest competitor of each. */
 export interface WinnerMap {
   readonly rows: readonly string[];
   readonly columns: readonly string[];
@@ -45,16 +46,16 @@ export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
       columns: lights.map((count) => valueText('lights', count)),
       rowTitle: `${group[0].label.split(',')[0]}: pixels`,
       columnTitle: axisLabel({ axis: 'lights', cases: group.map(({ labCase }) => labCase) }),
-      cells: group.map((of) => ({
-        row: pixels.indexOf(of.labCase.width * of.labCase.height),
-        column: lights.indexOf(of.labCase.lights ?? 0),
-        ...{ of, winners: winnersOf(run, of.series, of.index, metric) },
+      cells: group.map(({ labCase, series, index, label }) => ({
+        row: pixels.indexOf(labCase.width * labCase.height),
+        column: lights.indexOf(labCase.lights ?? 0),
+        ...{ label, winners: winnersOf(run, series, index, metric) },
       })),
     });
   }
   const rest = cases.filter((each) => !placed.has(each));
   for (const group of groupBy(rest, ({ series }) => series.axis).values()) maps.push(bySeries(run, group, metric));
-  // where one competitor drew alone nobody won
+  // a case that one competitor drew alone has no winner
   const isContest = ({ winners }: MapCell): boolean => winners !== null && winners.entries.length > 1;
   return maps.filter(({ cells }) => cells.filter(isContest).length > 1);
 }
@@ -68,10 +69,10 @@ function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): Wi
     columns: values.map((value) => columnText(axis, value)),
     rowTitle: 'Series',
     columnTitle: axisLabel({ axis, cases: list.flatMap(({ cases }) => cases) }),
-    cells: group.map((of) => ({
-      row: list.indexOf(of.series),
-      column: values.indexOf(of.series.values[of.index]),
-      ...{ of, winners: winnersOf(run, of.series, of.index, metric) },
+    cells: group.map(({ series, index, label }) => ({
+      row: list.indexOf(series),
+      column: values.indexOf(series.values[index]),
+      ...{ label, winners: winnersOf(run, series, index, metric) },
     })),
   };
 }
@@ -81,7 +82,7 @@ function columnText(axis: Axis, value: number): string {
   return axis === 'pixels' ? `${formatNumber(value / 1e6, 2)} M` : formatNumber(value, 6);
 }
 
-/** What cases share that may stand in one map of lights by pixels. */
+/** Key of the properties that cases of one map of lights by pixels share. */
 function sceneKey({ labCase }: SeriesCase): string {
   const { scene, shadows, lightKind, lightRange, shading, overdraw } = labCase;
   return JSON.stringify([scene.name, scene.parameters, shadows, lightKind, lightRange, shading, overdraw]);

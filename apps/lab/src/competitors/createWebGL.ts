@@ -34,7 +34,8 @@ export function createWebGL(canvas: HTMLCanvasElement, { width, height, lights, 
   };
 }
 
-function firstLine(...logs: (string | null)[]): string {
+/** First line of the first log of a shader compiler that is not empty, 200 letters at most. */
+export function firstLine(...logs: (string | null)[]): string {
   const said = logs.map((log) => log?.replaceAll('\0', '').trim()).find((log) => log);
   return said?.split('\n')[0].slice(0, 200) ?? 'the compiler says nothing';
 }

@@ -1,10 +1,10 @@
 import { deviceLimits, webglProblem } from '../stage/deviceLimits';
 import type { Competitor, Drawing } from './Competitor';
-import { compileForecast } from './compileForecast';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
+import { smallFirstFrame } from './smallFirstFrame';
 
 /** Uniform vectors of a point light: position and distance, colour and decay; of a spot light; and of a point's shadow. */
 const LIGHT = 2;
@@ -80,4 +80,21 @@ function refuseTime(ms: number, longest: number, lights: number): void {
   throw new Error(
     `Left out: its shader with ${lights} lights takes about ${time} s to compile here (limit ${limit} s).`,
   );
+}
+
+/** Numbers of lights whose shaders are compiled for the forecast. */
+const TRIED = [16, 64] as const;
+/** Bounds of the growth of the compile time, as powers of the number of lights. */
+const SLOPES = [1, 3] as const;
+
+let tried: readonly number[] | null = null;
+
+/**
+ * Compile time of three's shader with many lights (ms), extrapolated from 16 and 64 lights: on some devices it is minutes,
+ * during which the page would hang.
+ */
+function compileForecast(lights: number): number {
+  tried ??= TRIED.map(smallFirstFrame);
+  const slope = Math.log(tried[1] / tried[0]) / Math.log(TRIED[1] / TRIED[0]);
+  return tried[1] * (lights / TRIED[1]) ** Math.min(SLOPES[1], Math.max(SLOPES[0], slope));
 }

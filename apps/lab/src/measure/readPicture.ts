@@ -1,18 +1,28 @@
-/** Widest picture that is compared (pixels). */
-const WIDEST = 320;
+/** Widths of pictures that are compared and of those that a run keeps (pixels); narrower ones stay as they are. */
+const COMPARED = 320;
+const KEPT = 160;
 
 /**
- * A picture, as it would be shown on black: 8-bit sRGB, RGBA.
+ * Reads a picture over black: 8-bit sRGB, RGBA.
  *
- * @param widest - greatest width of the result (pixels); default that of pictures which are compared
+ * @param widest - greatest width of the result (pixels); default that of compared pictures
  */
-export function readPicture(source: HTMLCanvasElement | ImageData, widest = WIDEST): ImageData {
+export function readPicture(source: HTMLCanvasElement | ImageData, widest = COMPARED): ImageData {
+  const context = reduced(source, widest);
+  return context.getImageData(0, 0, context.canvas.width, context.canvas.height);
+}
+
+/** A small picture for runs that are kept, as a data URL: WebP, or PNG if the browser cannot encode WebP. */
+export const thumbnailOf = (picture: ImageData): string => reduced(picture, KEPT).canvas.toDataURL('image/webp', 0.8);
+
+function reduced(source: HTMLCanvasElement | ImageData, widest: number): CanvasRenderingContext2D {
   const width = Math.min(widest, source.width);
   const height = Math.max(1, Math.round((source.height * width) / source.width));
   const context = context2D(width, height);
   context.imageSmoothingQuality = 'high';
-  context.drawImage(source instanceof ImageData ? canvasOf(source) : source, 0, 0, width, height);
-  return context.getImageData(0, 0, width, height);
+  // ImageData of a frame is no instance of this page's class
+  context.drawImage('data' in source ? canvasOf(source) : source, 0, 0, width, height);
+  return context;
 }
 
 function canvasOf(pixels: ImageData): HTMLCanvasElement {

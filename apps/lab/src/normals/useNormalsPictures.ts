@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
+import { messageOf } from '../run/messageOf';
 import { createStageFrames } from '../run/StageFrames';
 import type { NormalsPicture, NormalsWay } from './NormalsPicture';
 
@@ -33,7 +34,7 @@ export function useNormalsPictures(isWanted: boolean): NormalsPictures {
     };
     draw()
       .catch((error) => {
-        if (!isOver) setState({ pictures: {}, problem: error instanceof Error ? error.message : String(error) });
+        if (!isOver) setState({ pictures: {}, problem: messageOf(error) });
       })
       .finally(() => frames.close());
     return () => {

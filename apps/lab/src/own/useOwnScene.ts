@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
+import { messageOf } from '../run/messageOf';
 import type { ReceivedScene } from './receiveScene';
 
 export interface OwnSceneState {
@@ -31,7 +32,7 @@ export function useOwnScene(): OwnSceneState {
         setState({ isComing: false, scene, problem: '' });
       },
       (error: unknown) => {
-        const problem = error instanceof Error ? error.message : String(error);
+        const problem = messageOf(error);
         if (!isOver) setState({ isComing: false, scene: null, problem });
       },
     );

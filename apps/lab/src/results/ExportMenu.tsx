@@ -1,6 +1,8 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { download, exportFormats, type ExportFormat } from './exportRun';
+import { messageOf } from '../run/messageOf';
+import { exportFormats, type ExportFormat } from './exportRun';
 import type { LabRun } from './LabRun';
+import { saveFile } from './saveFile';
 import './results.css';
 
 interface ExportMenuProps {
@@ -30,14 +32,14 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
     try {
       setSaid({ text: await work(), isProblem: false });
     } catch (error) {
-      setSaid({ text: error instanceof Error ? error.message : String(error), isProblem: true });
+      setSaid({ text: messageOf(error), isProblem: true });
     }
   };
   const save = (format: ExportFormat) =>
     act(async () => {
-      const file = await format.make(run);
-      download(file);
-      return `${file.name} is made.`;
+      const { name, content } = await format.make(run);
+      saveFile(name, content);
+      return `${name} is made.`;
     });
   const copy = (what: string, write: () => Promise<string>) =>
     act(async () => {

@@ -1,4 +1,5 @@
 import { useCallback, useMemo, useRef, useState } from 'preact/hooks';
+import { messageOf } from '../run/messageOf';
 import { importRuns } from './importRuns';
 import type { LabRun } from './LabRun';
 import type { ReferenceRun } from './referenceRuns';
@@ -42,7 +43,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
     try {
       await act();
     } catch (error) {
-      setProblems([error instanceof Error ? error.message : String(error)]);
+      setProblems([messageOf(error)]);
     }
   }, []);
 

@@ -1,5 +1,6 @@
 import { chartFiles } from '../charts/chartFiles';
 import { chartPNG } from '../charts/chartPNG';
+import { deviceName } from '../words/device';
 import type { LabRun } from './LabRun';
 
 /** A file made of a run. */
@@ -33,7 +34,7 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
     label,
     help,
     async make(run) {
-      const files = chartFiles([run]).map(async ({ name, svg }) => {
+      const files = chartFiles(run).map(async ({ name, svg }) => {
         const content = kind === 'png' ? await chartPNG(svg) : new Blob([svg]);
         return [`${name}.${kind}`, new Uint8Array(await content.arrayBuffer())] as const;
       });
@@ -67,22 +68,16 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
 
 /** The run's name, or its preset, with date and device: letters, digits and hyphens. */
 export function fileName({ name, plan, surroundings }: LabRun): string {
-  const device = surroundings.device.replace(/^ANGLE \([^,]*, |\(.*$/g, '');
-  const parts = ['farol-lab', name || plan.preset, surroundings.date.slice(0, 10), ...(name ? [] : [device])];
+  const parts = [
+    'farol-lab',
+    name || plan.preset,
+    surroundings.date.slice(0, 10),
+    ...(name ? [] : [deviceName(surroundings.device)]),
+  ];
   return parts
     .join('-')
     .toLowerCase()
     .replaceAll(/[^a-z0-9]+/g, '-')
     .replaceAll(/^-|-$/g, '')
     .slice(0, 80);
-}
-
-/** Hands a file to the user as a download. */
-export function download({ name, content }: RunFile): void {
-  const link = document.createElement('a');
-  link.download = name;
-  link.href = URL.createObjectURL(content);
-  link.click();
-  // the browser reads it after the click
-  setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
 }

@@ -1,4 +1,5 @@
 import type { LabRun } from './LabRun';
+import { messageOf } from '../run/messageOf';
 import { LONGEST_RUN, parseRun } from './parseRun';
 import type { RunStore } from './RunStore';
 
@@ -20,7 +21,7 @@ export async function importRuns(files: Iterable<File>, store: RunStore): Promis
       runs.push(run);
       if (!(await store.has(run.id))) await store.save(run);
     } catch (error) {
-      problems.push(`${file.name}: ${error instanceof Error ? error.message : String(error)}`);
+      problems.push(`${file.name}: ${messageOf(error)}`);
     }
   }
   return { runs, problems };

@@ -44,23 +44,10 @@ const quantities: readonly Quantity[] = [
   },
 ];
 
-/** A chart as words: what its figures say. */
-export interface ChartWords {
-  readonly title: string;
-  readonly sentences: readonly string[];
-}
-
-/**
- * A run as Markdown: surroundings, then tables as in chapter 4 of the thesis, with problems and warnings.
- *
- * @param charts - whose sentences come before the tables
- */
-export function runMarkdown(run: LabRun, charts: readonly ChartWords[] = []): string {
+/** A run as Markdown: surroundings, then tables as in chapter 4 of the thesis, with problems and warnings. */
+export function runMarkdown(run: LabRun): string {
   const { plan, surroundings, rows } = run;
   const lines = [`# ${escaped(run.name || plan.label)}`, '', ...surroundingsLines(run)];
-  for (const { title, sentences } of charts) {
-    if (sentences.length > 0) lines.push('', `**${escaped(title)}.** ${sentences.map(escaped).join(' ')}`);
-  }
   for (const series of plan.series) {
     const own = rows.filter((row) => row.series === series.name);
     lines.push('', `## ${escaped(series.label)}`);

@@ -1,4 +1,5 @@
 import { useCallback, useEffect, useState } from 'preact/hooks';
+import { messageOf } from '../run/messageOf';
 import type { RunInfo, RunStore } from './RunStore';
 
 /** The kept runs as they are, in this tab and others. */
@@ -15,7 +16,7 @@ export function useRuns(store: RunStore): KeptRuns {
     try {
       setKept({ runs: await store.list(), problem: null });
     } catch (error) {
-      setKept({ runs: [], problem: error instanceof Error ? error.message : String(error) });
+      setKept({ runs: [], problem: messageOf(error) });
     }
   }, [store]);
   useEffect(() => {

@@ -5,7 +5,7 @@ import type { StageFrames } from './StageFrames';
 import { CaseRun } from './CaseRun';
 import { Forecast } from './Forecast';
 import type { Progress } from './Progress';
-import { thumbnailOf } from './thumbnailOf';
+import { thumbnailOf } from '../measure/readPicture';
 
 /** What a run needs besides its plan. */
 export interface RunOptions {

@@ -49,7 +49,3 @@ export function webglProblem(): string | null {
     return (error as Error).message;
   }
 }
-
-/** Whether a device is a program that draws on the processor, by its name. */
-export const isSoftware = (renderer: string): boolean =>
-  /swiftshader|llvmpipe|softpipe|software|basic render|warp/i.test(renderer);

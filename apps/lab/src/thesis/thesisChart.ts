@@ -1,21 +1,20 @@
-import { logTicks } from '../charts/axisTicks';
+import { logTicks } from '../charts/scales';
 import type { ChartSettings, ChartSpec, ChartTip } from '../charts/ChartSpec';
 import { type ChartRow, drawRows, type RowBar, type RowMark } from '../charts/drawRows';
 import type { LabRun } from '../results/LabRun';
-import { formatMs, formatNumber, listOf } from '../words/format';
-import { isSoftware } from '../words/isSoftware';
-import { competitorLabel, competitorWord, isTechnique } from '../words/names';
+import { formatMs, formatNumber } from '../words/format';
+import { isSoftware } from '../words/device';
+import { byMetric, competitorLabel, competitorWord, isTechnique } from '../words/names';
 import { compareThesis, type ThesisPair, timeIn } from './compareThesis';
-import { conclusionsOf, type Conclusion, type Verdict } from './conclusions';
 import type { Frames } from './thesis2015';
 
 const headings = { planes: 'N × N planes, M × M lights', sponza: 'Sponza (here: atrium)', temple: 'Temple' } as const;
-/** Who may stand for the thesis's forward rendering, its own algorithm first: the whole scene once more for each light. */
+/** Competitors comparable with the thesis's forward rendering; first its own algorithm, the whole scene drawn once per light. */
 const forwards = ['multipass', 'forward', 'forward-single-pass', 'stock'];
 
-/** The thesis's figures of 2015 beside a run's, row by row; null for CPU times, and where the run has hardly any of its rows. */
+/** Frame rates of 2015 beside a run's, row by row; null for CPU times, and for a run with fewer than three of the rows. */
 export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'): ChartSpec | null {
-  // the call that draws is no frame
+  // CPU time is that of the draw call: no frame rate follows from it
   if (settings.metric === 'cpu') return null;
   const all = compareThesis(run, settings.metric);
   const measured = all.filter(({ entries }) => entries.length > 0);
@@ -28,52 +27,35 @@ export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'
   const rows = rowsOf(pairs, forward);
   const values = rows.flatMap(({ bars, marks = [] }) => [
     ...bars.flatMap(({ from, to }) => [from, to]),
-    ...marks.map(({ at }) => at),
+    ...marks.map(({ value }) => value),
   ]);
   const isLog = settings.scale === 'log';
   const domain: [number, number] = [isLog ? Math.min(...values) / 1.2 : 0, Math.max(...values) * 1.1];
-  const conclusions = conclusionsOf(run, pairs, forward);
   return {
     key,
-    title: 'The thesis of 2015 and this run',
+    title: `The thesis of 2015 and this run${byMetric(settings.metric)}`,
     description: `Frames a second of forward and deferred shading, row by row of the thesis’s three tables: pale bars are the ranges of 2015, symbols this run’s medians.`,
-    sentences: [summaryOf(conclusions)],
-    verdicts: conclusions,
     notes: [
       'Pale bars: the thesis, in a browser that showed 60 frames a second at most; where there is none, its counter could not follow. Symbols: this run, without a display to wait for.',
-      ...(isSoftware(run)
-        ? ['A software rasteriser drew this run: the verdicts are about a processor, not a GPU.']
+      ...(isSoftware(run.surroundings.device)
+        ? ['A software rasteriser drew this run: it ranks the techniques on a processor, not on a GPU.']
         : []),
     ],
     table: tableOf(pairs, forward),
     legend: [forward, 'deferred', 'auto'].filter((name) => measured.some((pair) => timeIn(pair, name))),
-    ...{ keys: [], runs: [], wide: true },
     choice:
-      offered.length > 1 ? { label: 'Forward is drawn by', options: offered.map(competitorLabel), selected } : null,
+      offered.length > 1
+        ? { label: 'Forward is drawn by', options: offered.map(competitorLabel), selected, exportsAll: true }
+        : null,
     draw: (options) =>
       drawRows(
         {
           ...{ rows, lanes: 2, type: settings.scale, domain, label: 'Frames a second', format: formatNumber },
-          ticks: isLog ? logTicks(domain[0], domain[1], options.width < 520 ? 5 : 9) : undefined,
+          ticks: isLog ? (most) => logTicks(...domain, most) : undefined,
         },
         options,
       ),
   };
-}
-
-/** How many of the conclusions hold. */
-function summaryOf(conclusions: readonly Conclusion[]): string {
-  const words: readonly [Verdict, string][] = [
-    ['Confirmed', 'confirmed'],
-    ['Confirmed in part', 'confirmed in part'],
-    ['Refuted', 'refuted'],
-    ['Undecided', 'left open'],
-  ];
-  const parts = words.flatMap(([verdict, word]) => {
-    const count = conclusions.filter((each) => each.verdict === verdict).length;
-    return count === 0 ? [] : [`${count} ${count === 1 ? 'is' : 'are'} ${word}`];
-  });
-  return `Of the thesis’s ${conclusions.length} conclusions ${listOf(parts)}.`;
 }
 
 function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
@@ -85,7 +67,7 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
     const tip = tipOf(pair, forward);
     const mark = (competitor: string, lane: number): RowMark[] => {
       const time = timeIn(pair, competitor);
-      return time ? [{ at: 1000 / time.median, competitor, lane, tip }] : [];
+      return time ? [{ value: 1000 / time.median, competitor, lane, tip }] : [];
     };
     rows.push({
       label: pair.label,

@@ -1,4 +1,4 @@
-import { deviceName } from './support/deviceName';
+import { deviceName } from '../words/device';
 import type { StageState } from './support/useStage';
 
 /** What the figures will be about: the device, the browser, and what spoils both. */

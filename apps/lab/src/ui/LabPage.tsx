@@ -25,6 +25,7 @@ import { useRun } from './support/useRun';
 import { useShownRun } from './support/useShownRun';
 import { useStage } from './support/useStage';
 import { ThemeSelect } from './ThemeSelect';
+import { ThesisConclusions } from './ThesisConclusions';
 
 const store = new RunStore();
 
@@ -164,6 +165,7 @@ export function LabPage() {
                 onRename={(id, name) => shown.run?.id === id && shown.show({ ...shown.run, name })}
               />
             </section>
+            <ThesisConclusions />
             <NormalsFigure isMeasuring={isRunning} />
           </div>
         </div>

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import { pictureSize, useNormalsPictures } from '../normals/useNormalsPictures';
 import './NormalsFigure.css';
+import { PixelCanvas } from './PixelCanvas';
 
 /** What each picture shows, and how its normals came about. */
 const words: Readonly<Record<NormalsWay, { title: string; shows: string; sees: (share: string) => string }>> = {
@@ -61,14 +62,10 @@ export function NormalsFigure({ isMeasuring }: NormalsFigureProps) {
 }
 
 function Picture({ way, drawn }: { way: NormalsWay; drawn: NormalsPicture | undefined }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    if (drawn) canvas.current?.getContext('2d')?.putImageData(drawn.picture, 0, 0);
-  }, [drawn]);
   const { title, shows, sees } = words[way];
   return (
     <figure>
-      <canvas ref={canvas} {...pictureSize} role="img" aria-label={drawn ? shows : 'Not drawn yet'} />
+      <PixelCanvas pixels={drawn?.picture ?? null} label={drawn ? shows : 'Not drawn yet'} {...pictureSize} />
       <figcaption>
         <strong>{title}.</strong> {drawn ? sees(percent(drawn.leaning)) : 'It is drawn in a moment.'}
       </figcaption>

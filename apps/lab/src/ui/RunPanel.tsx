@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { competitorLabel, valueText } from '../words/names';
+import { PixelCanvas } from './PixelCanvas';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
 
@@ -24,7 +25,7 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   }, []);
   return (
     <section class="running" aria-labelledby="running-title">
-      <Live picture={running.picture} />
+      <PixelCanvas pixels={running.picture} label="Last picture" class="live" width={160} height={90} />
       <div class="running-words">
         <h2 id="running-title" ref={title} tabIndex={-1}>
           Measuring: {plan.label} <span class="dim">{isCancelled ? 'ending …' : left}</span>
@@ -55,18 +56,6 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
       </p>
     </section>
   );
-}
-
-/** The picture that was drawn last. */
-function Live({ picture }: { picture: ImageData | null }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    if (!picture || !canvas.current) return;
-    canvas.current.width = picture.width;
-    canvas.current.height = picture.height;
-    canvas.current.getContext('2d')?.putImageData(picture, 0, 0);
-  }, [picture]);
-  return <canvas ref={canvas} class="live" width={160} height={90} role="img" aria-label="What was drawn last" />;
 }
 
 /** Text that changes seldom, so that a screen reader does not talk all the time. */

@@ -1,4 +1,5 @@
-import type { LabRow, Metric, Spread } from '../results/LabRun';
+import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
+import { isSoftware } from './device';
 
 /** Medians this close to each other count as equal: two runs of one case differ by as much. */
 export const SAME = 0.03;
@@ -33,4 +34,14 @@ export function compareSpreads(a: Spread, b: Spread): -1 | 0 | 1 {
   if (longer.median <= shorter.median * (1 + SAME)) return 0;
   if (boundsOf(shorter).high >= longer.median || boundsOf(longer).low <= shorter.median) return 0;
   return shorter === a ? -1 : 1;
+}
+
+/** Reason, a sentence, why no run has times by a metric; null if one has. */
+export function missingMetric(runs: readonly LabRun[], metric: Metric): string | null {
+  if (runs.every(({ rows }) => rows.length === 0)) return null;
+  if (runs.some(({ rows }) => rows.some((row) => timeOf(row, metric)))) return null;
+  if (metric === 'gpu' && runs.every(({ surroundings: { device } }) => isSoftware(device)))
+    return 'No GPU times: a software rasteriser draws on the processor.';
+  if (metric === 'gpu') return 'No GPU times: the device or the browser has no timer queries.';
+  return metric === 'cpu' ? 'No CPU times were measured.' : 'No frame times were measured.';
 }

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { formatDate, formatMsRange } from './format';
+import { formatBytes, formatDate, formatNumber } from './format';
 
 test('dates are of this machine’s time zone; what is no date stays as it is', () => {
   // without a zone it is local time
@@ -7,7 +7,18 @@ test('dates are of this machine’s time zone; what is no date stays as it is', 
   expect(formatDate('once')).toBe('once');
 });
 
-test('a range of times that read the same is one time', () => {
-  expect(formatMsRange([0.2471, 0.2474])).toBe('0.247 ms');
-  expect(formatMsRange([2, 1, 3])).toBe('1 ms to 3 ms');
-});
+test.each([
+  [Number.NaN, '–'],
+  [0, '0'],
+  [0.0421, '0.0421'],
+  [1.2549, '1.25'],
+  [123.6, '124'],
+  [1240.2, '1,240'],
+])('%d is written %s', (value, text) => expect(formatNumber(value)).toBe(text));
+
+test.each([
+  [820, '820 B'],
+  [1500, '1.5 kB'],
+  [48_220_000, '48.2 MB'],
+  [1_250_000_000, '1.25 GB'],
+])('%d bytes are written %s', (value, text) => expect(formatBytes(value)).toBe(text));

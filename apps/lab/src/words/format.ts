@@ -12,12 +12,6 @@ export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
 
-/** Shortest to longest of some times: `0.1 ms to 2 ms`, or `0.1 ms` where both read the same. */
-export function formatMsRange(times: readonly number[]): string {
-  const [low, high] = [formatMs(Math.min(...times)), formatMs(Math.max(...times))];
-  return low === high ? low : `${low} to ${high}`;
-}
-
 const dates = new Intl.DateTimeFormat('en', { dateStyle: 'medium', timeStyle: 'short' });
 
 /** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; what is no date as it is. */
@@ -26,10 +20,11 @@ export function formatDate(text: string): string {
   return Number.isNaN(date.getTime()) ? text : dates.format(date);
 }
 
-/** Bytes, as `640 B`, `1.2 kB`, `35 MB`. */
+/** Bytes, as `640 B`, `1.2 kB`, `35 MB`, `1.25 GB`. */
 export function formatBytes(bytes: number): string {
   if (bytes < 1000) return `${formatNumber(bytes)} B`;
-  return bytes < 1e6 ? `${formatNumber(bytes / 1000)} kB` : `${formatNumber(bytes / 1e6)} MB`;
+  if (bytes < 1e6) return `${formatNumber(bytes / 1000)} kB`;
+  return bytes < 1e9 ? `${formatNumber(bytes / 1e6)} MB` : `${formatNumber(bytes / 1e9)} GB`;
 }
 
 /** A factor in words: `4.1 times`, `1.15 times`. */
@@ -47,14 +42,4 @@ export function formatPercent(share: number): string {
 /** `a`, `a and b`, `a, b and c`. */
 export function listOf(items: readonly string[]): string {
   return items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} and ${items.at(-1)}`;
-}
-
-/** The first letter as a capital. */
-export function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
-/** A sentence that others wrote, with its full stop and no more. */
-export function asClause(sentence: string): string {
-  return sentence.trim().replace(/\.$/, '');
 }

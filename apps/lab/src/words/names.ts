@@ -4,18 +4,18 @@ import { lightKindNames, lightKinds, shadingNames, shadings } from '../plan/ligh
 import type { Metric } from '../results/LabRun';
 import { formatNumber } from './format';
 
-/** What a competitor is called in menus, legends and tables. */
+/** Name of a competitor in menus and tables; its key if this version does not know it. */
 export function competitorLabel(name: string): string {
   return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].label : name;
 }
 
-/** What a competitor is, as a sentence; its name where this version does not know it. */
+/** Explanation of a competitor, one sentence; its key if this version does not know it. */
 export function competitorHelp(name: string): string {
   return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].help : name;
 }
 
 const inSentences: Readonly<Record<string, string>> = {
-  // without the label's comma, which would part a list
+  // the label's comma would read as the end of an item in a list
   'forward-single-pass': 'single-pass forward',
   stock: 'three’s WebGLRenderer',
   multipass: 'naive multipass',
@@ -24,17 +24,17 @@ const inSentences: Readonly<Record<string, string>> = {
   babylon: 'Babylon.js',
 };
 
-/** What a competitor is called within a sentence or beside a line. */
+/** Short name of a competitor within a text or beside a line. */
 export function competitorWord(name: string): string {
   return inSentences[name] ?? competitorLabel(name).replace(/^Farol: /, '');
 }
 
-/** Whether a competitor is a technique of Farol's, `auto` left out. */
+/** Whether a competitor is a technique of Farol's other than `auto`. */
 export function isTechnique(name: string): boolean {
   return name !== 'auto' && competitorKind(name) === 'farol';
 }
 
-/** Whose a competitor is; null for one that this version does not know. */
+/** Maker of a competitor; null if this version does not know it. */
 export function competitorKind(name: string): 'farol' | 'three' | 'rival' | null {
   return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].kind : null;
 }
@@ -49,7 +49,7 @@ const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
   shading: ['shading', 'shadings'],
 };
 
-/** Word of a value along an axis of names: `rectangles`, `flat shading`; its number where this version does not know it. */
+/** Name of a value along an axis of names: `rectangles`, `flat shading`; its index if this version does not know it. */
 export function namedValue(axis: 'kind' | 'shading', value: number): string {
   const words = axis === 'kind' ? lightKinds[lightKindNames[value]] : shadings[shadingNames[value]];
   return words?.word ?? String(value);
@@ -65,7 +65,10 @@ export function valueText(axis: Axis, value: number, labCase?: LabCase): string 
   return `${formatNumber(value, 6)} ${units[axis][value === 1 ? 0 : 1]}`;
 }
 
-/** What a metric is called in titles and sentences. */
+/** Ending of a title that names the metric, empty for frame times: `, by GPU time`. */
+export const byMetric = (metric: Metric): string => (metric === 'frame' ? '' : `, by ${metricWords[metric].noun}`);
+
+/** Names of the metrics: on buttons, within texts, and an explanation. */
 export const metricWords: Readonly<Record<Metric, { label: string; noun: string; help: string }>> = {
   frame: {
     label: 'Frame',

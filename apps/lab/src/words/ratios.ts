@@ -1,8 +1,6 @@
 import type { LabRun, Metric } from '../results/LabRun';
 import { caseKey as sameCase } from '../results/mergeRuns';
 import { boundsOf, compareSpreads } from './compareSpreads';
-import { formatFactor, formatNumber } from './format';
-import { competitorWord } from './names';
 import { entriesOf } from './rowsOf';
 import { casesOf, type SeriesCase } from './seriesCases';
 
@@ -45,34 +43,4 @@ const caseKey = ({ series, labCase }: SeriesCase): string => `${series.name} ${s
 /** Geometric mean of positive numbers. */
 export function geometricMean(values: readonly number[]): number {
   return Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length);
-}
-
-/** How much longer one run takes than another: in all, and whose times differ least and most. */
-export function ratioWords(ratios: readonly Ratio[], name: string, base: string): string[] {
-  if (ratios.length === 0) return [`${name} and ${base} have no case in common.`];
-  const all = geometricMean(ratios.map(({ ratio }) => ratio));
-  const ties = ratios.filter(({ isTie }) => isTie).length;
-  const count = ratios.length === 1 ? 'one figure' : `${formatNumber(ratios.length)} figures`;
-  const overall = `${name} takes ${formatFactor(all)} as long as ${base}, over ${count} (geometric mean).`;
-  const by = [...new Set(ratios.map(({ competitor }) => competitor))]
-    .map((competitor) => ({
-      competitor,
-      mean: geometricMean(ratios.filter((each) => each.competitor === competitor).map(({ ratio }) => ratio)),
-    }))
-    .sort((a, b) => a.mean - b.mean);
-  const sentences = [overall];
-  if (by.length > 1) {
-    const [least, most] = [by[0], by.at(-1)!];
-    sentences.push(
-      `Least: ${competitorWord(least.competitor)}, ${formatNumber(least.mean)} times; most: ${competitorWord(most.competitor)}, ${formatNumber(most.mean)} times.`,
-    );
-  }
-  if (ties > 0) {
-    sentences.push(
-      ties === ratios.length
-        ? 'No figure differs by more than the spread.'
-        : `${ties} of the ${ratios.length} figures differ by no more than the spread.`,
-    );
-  }
-  return sentences;
 }

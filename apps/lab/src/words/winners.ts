@@ -22,31 +22,3 @@ export function winnersOf(run: LabRun, series: LabSeries, index: number, metric:
   const names = entries.filter(({ time }) => compareSpreads(best.time, time) === 0).map(({ competitor }) => competitor);
   return { index, value: series.values[index], best, names, entries };
 }
-
-/** Cases in a row that the same competitors win. */
-export interface WinningRange {
-  /** One name, or several that tie in every case of the range. */
-  readonly names: readonly string[];
-  readonly cases: readonly Winners[];
-}
-
-/** A series as few ranges: each goes on while somebody who won its first case wins, alone or by a tie. */
-export function winningRanges(cases: readonly Winners[]): WinningRange[] {
-  const ranges: WinningRange[] = [];
-  for (let start = 0; start < cases.length;) {
-    let names = [...cases[start].names];
-    let end = start + 1;
-    while (end < cases.length) {
-      const still = names.filter((name) => cases[end].names.includes(name));
-      if (still.length === 0) break;
-      names = still;
-      end++;
-    }
-    const range = cases.slice(start, end);
-    // who has the shortest median most often comes first
-    const wins = (name: string): number => range.filter(({ best }) => best.competitor === name).length;
-    ranges.push({ names: names.sort((a, b) => wins(b) - wins(a)), cases: range });
-    start = end;
-  }
-  return ranges;
-}

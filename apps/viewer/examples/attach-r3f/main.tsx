@@ -12,10 +12,10 @@ const address = new URLSearchParams(location.search);
 const still = address.has('still');
 const hues = Array.from({ length: 24 }, (_, i) => i * 15);
 
-/** For the browser tests. */
+/** Interface for the browser tests. */
 let page: { editor: AttachedEditor; scene: Scene; camera: Camera; webgl: WebGLRenderer } | null = null;
 
-/** Put into any `<Canvas>`, it opens the editor over it. */
+/** Opens the editor over the `<Canvas>` around it. */
 function Editor() {
   const { scene, camera, gl, invalidate } = useThree();
   useEffect(() => {
@@ -88,7 +88,7 @@ createRoot(document.querySelector('#root')!).render(
   </StrictMode>,
 );
 
-/** Waits, frame by frame, until something holds. */
+/** Waits, frame by frame, until a condition holds. */
 async function until(holds: () => boolean): Promise<void> {
   while (!holds()) await new Promise(requestAnimationFrame);
 }

@@ -19,7 +19,7 @@ button.addEventListener('click', () => {
 });
 document.querySelector('nav')!.append(button);
 
-/** For the browser tests. */
+/** Interface for the browser tests. */
 const page = {
   ready: Promise.resolve(),
   scene,

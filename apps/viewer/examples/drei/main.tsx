@@ -1,4 +1,4 @@
-/** drei and @react-three/postprocessing, drawn by Farol: what draws by itself, such as views, portals and gizmos. */
+/** drei and @react-three/postprocessing, drawn by Farol: components that draw by themselves, such as views, portals and gizmos. */
 import '../shared/example.css';
 import { type FarolRenderer, techniques } from '@farol/renderer';
 import { Farol, type FarolProps } from '@farol/renderer/r3f';
@@ -13,7 +13,7 @@ const address = new URLSearchParams(location.search);
 const still = address.has('still');
 const names = [...Object.keys(parts), ...Object.keys(partsWithFarol)];
 
-/** For the browser tests. */
+/** Interface for the browser tests. */
 const page: {
   choose(by: Drawer): void;
   show(part: string): void;
@@ -81,7 +81,7 @@ createRoot(document.querySelector('#root')!).render(
 
 const nextFrame = () => new Promise(requestAnimationFrame);
 
-/** Waits, frame by frame, until something holds. */
+/** Waits, frame by frame, until a condition holds. */
 async function until(holds: () => boolean): Promise<void> {
   while (!holds()) await nextFrame();
 }
@@ -104,7 +104,7 @@ window.example = {
   async draw(by) {
     page.choose(by);
     await until(() => chosen(by));
-    // components of drei take some frames until they are what they will be
+    // components of drei take some frames to settle
     for (let i = page.settled ? 1 : 6; i > 0; i--) {
       advance(1);
       await nextFrame();

@@ -21,7 +21,7 @@ import { type ComponentType, memo, type ReactNode, useLayoutEffect, useState } f
 
 const hues = Array.from({ length: 12 }, (_, i) => i * 30);
 
-/** Twelve lanterns over a floor, and what stands on it. */
+/** Twelve lanterns over a floor with objects. */
 function Square({ children, floor }: { children?: ReactNode; floor?: ReactNode }) {
   return (
     <>
@@ -62,7 +62,7 @@ function Knot({ x = 0, color = '#c98f5a' }: { x?: number; color?: string }) {
   );
 }
 
-/** A scene of its own, for what shows one inside another. */
+/** Small scene for components that show a scene within a scene. */
 function Inside({ at = [0, 0, 4] }: { at?: [number, number, number] }) {
   return (
     <>
@@ -158,7 +158,7 @@ function placeOf(style: string): HTMLElement {
   return place;
 }
 
-/** What is drawn by other means than the canvas's own draw, each as drei's manual has it. */
+/** Components that draw outside of the canvas's own draw, by the examples of drei's manual. */
 export const parts: Record<string, ComponentType> = {
   View: () => <Views />,
   Hud: () => (
@@ -200,7 +200,7 @@ export const parts: Record<string, ComponentType> = {
       </CubeCamera>
     </Square>
   ),
-  // made once: a render of the component would have it made again
+  // memoized: otherwise each render of the component makes another one
   Environment: memo(() => (
     <Square>
       <Knot />
@@ -237,7 +237,7 @@ export const parts: Record<string, ComponentType> = {
   ),
 };
 
-/** Where Farol is for one scene alone, and three draws the rest of the canvas. */
+/** Canvas of which Farol draws one scene and three the rest. */
 export const partsWithFarol: Record<string, ComponentType<{ farol: FarolProps }>> = {
   'Farol in a View': Views,
   'Farol in a RenderTexture': Screen,

@@ -20,7 +20,7 @@ document.body.append(webgl.domElement);
 const { scene, camera, update } = lanterns();
 const farol = new FarolRenderer(webgl);
 
-// A screen in the scene, which shows it from above.
+// a screen within the scene shows the scene from above
 const above = new WebGLRenderTarget(256, 256);
 above.texture.colorSpace = SRGBColorSpace;
 const aboveCamera = new PerspectiveCamera(50, 1, 0.1, 60);
@@ -31,7 +31,7 @@ screen.position.set(-3.2, 2, -1.5);
 screen.rotation.y = 0.6;
 scene.add(screen);
 
-// An overlay over the finished picture.
+// an overlay over the finished picture
 const overlay = new Scene();
 const overlayCamera = new OrthographicCamera(-1.5, 10, 10, -1.5, -10, 10);
 const axes = new AxesHelper(1);

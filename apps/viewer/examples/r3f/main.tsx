@@ -11,10 +11,10 @@ import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
 const hues = Array.from({ length: 24 }, (_, i) => i * 15);
-/** With `?layers` every other lantern is on layer 1, where nothing is that it could light. */
+/** With `?layers` every other lantern is on layer 1, which has no objects. */
 const hasLayers = address.has('layers');
 
-/** For the browser tests. */
+/** Interface for the browser tests. */
 const page: {
   choose(by: Drawer): void;
   suspend(promise: Promise<unknown>): void;
@@ -24,7 +24,7 @@ const page: {
 } = { choose: () => {}, suspend: () => {}, farol: null, webgl: null, scene: null };
 const made = new Set<FarolRenderer>();
 
-/** Loads something. */
+/** Component that suspends until a promise is fulfilled. */
 function Sibling({ loads }: { loads: Promise<unknown> | null }) {
   if (loads) use(loads);
   return null;
@@ -124,7 +124,7 @@ createRoot(document.querySelector('#root')!).render(
   </StrictMode>,
 );
 
-/** Waits, frame by frame, until something holds. */
+/** Waits, frame by frame, until a condition holds. */
 async function until(holds: () => boolean): Promise<void> {
   while (!holds()) await new Promise(requestAnimationFrame);
 }

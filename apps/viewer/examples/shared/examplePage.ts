@@ -3,36 +3,36 @@ import { type FarolRenderer, type TechniqueName, techniques } from '@farol/rende
 import type { AttachedEditor } from '@farol/attach';
 import type { Camera, Scene, WebGLRenderer } from 'three';
 
-/** Who draws: a technique of Farol's, or three's own renderer. */
+/** Renderer of the page: a technique of Farol, or three's own. */
 export type Drawer = TechniqueName | 'three';
 
 export interface ExampleOptions {
   /** Its canvas fills the page. */
   webgl: WebGLRenderer;
   farol: FarolRenderer;
-  /** Draws one frame. @param byFarol - false: as it was before Farol @param seconds - time on the page's clock */
+  /** Draws one frame. @param byFarol - false for stock three @param seconds - time of the page's clock */
   frame(byFarol: boolean, seconds: number): void;
-  /** Takes the size of the page (CSS pixels); the canvas has it already. */
+  /** Called with the size of the page (CSS pixels) after the canvas got it. */
   resize(width: number, height: number): void;
-  /** Frames can be drawn when this is fulfilled. Default: at once. */
+  /** Fulfilled once frames can be drawn; missing if they can at once. */
   ready?: Promise<unknown>;
 }
 
-/** What the page offers to the browser tests, as `window.example`. */
+/** Interface for the browser tests, `window.example`. */
 export interface Example {
   ready: Promise<void>;
   readonly farol: FarolRenderer;
   readonly webgl: WebGLRenderer;
-  /** Draws the page as it is at 1 s, and gives what is on the canvas. */
+  /** Draws the page at 1 s and reads the canvas. */
   draw(by: Drawer): CanvasPixels | Promise<CanvasPixels>;
-  /** Where an editor is attached: it, and what the page draws. */
+  /** The attached editor and the page's scene, in examples with an editor. */
   readonly editor?: AttachedEditor | null;
   readonly scene?: Scene;
   readonly camera?: Camera;
-  /** Of a page that shows one of several things: their names, and another of them. */
+  /** Names of the variants of an example, and a function that chooses one; missing if it has a single one. */
   readonly parts?: readonly string[];
   show?(part: string): Promise<void>;
-  /** Of a page of components: how many FarolRenderers it has made, and one more component that waits for something. */
+  /** React examples: number of FarolRenderers made, and a function that adds a suspending component. */
   readonly made?: number;
   suspend?(promise: Promise<unknown>): void;
 }
@@ -50,7 +50,7 @@ declare global {
   }
 }
 
-/** Who draws first: `?technique=` (or `three`); 'auto' for what there is not. */
+/** Renderer of the first frame by `?technique=`; `auto` for an unknown one. */
 export function askedDrawer(): Drawer {
   const asked = new URLSearchParams(location.search).get('technique');
   const isKnown = asked !== null && (asked === 'three' || Object.hasOwn(techniques, asked));
@@ -60,8 +60,8 @@ export function askedDrawer(): Drawer {
 const STILL_AT = 1;
 
 /**
- * What the examples have in common: a menu of who draws, the size of the window, and the loop. Nothing of it is needed to
- * use Farol. `?technique=` (or `three`) chooses who draws first; `?still` draws one frame and waits.
+ * Common parts of the examples, none of them needed to use Farol: a menu of techniques, the size of the window, the loop.
+ * `?technique=` chooses a technique or `three`; `?still` draws one frame and waits.
  */
 export function examplePage({ webgl, farol, frame, resize, ready = Promise.resolve() }: ExampleOptions): void {
   const address = new URLSearchParams(location.search);
@@ -105,7 +105,7 @@ export function examplePage({ webgl, farol, frame, resize, ready = Promise.resol
   };
 }
 
-/** What is on the canvas; to be called before the browser shows it. */
+/** Pixels of the canvas; valid until the browser presents the frame. */
 export function readCanvas(webgl: WebGLRenderer): CanvasPixels {
   const gl = webgl.getContext();
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;

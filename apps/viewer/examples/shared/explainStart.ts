@@ -1,6 +1,6 @@
 import { noWebGL2 } from '@farol/engine';
 
-/** Says what to do on a page whose example could not start for want of WebGL 2. Runs before the example. */
+/** Explains an example's failed start without WebGL 2. Runs before the example. */
 function explain(): void {
   if (document.querySelector('[role=alert]') || document.createElement('canvas').getContext('webgl2')) return;
   const words = document.createElement('main');

@@ -19,19 +19,19 @@ import {
   TorusKnotGeometry,
 } from 'three';
 
-/** A scene of three's own things, as any page has one: Farol is not in it. */
+/** A scene of three.js alone, without Farol. */
 export interface Lanterns {
   scene: Scene;
   camera: PerspectiveCamera;
-  /** The shining thing in the middle. */
+  /** Emissive object in the middle. */
   knot: Mesh;
-  /** Moves the lights to where they are at a time (s). */
+  /** Moves the lights to their places at a time (s). */
   update(seconds: number): void;
 }
 
 const LANTERNS = 24;
 
-/** A ring of columns, a knot and a pane of glass, under 24 lanterns that go round and a spot light. Lengths in m. */
+/** A ring of columns, a knot and a pane of glass, under 24 circling lanterns and a spot light. Lengths in m. */
 export function lanterns(): Lanterns {
   const scene = new Scene();
   scene.background = new Color(0x10141c);

@@ -1,4 +1,4 @@
-/** three's stats panel, and stats-gl, which times every `webgl.render` on the GPU: Farol draws inside of one. */
+/** three's stats panel, and stats-gl, which times every `webgl.render` on the GPU: Farol draws within one. */
 import { FarolRenderer } from '@farol/renderer';
 import StatsGL from 'stats-gl';
 import { WebGLRenderer } from 'three';

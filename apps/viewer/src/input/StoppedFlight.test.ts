@@ -6,7 +6,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** A page whose frames are drawn by hand. */
+/** A page whose animation frames the test calls. */
 function makeFlight() {
   const page = new EventTarget();
   let next: FrameRequestCallback | null = null;

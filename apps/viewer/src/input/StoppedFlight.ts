@@ -2,7 +2,7 @@ import { isTyping } from '@farol/editing';
 import { KeyController } from '@farol/engine';
 import type { Viewer } from '../Viewer';
 
-/** Keeps the camera in hand while time is stopped: the scene is drawn for each move, and no loop runs in between. */
+/** Lets the user move the camera while time is stopped: each move draws a frame, no loop runs otherwise. */
 export class StoppedFlight {
   private readonly held = new Set<string>();
   private request = 0;
@@ -22,7 +22,7 @@ export class StoppedFlight {
     });
     addEventListener('keyup', ({ code, key }) => {
       this.held.delete(code);
-      // macOS tells of no key that goes up while Command is down
+      // macOS sends no keyup while Command is held
       if (key === 'Meta') this.held.clear();
     });
     addEventListener('blur', () => this.held.clear());

@@ -3,9 +3,9 @@ import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Viewer } from '../Viewer';
 
-/** Fingers orbit the scene: one turns, two zoom and pan. The mouse keeps turning the camera itself. */
+/** Touch controls: one finger orbits the scene, two zoom and pan. */
 export class TouchOrbit {
-  /** What three's controls move; the engine's camera follows it, since its three camera hangs below a GameObject. */
+  /** Camera that three's controls move. The engine's camera copies its pose: it has a parent, which the controls ignore. */
   private readonly proxy = new PerspectiveCamera();
   private readonly controls: OrbitControls;
   private readonly bounds = new Sphere();
@@ -13,7 +13,7 @@ export class TouchOrbit {
 
   constructor(private readonly viewer: Viewer) {
     const { canvas } = viewer.app;
-    // In the capture phase, so that it is before the controls' own.
+    // in the capture phase: before the controls' own listener
     canvas.addEventListener('pointerdown', (event) => this.begin(event.pointerType === 'touch'), { capture: true });
     this.controls = new OrbitControls(this.proxy, canvas);
     this.controls.enabled = false;

@@ -1,25 +1,25 @@
 import type { FieldValue } from '@farol/engine/fields';
 
-/** Lights along the axis of the chart, as factors of those on show. */
+/** Numbers of lights along the axis of the chart, as factors of the current number. */
 const FACTORS = [0.25, 0.5, 1, 2, 4];
 
 const numberOf = (value: FieldValue | undefined, otherwise: number): number =>
   typeof value === 'number' ? value : otherwise;
 
-/** Counts of lights round those on show, ascending, each once. */
+/** Numbers of lights around the current one, ascending, each once. */
 function lightsRound(lights: number): string {
   const counts = FACTORS.map((factor) => Math.min(10_000, Math.max(1, Math.round(lights * factor))));
   return [...new Set(counts)].join(',');
 }
 
 /**
- * What the Lab's address has after `#` to measure a demo scene over its lights, those on show in the middle:
+ * Fragment of the Lab's address that measures a demo scene over its lights, the current number in the middle:
  * `#preset=custom&series=temple:lights:12,25,50,100,200`.
  *
  * @param scene - key in the engine's `scenes`
- * @param parameters - of the scene on show; those absent have their defaults
+ * @param parameters - of the current scene; missing ones have their defaults
  * @param defaults - of the scene's parameters
- * @returns null for a scene that the Lab does not build by itself
+ * @returns null for a scene that the Lab cannot build
  */
 export function labFragment(
   scene: string,
@@ -34,5 +34,5 @@ export function labFragment(
   return `#preset=custom&series=${scene}:lights:${lightsRound(value('lights'))}`;
 }
 
-/** What the Lab's address has after `#` to measure a scene that is handed over, from 360p to 1080p. */
+/** Fragment of the Lab's address that measures a handed-over scene from 360p to 1080p. */
 export const ownSceneFragment = '#preset=custom&series=own:pixels:230,922,2074';

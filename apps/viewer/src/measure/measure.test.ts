@@ -33,7 +33,7 @@ describe('labFragment', () => {
   });
 });
 
-/** A triangle as it was dropped. */
+/** A dropped OBJ file of one triangle. */
 async function triangle(): Promise<LoadedModel> {
   const files = new Map([['room.obj', new File(['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3'], 'room.obj')]]);
   const { glb, notes } = await packObj(files, 'room.obj');
@@ -44,7 +44,7 @@ async function triangle(): Promise<LoadedModel> {
   return { name: 'room.obj', gltf, notes, pack: async () => new Blob([glb]) };
 }
 
-/** What the Lab makes of a file. */
+/** Scene that the Lab opens from a file. */
 async function opened(bytes: Uint8Array) {
   const { text, fileOf } = await readSceneFile(bytes);
   return deserialize(text, { fileOf, mayFetch: () => false });

@@ -6,9 +6,9 @@ import type { ViewerState } from '../state/ViewerState';
 import { labFragment, ownSceneFragment } from './labFragment';
 
 /**
- * Opens the Lab with the scene on show: a demo scene that the Lab builds too by its address, others handed over as a file.
+ * Opens the Lab with the current scene: by address if the Lab can build the scene, otherwise handed over as a file.
  *
- * @param model - on show, null for a scene of the engine's
+ * @param model - the dropped model; null for a scene of the engine
  * @throws Error (as a rejection) of a sentence with the mend, see `openBeside`
  */
 export function measureScene(

@@ -2,14 +2,13 @@ import type { Scene } from '@farol/engine';
 import { containerContent, createId, type FileComponent, type FileObject, writeContainer } from '@farol/engine/files';
 import type { LoadedModel } from '../model/loadModel';
 
-/** Components that answer a user, or that only this page knows. */
+/** Components for user input, and components that only the viewer has. */
 const notMeasured = new Set(['KeyController', 'MouseController', 'ModelAnimation']);
 
 /**
- * The scene on show as the bytes of a `.farol` file: the camera where it is now, a dropped model with all its textures
- * inside.
+ * Packs the current scene into a `.farol` file: with the camera at its current pose and, for a dropped model, all textures.
  *
- * @param model - on show, null for a scene of the engine's
+ * @param model - the dropped model; null for a scene of the engine
  * @throws Error (as a rejection) when the model cannot be packed
  */
 export async function sceneFile(scene: Scene, model: LoadedModel | null): Promise<Uint8Array<ArrayBuffer>> {
@@ -33,14 +32,14 @@ export async function sceneFile(scene: Scene, model: LoadedModel | null): Promis
   return writeContainer({ file, files: all });
 }
 
-/** The object that holds the model: `modelScene` puts it first. */
+/** Object that gets the model: a root with the model's name. */
 function modelObject(objects: readonly FileObject[], name: string): FileObject {
   const object = objects.find((each) => each.parent === null && each.name === name);
   if (!object) throw new Error(`The scene has no object ${name}: drop the model once more.`);
   return object;
 }
 
-/** Puts the camera of the file where the one on show is: moving it by hand is no edit of the scene. */
+/** Copies the camera's current pose into the file: flying around changes no component's saved values. */
 function putCamera(scene: Scene, objects: readonly FileObject[]): void {
   const camera = scene.activeCamera?.gameObject;
   const object = objects.find(({ id }) => id === camera?.id);

@@ -7,7 +7,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
  * a file uses them.
  *
  * @param extensions - `extensionsUsed` of the file
- * @returns the loader, and what gives the decoders' workers back
+ * @returns the loader, and a function that ends the decoders' workers
  */
 export async function createLoader(
   extensions: readonly string[],

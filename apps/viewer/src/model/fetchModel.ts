@@ -3,7 +3,7 @@ import { createLoader } from './createLoader';
 import { readGltfJson } from '@farol/engine/files';
 
 /**
- * Reads a glTF from an address, with what it names beside it.
+ * Reads a glTF and the files that it names from an address.
  *
  * @returns its scene
  * @throws Error (as a rejection) that names the address

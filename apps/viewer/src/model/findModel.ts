@@ -2,9 +2,9 @@ import { shortText } from '@farol/editing';
 import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**
- * Path of the model among dropped files: the .glb, .gltf, .obj, .stl or .ply that is nearest to the top.
+ * Path of the model among dropped files: the .glb, .gltf, .obj, .stl or .ply that is nearest to the top folder.
  *
- * @throws Error that names what was dropped when there is none
+ * @throws Error when there is none, with the names of the dropped files
  */
 export function findModel(files: FileMap): string {
   const models = [...files.keys()].filter((path) => /\.(glb|gltf|obj|stl|ply)$/i.test(path));
@@ -18,7 +18,7 @@ export function findModel(files: FileMap): string {
   throw new Error(`no .glb, .gltf, .obj, .stl or .ply was given, but ${names}.`);
 }
 
-/** Where a glTF at `modelPath` points with `uri`: a path as in the file map, or null for data inside the file. */
+/** Path in the file map of a `uri` in the glTF at `modelPath`; null for data inside the glTF. */
 export function resolveUri(modelPath: string, uri: string): string | null {
   if (/^(data|blob):/i.test(uri)) return null;
   const parts = modelPath.split('/').slice(0, -1);
@@ -30,8 +30,8 @@ export function resolveUri(modelPath: string, uri: string): string | null {
 }
 
 /**
- * The dropped file that a path means. Files dropped one by one have lost their folder, so that the name alone decides
- * where the whole path is not there.
+ * The dropped file at a path. Files dropped one by one have no folder: without a file at the whole path, one of the same
+ * name is taken.
  */
 export function lookUp(files: FileMap, path: string): File | null {
   const exact = files.get(path);
@@ -40,7 +40,7 @@ export function lookUp(files: FileMap, path: string): File | null {
   return files.get(name ?? '') ?? null;
 }
 
-/** Paths that a glTF needs and that were not dropped with it. */
+/** Paths that a glTF names and the drop lacks. */
 export function missingFiles(files: FileMap, modelPath: string, json: GltfJson): string[] {
   const uris = [...(json.buffers ?? []), ...(json.images ?? [])].flatMap(({ uri }) => (uri === undefined ? [] : [uri]));
   const paths = uris.flatMap((uri) => resolveUri(modelPath, uri) ?? []);

@@ -14,23 +14,23 @@ import type { FileMap } from '@farol/engine/files';
 import { createLoader } from './createLoader';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 
-/** A model that was read whole. */
+/** A model and all the files that it names. */
 export interface LoadedModel {
-  /** Name of its file. */
+  /** File name of the model. */
   name: string;
   gltf: GLTF;
-  /** What is missing or was left out, and what to do: sentences that name the file. Empty when it came in whole. */
+  /** Missing or ignored parts and the remedy, each a sentence that names the file. */
   notes: readonly string[];
-  /** The model, with all that it names, as one GLB. */
+  /** Packs the model and the files that it names into one GLB. */
   pack(): Promise<Blob>;
 }
 
 /**
  * Reads the glTF, OBJ, STL or PLY among some files, with the buffers, materials and textures that it names.
  *
- * @param given - files; a ZIP stands for what it holds
+ * @param given - files; a ZIP counts as the files in it
  * @param signal - cancels the reading
- * @throws Error that names the file and the reason; nothing is shown half then; what the signal was aborted with
+ * @throws Error that names the file and the reason; the signal's reason when it is aborted
  */
 export async function loadModel(given: FileMap, renderer: WebGLRenderer, signal?: AbortSignal): Promise<LoadedModel> {
   const files = await expandZips(given);

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import type { LoadedModel } from './loadModel';
 import { modelScene } from './modelScene';
 
-/** A scene of a box that is so many times as large as 1 × 2 × 1 m, and stands elsewhere than at the origin. */
+/** A scene of a box of 1 × 2 × 1 m times `size`, away from the origin. */
 function sceneOf(size: number, lights = 8) {
   const box = new Mesh(new BoxGeometry(size, 2 * size, size));
   box.position.set(3 * size, size, 0);
@@ -20,7 +20,7 @@ it('looks the same whatever the size of the model is: places, reach and brightne
   expect(one.points).toHaveLength(8);
   one.points.forEach((light, i) => {
     const large = ten.points[i];
-    // illuminance falls by the square of the distance
+    // illuminance falls with the square of the distance
     expect(large.intensity / light.intensity).toBeCloseTo(100, 6);
     expect(large.range / light.range).toBeCloseTo(10, 6);
     for (const axis of ['x', 'y', 'z'] as const) expect(large.position[axis]).toBeCloseTo(10 * light.position[axis], 4);

@@ -9,12 +9,12 @@ import {
   RandomMovement,
   Scene,
 } from '@farol/engine';
-import type { FieldTable } from '@farol/engine/fields';
+import type { FieldTable, FieldValue, ValuesOf } from '@farol/engine/fields';
 import { Box3, Color, type Material, Mesh, type Object3D, Sphere, Texture, Vector3 } from 'three';
 import type { LoadedModel } from './loadModel';
 import { ModelAnimation } from './ModelAnimation';
 
-/** What may be chosen for a dropped model. */
+/** Parameters of a scene with a dropped model. */
 export const modelParameters = {
   lights: {
     kind: 'number',
@@ -27,16 +27,23 @@ export const modelParameters = {
   seed: { kind: 'number', default: 1, min: 0, integer: true, help: 'Another number, other paths of the lights.' },
 } as const satisfies FieldTable;
 
-/** The components of scenes with a dropped model. */
+/** A value for each of `modelParameters`: the given one, else the default. */
+export function modelValues(values: Record<string, FieldValue>): ValuesOf<typeof modelParameters> {
+  return Object.fromEntries(
+    Object.entries(modelParameters).map(([name, field]) => [name, values[name] ?? field.default]),
+  ) as ValuesOf<typeof modelParameters>;
+}
+
+/** Components of scenes with a dropped model. */
 const registry = new ComponentRegistry([...builtinComponents.types.values(), ModelAnimation]);
 
 /**
- * Makes a scene of a loaded model: the model as it is, lights of its own kept, its first animation playing; a camera
- * that sees all of it, a soft light from all sides, and a ring of moving point lights as large as the model.
+ * Makes a scene of a loaded model with its own lights and its first animation, a camera that sees the whole model, a
+ * hemisphere light, and a ring of moving point lights around it.
  *
  * The scene does not own the model: `disposeModel` frees it.
  *
- * @throws Error when the model has nothing to see
+ * @throws Error when the model has no visible mesh
  */
 export function modelScene(
   { name, gltf }: LoadedModel,
@@ -61,7 +68,7 @@ export function modelScene(
   return scene;
 }
 
-/** Frees what a model holds on the GPU. */
+/** Frees the model's GPU resources. */
 export function disposeModel(model: Object3D): void {
   model.traverse((object) => {
     if (!(object instanceof Mesh)) return;
@@ -84,7 +91,7 @@ function skyLight(): GameObject {
   return sky;
 }
 
-/** A camera before the model and a little above, far enough back to see its bounding sphere. */
+/** A camera in front of the model and slightly above it, which sees the model's bounding sphere. */
 function viewpoint({ center, radius }: Sphere, bounds: Box3): GameObject {
   const fov = Math.PI / 4;
   const distance = (1.05 * radius) / Math.sin(fov / 2);
@@ -95,7 +102,7 @@ function viewpoint({ center, radius }: Sphere, bounds: Box3): GameObject {
   return object;
 }
 
-/** Lights on a ring round the model, of all hues, each wandering about its place. */
+/** Lights of all hues on a ring around the model; each wanders around its place. */
 function lightRing({ center, radius }: Sphere, bounds: Box3, { lights, seed }: { lights: number; seed: number }) {
   const random = createRandom(seed);
   const height = bounds.max.y - bounds.min.y;
@@ -113,7 +120,7 @@ function lightRing({ center, radius }: Sphere, bounds: Box3, { lights, seed }: {
     object.addComponent(Light, {
       type: 'point',
       diffuse: [colour.r, colour.g, colour.b],
-      // candela: as bright whatever the size of the model, and nearly so whatever the number of lights
+      // candela: brightness does not depend on the model's size, and little on the number of lights
       intensity: (6 * radius * radius) / Math.max(lights, 4) ** 0.9,
       range: radius * 2,
     });

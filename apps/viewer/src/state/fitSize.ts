@@ -1,4 +1,4 @@
-/** Pixels of a picture that the viewer asks a device for: a screen of 7,680 × 4,320. A technique needs some 40 bytes each. */
+/** Pixel limit of a picture: a screen of 7,680 × 4,320. A technique needs about 40 bytes per pixel. */
 const MOST_PIXELS = 7680 * 4320;
 
 const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
@@ -7,9 +7,9 @@ const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
  * The pixel ratio at which a picture can be drawn.
  * @param width - CSS pixels
  * @param height - CSS pixels
- * @param dpr - device pixels a CSS pixel, as asked for
- * @param side - most pixels a side that the device draws
- * @returns the ratio, `dpr` at most, and what to say when it is less; '' for nothing
+ * @param dpr - requested device pixels per CSS pixel
+ * @param side - most pixels per side that the device draws
+ * @returns the ratio, `dpr` at most, and a message if it is less, otherwise ''
  */
 export function fitSize(width: number, height: number, dpr: number, side: number): { dpr: number; problem: string } {
   const fits = Math.min(dpr, side / width, side / height, Math.sqrt(MOST_PIXELS / (width * height)));
@@ -19,4 +19,11 @@ export function fitSize(width: number, height: number, dpr: number, side: number
     `The picture would have ${size(dpr)} pixels. It is drawn with ${size(fits)}: this device draws ` +
     `${integer.format(side)} a side, and the viewer ${integer.format(MOST_PIXELS / 1e6)} million in all.`;
   return { dpr: fits, problem };
+}
+
+/** Most pixels per side that a device draws; infinite on a lost context, which answers null to every question. */
+export function largestSide(gl: WebGLRenderingContext | WebGL2RenderingContext): number {
+  const [width, height] = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
+  const limits = [gl.MAX_TEXTURE_SIZE, gl.MAX_RENDERBUFFER_SIZE].map((name) => gl.getParameter(name) as number);
+  return Math.min(...[width, height, ...limits].map((side) => side || Infinity));
 }

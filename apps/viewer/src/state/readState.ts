@@ -1,17 +1,17 @@
 import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
-/** Particles that an address may ask for. */
+/** Limit of particles in an address. */
 const MOST_PARTICLES = 200_000;
-/** The same of rectangle lights. */
+/** Limit of rectangle lights in an address. */
 const MOST_RECTANGLES = 20_000;
 
-/** A value that a URL cannot have: what it is and what is allowed. */
+/** A wrong value of a parameter, and the allowed ones. */
 class BadValue extends Error {}
 
 /**
- * Reads the state of a URL. A value that is wrong gives its default and a problem, a line that names the parameter, the
- * value and what is allowed; nothing throws.
+ * Reads the state of a URL. Instead of a wrong value it gives the default and a problem: a line with the parameter, the
+ * value and the allowed ones. Never throws.
  *
  * @param search - query of the URL, with or without its '?'
  */
@@ -41,11 +41,11 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
       read(text);
     } catch (error) {
       if (!(error instanceof BadValue)) throw error;
-      problems.push(`${name}=${shown(text)} in the address: ${error.message} The default is used.`);
+      problems.push(`${name}=${shortened(text)} in the address: ${error.message} The default is used.`);
     }
   };
 
-  const own = <T>(table: Readonly<Record<string, T>>, name: string): T | undefined =>
+  const entryOf = <T>(table: Readonly<Record<string, T>>, name: string): T | undefined =>
     Object.hasOwn(table, name) ? table[name] : undefined;
   for (const [name, field] of Object.entries(known.effects)) {
     readers[name] = (text) => void (state.effects[name] = fieldValue(field, text));
@@ -54,15 +54,15 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     const text = query.get(name);
     if (text !== null) attempt(name, text, read);
   }
-  // Parameters come after the scene is known: two scenes may give one name two ranges.
+  // the scene first: two scenes may have a parameter of one name with different ranges
   const scenes = [known.scenes[state.scene], ...Object.values(known.scenes)];
   const fieldOf = (name: string): Field | undefined =>
-    own(scenes.find(({ parameters }) => Object.hasOwn(parameters, name))?.parameters ?? {}, name);
+    entryOf(scenes.find(({ parameters }) => Object.hasOwn(parameters, name))?.parameters ?? {}, name);
   const names = [
     ...new Set([...Object.keys(readers), ...Object.values(known.scenes).flatMap((s) => Object.keys(s.parameters))]),
   ];
   const unknown: string[] = [];
-  /** How often each name is there. */
+  /** Occurrences of each name. */
   const times = new Map<string, number>();
   for (const [name, text] of query) {
     const before = times.get(name) ?? 0;
@@ -77,20 +77,20 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     if (count > 1 && !isUnknown.has(name)) problems.push(`${name} is in the address ${count} times: the first counts.`);
   }
   for (const name of unknown.slice(0, MOST_UNKNOWN)) {
-    problems.push(`${shown(name) || 'A name of no letters'} in the address is unknown and left out.`);
+    problems.push(`${shortened(name) || 'A name of no letters'} in the address is unknown and left out.`);
   }
   if (unknown.length > MOST_UNKNOWN) problems.push(`So are ${unknown.length - MOST_UNKNOWN} others.`);
   if (unknown.length > 0) problems.push(`Known are ${names.join(', ')}.`);
   return { state, problems };
 }
 
-/** Unknown names that are told one by one. */
+/** Unknown names with a problem each; the others are counted. */
 const MOST_UNKNOWN = 3;
 
-/** Letters of a name or a value that are told. */
+/** Letters of a name or a value in a problem; longer ones are cut. */
 const MOST_LETTERS = 60;
 
-const shown = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
+const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
 function oneOf(text: string, allowed: readonly string[]): string {
   if (!allowed.includes(text)) throw new BadValue(`it is unknown. Known are ${allowed.join(', ')}.`);

@@ -2,10 +2,10 @@ import type { FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
 /**
- * The query of a URL that gives this state back: scene, technique and view always, the rest where it differs from its
- * default. `readState(writeState(state))` is `state`, less parameters that the scene does not have.
+ * The query of a URL that restores a state: scene, technique and view, and what differs from its default.
+ * `readState(writeState(state))` is `state` without parameters that the scene does not have.
  *
- * @param isScene - whether a scene is on show, not a model, which no query can hold: the query names no scene then. Default true
+ * @param isScene - false for a dropped model, which no query can hold: the query names no scene then. Default true
  * @returns the query with its '?'
  */
 export function writeState(state: ViewerState, { scenes, effects, defaults }: KnownNames, isScene = true): string {
@@ -36,4 +36,16 @@ export function writeState(state: ViewerState, { scenes, effects, defaults }: Kn
 
 function text(value: FieldValue): string {
   return typeof value === 'boolean' ? (value ? '1' : '0') : String(value);
+}
+
+/** Replaces the query of the page's address, without an entry in the history. @param search - with its ? */
+export function writeAddress(search: string): void {
+  // the whole address: a path such as //x/ alone would name another host
+  const address = new URL(location.href);
+  address.search = search;
+  try {
+    history.replaceState(history.state, '', address);
+  } catch {
+    // Safari refuses more than 100 changes in 30 s; the next one writes the whole state
+  }
 }

@@ -49,13 +49,13 @@ export class HelpPanel {
   toggle(): void {
     if (this.dialog.open) return this.dialog.close();
     this.dialog.showModal();
-    // the browser has put the focus on the first button, which is at the end, and scrolled there
+    // the browser focused the first button, at the end of the panel, and scrolled there
     this.dialog.focus();
     this.dialog.scrollTop = 0;
   }
 }
 
-/** Every parameter of the address with what it does, those of the scenes from their declaration. */
+/** Every parameter of the address with an explanation; the scenes declare theirs. */
 export function addressHelp({
   scenes,
   techniques,

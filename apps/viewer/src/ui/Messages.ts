@@ -1,4 +1,4 @@
-/** Messages over the picture: each stays until it is closed, or until its subject is told anew. */
+/** Messages over the picture: each stays until the user closes it or another one of its subject replaces it. */
 export class Messages {
   private readonly list = document.createElement('div');
   private readonly bySubject = new Map<string, HTMLElement>();
@@ -10,9 +10,9 @@ export class Messages {
   }
 
   /**
-   * Shows a message in place of the last one on the same subject; an empty text takes that away.
+   * Shows a message in place of an earlier one of the same subject; an empty text removes that.
    *
-   * @param subject - what it is about, such as 'file'
+   * @param subject - key of the subject, such as 'file'
    * @param onClose - called when the user closes it
    */
   show(subject: string, text: string, onClose = (): void => {}): void {

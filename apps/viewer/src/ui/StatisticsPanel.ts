@@ -1,6 +1,6 @@
 import type { FarolInfo } from '@farol/renderer';
 
-/** Frames and passes in figures. Told of every frame; writes to the page about 4 times a second. */
+/** Frame rate, counts and times of passes; `frameDrawn` after each frame updates the page about 4 times per second. */
 export class StatisticsPanel {
   readonly element = document.createElement('div');
 
@@ -33,7 +33,7 @@ export class StatisticsPanel {
     this.since = now;
   }
 
-  /** Writes the figures now. @param fps - frames a second; null when no frames follow one another */
+  /** Writes the figures now. @param fps - frames per second; null for a single frame */
   show(info: FarolInfo, fps: number | null): void {
     this.summary.textContent = [
       fps === null ? 'stopped' : `${fps.toFixed(0)} FPS`,

@@ -5,24 +5,25 @@ import GUI, { type Controller } from 'lil-gui';
 import { chooseFiles } from '../chooseFiles';
 import { modelParameters } from '../model/modelScene';
 import { effectEntries } from '../state/effectParameters';
-import { known, type Viewer } from '../Viewer';
+import { known } from '../state/known';
+import type { Viewer } from '../Viewer';
 import { StatisticsPanel } from './StatisticsPanel';
 
-/** A failure that a message on the page tells of. */
-const told = () => {};
+/** Handler of a failure that a message on the page explains already. */
+const ignore = () => {};
 
-/** Name of an anti-aliasing in the menu. */
+/** Label of an anti-aliasing in the menu. */
 function labelOf(name: string): string {
   return name === 'none' ? 'None' : effectEntries[name].label;
 }
 
-/** The menu at the top right: everything of it comes from the registries of techniques, views and scenes. */
+/** The menu at the top right, made from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
 
   private readonly gui = new GUI({ title: 'Farol' });
   private readonly parameters: GUI;
-  /** What the controllers are bound to. */
+  /** Values that the controllers are bound to. */
   private readonly values: {
     technique: string;
     view: string;
@@ -35,7 +36,8 @@ export class ViewerMenu {
   };
   private readonly effectValues: Record<string, unknown> = {};
   private readonly effectControllers = new Map<string, Controller>();
-  private shown = '';
+  /** Scene or model whose parameters the menu has. */
+  private scene = '';
   private parameterValues: Record<string, unknown> = {};
 
   constructor(private readonly viewer: Viewer) {
@@ -88,13 +90,13 @@ export class ViewerMenu {
 
     const buttons = gui.addFolder('Scenes');
     for (const [name, { label, help }] of Object.entries(scenes)) {
-      buttons.add({ show: () => void viewer.chooseScene(name).catch(told) }, 'show').name(label).domElement.title =
+      buttons.add({ show: () => void viewer.chooseScene(name).catch(ignore) }, 'show').name(label).domElement.title =
         help;
     }
     buttons
       .add(this.values, 'dragon', [...known.dragons])
       .name('Dragon')
-      .onChange((name: string) => viewer.setDragon(name).catch(told));
+      .onChange((name: string) => viewer.setDragon(name).catch(ignore));
     const models = gui.addFolder('Models');
     this.addChooser(
       models,
@@ -107,13 +109,13 @@ export class ViewerMenu {
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
 
-    // it would cover most of a phone's picture
+    // an open menu would cover most of a phone's picture
     if (innerWidth < 600) gui.close();
     viewer.onChange(() => this.refresh());
     this.refresh();
   }
 
-  /** Brings the menu up to the viewer's state. */
+  /** Updates the menu from the viewer's state. */
   refresh(): void {
     const { state, modelName } = this.viewer;
     this.values.technique = state.technique;
@@ -132,10 +134,10 @@ export class ViewerMenu {
       controller.show(isFieldVisible(known.effects, name, (field) => this.effectValues[field]));
     }
 
-    const shown = modelName ?? state.scene;
+    const title = modelName ?? state.scene;
     const fields = modelName ? modelParameters : (scenes[state.scene]?.parameters ?? {});
-    if (shown !== this.shown) {
-      this.shown = shown;
+    if (title !== this.scene) {
+      this.scene = title;
       this.gui.title(`Farol: ${modelName ?? scenes[state.scene]?.label ?? ''}`);
       for (const controller of [...this.parameters.controllers]) controller.destroy();
       this.parameterValues = {};
@@ -160,7 +162,7 @@ export class ViewerMenu {
     const controller = this.addField(this.parameters, values, name, field);
     if (controller === null) delete values[name]; // no scene has one; its address parameter works all the same
     controller?.onFinishChange((value: number | string | boolean) => {
-      void this.viewer.setParameters({ [name]: value }).catch(told);
+      void this.viewer.setParameters({ [name]: value }).catch(ignore);
     });
   }
 
@@ -169,7 +171,7 @@ export class ViewerMenu {
     let controller: Controller;
     if (field.kind === 'number') {
       const { min, max, step = field.integer ? 1 : undefined } = field;
-      // Over a huge range, such as that of a seed, a slider is of no use.
+      // no slider over a huge range, such as that of a seed
       const slides = min !== undefined && max !== undefined && max - min <= 100_000;
       controller = folder.add(values as Record<string, number>, name, min, slides ? max : undefined, step);
     } else if (field.kind === 'choice') {
@@ -178,7 +180,7 @@ export class ViewerMenu {
       controller = folder.add(values, name);
     } else if (field.kind === 'asset') {
       controller = folder.add(values, name, this.viewer.assets.list(field.assetType));
-    } else return null;
+    } else return null; // no control for this kind of field; its address parameter works
     controller.domElement.title = field.help;
     return controller.name(field.label ?? name);
   }

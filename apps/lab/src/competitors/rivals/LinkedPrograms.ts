@@ -1,3 +1,5 @@
+import { firstLine } from '../createWebGL';
+
 /** Programs that a context links, so that one that does not compile is no silent hole in the picture. */
 export class LinkedPrograms {
   private readonly unchecked: WebGLProgram[] = [];
@@ -16,9 +18,7 @@ export class LinkedPrograms {
     for (const program of this.unchecked.splice(0)) {
       if (!gl.isProgram(program) || gl.getProgramParameter(program, gl.LINK_STATUS)) continue;
       const shaders = gl.getAttachedShaders(program) ?? [];
-      const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
-      const said = logs.map((log) => log?.replaceAll('\0', '').trim()).find((log) => log);
-      const line = said?.split('\n')[0].slice(0, 200) ?? 'the compiler says nothing';
+      const line = firstLine(gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader)));
       throw new Error(`A shader does not compile on this device: ${line}`);
     }
   }

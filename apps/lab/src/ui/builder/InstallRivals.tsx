@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
+import { messageOf } from '../../run/messageOf';
 import { installedRivals, installRivals } from '../../competitors/installedRivals';
 
 type Step = 'unneeded' | 'offered' | 'installing' | 'installed';
@@ -24,7 +25,7 @@ export function InstallRivals() {
       setStep('installed');
     } catch (error) {
       setStep('offered');
-      setProblem(error instanceof Error ? error.message : String(error));
+      setProblem(messageOf(error));
     }
   };
   if (step === 'unneeded') return null;

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { LabPlan } from '../../plan/LabPlan';
 import { competitorLabel } from '../../words/names';
+import { PixelCanvas } from '../PixelCanvas';
 import { sharpPicture } from '../support/sharpPictures';
 import { differenceOf, GAIN } from './differenceOf';
 import { psnrText, type TableRow } from './rowColumns';
@@ -37,7 +38,7 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
       </div>
       <div class="large-pictures">
         <figure>
-          <Pixels pixels={own} label={`Drawn by ${row.label}`} />
+          <PixelCanvas pixels={own} label={`Drawn by ${row.label}`} />
           <figcaption>
             {row.label}
             {!isReference && (row.likeness?.psnr === null ? ': equal' : `: ${psnrText(row.likeness)} dB`)}
@@ -46,11 +47,11 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
         {!isReference && (
           <>
             <figure>
-              <Pixels pixels={other} label={`The reference, drawn by ${reference.label}`} />
+              <PixelCanvas pixels={other} label={`The reference, drawn by ${reference.label}`} />
               <figcaption>Reference: {reference.label}</figcaption>
             </figure>
             <figure>
-              <Pixels pixels={own && other && differenceOf(own, other)} label="Where the pictures differ" />
+              <PixelCanvas pixels={own && other && differenceOf(own, other)} label="Where the pictures differ" />
               <figcaption>Difference, {GAIN} times brighter; black where both are equal</figcaption>
             </figure>
           </>
@@ -69,17 +70,6 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
       )}
     </dialog>
   );
-}
-
-function Pixels({ pixels, label }: { pixels: ImageData | null; label: string }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    if (!pixels || !canvas.current) return;
-    canvas.current.width = pixels.width;
-    canvas.current.height = pixels.height;
-    canvas.current.getContext('2d')?.putImageData(pixels, 0, 0);
-  }, [pixels]);
-  return <canvas ref={canvas} role="img" aria-label={label} />;
 }
 
 /** The picture of a row as it was drawn, or the small one where it is not held; null until it is read. */

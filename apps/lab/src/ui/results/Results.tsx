@@ -3,7 +3,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { RunCharts } from '../../charts/RunCharts';
 import type { LabRun } from '../../results/LabRun';
 import { formatDate } from '../../words/format';
-import { deviceName } from '../support/deviceName';
+import { deviceName } from '../../words/device';
 import { formatDuration } from '../support/formatDuration';
 import { Pictures } from './Pictures';
 import { RowTable } from './RowTable';

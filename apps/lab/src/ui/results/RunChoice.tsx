@@ -2,7 +2,7 @@ import type { LabRun } from '../../results/LabRun';
 import { referenceRuns } from '../../results/referenceRuns';
 import type { RunInfo, RunStore } from '../../results/RunStore';
 import { useRuns } from '../../results/useRuns';
-import { deviceName } from '../support/deviceName';
+import { deviceName } from '../../words/device';
 import { formatDate } from '../../words/format';
 import { messageOf } from '../../run/messageOf';
 

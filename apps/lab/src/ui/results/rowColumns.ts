@@ -2,8 +2,8 @@ import { competitorNames } from '../../competitors/competitorNames';
 import { type Axis, isNamed, type LabCase, type LabPlan } from '../../plan/LabPlan';
 import { lightKinds, shadingNames, shadings } from '../../plan/lightKinds';
 import type { LabRow, LabRun, Spread } from '../../results/LabRun';
+import { formatBytes, formatNumber } from '../../words/format';
 import { competitorLabel, namedValue } from '../../words/names';
-import { formatBytes, formatNumber } from '../support/formatNumber';
 
 /** A row with what its plan says of it. */
 export interface TableRow extends LabRow {

@@ -2,6 +2,7 @@ import { useCallback, useEffect, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
 import { referenceRuns, type ReferenceRun } from '../../results/referenceRuns';
 import { messageOf } from '../../run/messageOf';
+import { isSoftware } from '../../words/device';
 
 export interface ShownRun {
   /** Null until the reference is fetched, and where there is none. */
@@ -33,11 +34,10 @@ export function useShownRun(): ShownRun {
   return { run, isReference, problem, show };
 }
 
-const isSoftware = ({ info }: ReferenceRun): boolean => /swiftshader|llvmpipe/i.test(info.device);
-
 /** That of a graphics card, and Quick, where there is one. */
 function firstReference(): ReferenceRun | undefined {
-  const rank = (run: ReferenceRun): number => (isSoftware(run) ? 2 : 0) + (run.info.label === 'Quick' ? 0 : 1);
+  const rank = (run: ReferenceRun): number =>
+    (isSoftware(run.info.device) ? 2 : 0) + (run.info.label === 'Quick' ? 0 : 1);
   return [...referenceRuns].sort((a, b) => rank(a) - rank(b))[0];
 }
 
@@ -45,5 +45,5 @@ function firstReference(): ReferenceRun | undefined {
 export function referenceFor(run: LabRun): ReferenceRun | undefined {
   if (referenceRuns.some(({ info }) => info.id === run.id)) return undefined;
   const same = referenceRuns.filter(({ info }) => info.label === run.plan.label);
-  return same.find((each) => !isSoftware(each)) ?? same[0];
+  return same.find(({ info }) => !isSoftware(info.device)) ?? same[0];
 }

@@ -1,3 +1,7 @@
+import type { ChartPaint } from './chartPaint';
+import { competitorMark } from './competitorMarks';
+import { tag } from './svg';
+
 /** A symbol of unit radius as polylines: [x, y, x, y, …] each; closed unless it is made of strokes. */
 interface MarkSymbol {
   readonly lines: readonly (readonly number[])[];
@@ -5,7 +9,7 @@ interface MarkSymbol {
 }
 
 const turn = Math.PI * 2;
-/** Corners on a circle, or on two in turn. */
+/** Corners on a circle, or in turn on circles of several radii. */
 const corners = (count: number, start: number, radii: readonly number[]): number[] =>
   Array.from({ length: count }, (_, i) => {
     const angle = start + (i / count) * turn;
@@ -33,43 +37,27 @@ const symbols = {
 /** Name of a symbol: `wye` is a triangle that points down. */
 export type MarkSymbolName = keyof typeof symbols;
 
-/** Path data of a symbol about the origin. */
-export function symbolPath(name: MarkSymbolName, radius: number): string {
+/** Path data of a symbol around the origin. */
+function symbolPath(name: MarkSymbolName, radius: number): string {
   const { lines, closed } = symbols[name];
+  const round = (value: number): number => Math.round(value * radius * 100) / 100;
   return lines
     .map((line) => {
       const places: string[] = [];
-      for (let i = 0; i < line.length; i += 2) {
-        places.push(`${round(line[i] * radius)},${round(line[i + 1] * radius)}`);
-      }
+      for (let i = 0; i < line.length; i += 2) places.push(`${round(line[i])},${round(line[i + 1])}`);
       return `M${places.join('L')}${closed ? 'Z' : ''}`;
     })
     .join('');
 }
 
-/** Whether a symbol is strokes alone, without an area to fill. */
-export function isStroked(name: MarkSymbolName): boolean {
-  return !symbols[name].closed;
-}
-
-/** A symbol as Observable Plot takes it. */
-export function plotSymbol(name: MarkSymbolName): { draw(path: CanvasPath, size: number): void } {
-  const { lines, closed } = symbols[name];
-  return {
-    draw(path, size) {
-      const radius = Math.sqrt(size / Math.PI);
-      for (const line of lines) {
-        for (let i = 0; i < line.length; i += 2) {
-          const [x, y] = [line[i] * radius, line[i + 1] * radius];
-          if (i === 0) path.moveTo(x, y);
-          else path.lineTo(x, y);
-        }
-        if (closed) path.closePath();
-      }
-    },
-  };
-}
-
-function round(value: number): number {
-  return Math.round(value * 100) / 100;
+/** A competitor's symbol as SVG text, its middle at x, y (pixels). */
+export function competitorSymbol(competitor: string, x: number, y: number, radius: number, paint: ChartPaint): string {
+  const { symbol, hollow } = competitorMark(competitor);
+  const { closed } = symbols[symbol];
+  const stroke = paint.competitor(competitor);
+  return tag('path', {
+    ...{ d: symbolPath(symbol, radius), transform: `translate(${x.toFixed(2)},${y.toFixed(2)})`, stroke },
+    fill: !closed ? 'none' : hollow ? paint.background : stroke,
+    'stroke-width': hollow || !closed ? 1.7 : 1,
+  });
 }

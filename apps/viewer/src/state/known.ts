@@ -1,0 +1,20 @@
+import { techniques, views } from '@farol/renderer';
+import { scenes } from '@farol/scenes';
+import { dragonUrls } from '../dragonUrls';
+import { antialiasingNames, effectParameters } from './effectParameters';
+import type { KnownNames } from './ViewerState';
+
+/** Names that the address may hold, and the state of an address without parameters. */
+export const known: KnownNames = {
+  scenes,
+  techniques: Object.keys(techniques),
+  views,
+  dragons: Object.keys(dragonUrls),
+  antialiasing: antialiasingNames,
+  effects: effectParameters,
+  defaults: {
+    ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, dragon: 'medium', aa: 'none' },
+    ...{ effects: {}, decals: false, particles: 0, rectangles: 0 },
+    ...{ time: null, width: null, height: null, dpr: null, gui: true },
+  },
+};
