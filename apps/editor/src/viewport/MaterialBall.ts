@@ -20,12 +20,12 @@ import { renderSmall } from './renderSmall';
 import { whenLost } from './whenLost';
 import { whenRestored } from './whenRestored';
 
-/** How a ball is turned: to the right and up (rad). */
+/** Rotation of a preview ball (rad). */
 export type BallTurn = readonly [right: number, up: number];
 
 /**
- * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
- * drawn under lights of its own.
+ * Renders a sphere with a material to a canvas of the page, without waiting for the GPU. The material is the scene's
+ * own, lit by lights of the preview.
  */
 export class MaterialBall {
   private readonly scene = new Scene();
@@ -55,9 +55,10 @@ export class MaterialBall {
   }
 
   /**
-   * Draws the ball, after a lost context once more. Of several calls while the GPU is at work the last one counts.
-   * @param canvas - filled by the picture
-   * @param environment - what it mirrors; null for none
+   * Renders the sphere, retrying once after a lost context. Of several calls during rendering, only the last is carried
+   * out.
+   * @param canvas - filled with the image
+   * @param environment - environment map for reflections; null for none
    */
   async draw(
     material: Material,
@@ -94,7 +95,7 @@ export class MaterialBall {
     for (const material of this.own) material.dispose();
   }
 
-  /** @returns false when the context was lost before the picture was there */
+  /** @returns false when the context was lost during rendering */
   private async drawNow(
     material: Material,
     environment: Texture | null,
@@ -119,7 +120,7 @@ export class MaterialBall {
     this.scene.environment = null;
     if (this.pixels.length !== width * height * 4) this.pixels = new Uint8Array(width * height * 4);
     if (!(await readPixels(webgl, target, 0, 0, width, height, this.pixels))) return false;
-    // the GPU counts rows from below
+    // WebGL rows start at the bottom
     const image = context.createImageData(width, height);
     const row = width * 4;
     for (let y = 0; y < height; y++) {

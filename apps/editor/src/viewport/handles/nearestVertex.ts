@@ -16,7 +16,7 @@ import { vertexBesideRay } from './vertexBesideRay';
 const world = new Matrix4();
 const vertex = new Vector3();
 
-/** The corner of the triangle that was hit that is nearest to the hit, in the world. */
+/** Corner of the hit triangle closest to the hit (world). */
 function nearestCorner({ object, face, instanceId, point }: Intersection): Vector3 | null {
   if (!(object instanceof Mesh) || !face) return null;
   world.copy(object.matrixWorld);
@@ -39,9 +39,9 @@ function nearestCorner({ object, face, instanceId, point }: Intersection): Vecto
 }
 
 /**
- * The vertex that is seen nearest to a ray through the picture; where none is seen beside it, the one of what it hits
- * first that is nearest to where it hits. Null where there is neither.
- * @param without - objects that do not count, with all below them
+ * The visible vertex closest to a ray on screen; else, of the first triangle hit, the corner closest to the hit. Null
+ * when there is neither.
+ * @param without - objects to ignore, with everything below them
  */
 export function nearestVertex(
   scene: Scene,

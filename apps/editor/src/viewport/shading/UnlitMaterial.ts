@@ -17,7 +17,7 @@ import vertexShader from './unlit.vert.glsl?raw';
 
 const unmoved = new Matrix3();
 
-/** Drawn in place of every material, it shows the colour and the map of the object's own. */
+/** Override material that shows the colour and the map of each object's own material. */
 export class UnlitMaterial extends ShaderMaterial {
   constructor() {
     super({
@@ -38,7 +38,7 @@ export class UnlitMaterial extends ShaderMaterial {
     });
   }
 
-  /** three calls it for each object. */
+  /** called by three for each object */
   override onBeforeRender(
     _webgl: WebGLRenderer,
     _scene: Scene,
