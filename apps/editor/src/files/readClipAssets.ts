@@ -10,10 +10,10 @@ import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
 
 /**
- * Reads what copied objects need and the scene does not have: files of the clipboard and what is behind addresses, whose hosts
- * are asked about. Scripts that the user has never run have those of the scene wait until the user says whether they shall run.
- * What cannot be read is told by name.
- * @param list - each after those that it needs
+ * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs after asking about their hosts.
+ * Scripts that the user never ran switch off all of the scene's until the user decides. Unreadable assets are reported
+ * by name.
+ * @param list - each after the assets that it uses
  * @throws AbortError when the user cancelled, and then nothing has changed
  */
 export async function readClipAssets(
@@ -32,7 +32,7 @@ export async function readClipAssets(
   return read;
 }
 
-/** The addresses that lead to hosts which nothing may be fetched from: those that the user says no to. */
+/** Asks about hosts. @returns URLs on hosts that the user refused */
 async function askAbout(editor: EditorApi, wanted: readonly FileAsset[]): Promise<ReadonlySet<string>> {
   const { assets } = editor.document;
   const { allowedOrigins } = assets;

@@ -11,7 +11,7 @@ import { TechniqueLimit } from '../inspector/TechniqueLimit';
 
 const shown = ['antialiasing', 'ambientOcclusion', 'occlusionRadius', 'occlusionStrength', 'unsortedTransparency'];
 
-/** What takes part in the picture beside the technique: settings of the scene, and effects of plugins. */
+/** Effects of the scene's settings, and effects of plugins. */
 export function EffectsSection(): ReactNode {
   const { commands, document, viewport } = useEditor();
   const { addedEffects } = viewport;

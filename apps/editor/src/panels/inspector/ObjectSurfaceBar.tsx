@@ -6,7 +6,7 @@ import { EditSurface } from '../material/EditSurface';
 import { Icon } from '../../ui/Icon';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
-/** What can be done with the surface that objects wear. @param props.components - memoised; nothing is shown for those that wear none */
+/** Buttons for the surface of objects. @param props.components - memoised; nothing is shown when none has a surface */
 export function ObjectSurfaceBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

@@ -5,7 +5,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { useMemo } from 'react';
 
-/** What the scene asks for and its technique cannot do, a line each. */
+/** Features that the scene uses but its technique does not support, a line each. */
 function limitsOf({ technique, ambientOcclusion, antialiasing }: SceneSettings, hasDecals: boolean): string[] {
   const { occlusion, samples, decals } = techniqueLimits(technique);
   const lines: string[] = [];
@@ -21,7 +21,7 @@ function limitsOf({ technique, ambientOcclusion, antialiasing }: SceneSettings, 
   return lines;
 }
 
-/** What the technique of a scene cannot do of what the scene asks for; nothing where it can do all. */
+/** Warns of scene features that its technique does not support. */
 export function TechniqueLimit({ settings }: { settings: SceneSettings }): ReactNode {
   const { document } = useEditor();
   useSignal(document.structure);

@@ -14,7 +14,7 @@ const fileType = () => ({
   extensions: ['.xml'],
 });
 
-/** Import and export of microshaders as the thesis's file of XML. */
+/** Imports and exports microshaders in the thesis's XML format. */
 export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;

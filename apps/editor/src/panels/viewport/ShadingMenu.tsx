@@ -25,7 +25,7 @@ function entriesOf(editor: EditorApi): readonly MenuEntry[] {
   return [...own, 'separator', ...techniques];
 }
 
-/** How the active view shows the scene: without lights, as the scene says, or by any technique. */
+/** Menu of the active view's shading: without lights, the scene's technique, or another one. */
 export function ShadingMenu(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

@@ -10,7 +10,7 @@ import { useKeyBindings } from '../../ui/useKeyBindings';
 
 const matrix = new Matrix4();
 
-/** How CSS turns a face that looks at the reader to its side of the cube. */
+/** CSS rotation of each face of the cube, from facing the viewer. */
 const turns = {
   right: 'rotateY(90deg)',
   left: 'rotateY(-90deg)',
@@ -20,7 +20,7 @@ const turns = {
   back: 'rotateY(180deg)',
 };
 
-/** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
+/** Cube that rotates with the view; clicking a face looks from that side. Rotates without rendering React. */
 export function ViewCube(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;
@@ -63,7 +63,7 @@ export function ViewCube(): ReactNode {
   );
 }
 
-/** Says whether the picture has perspective, and changes that. */
+/** Shows and toggles the projection. */
 function ProjectionButton(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

@@ -17,9 +17,9 @@ import fragmentShader from './readTexels.frag.glsl?raw';
 import vertexShader from './readTexels.vert.glsl?raw';
 
 /**
- * The texels of any texture that can be sampled (compressed, of floats), as the GPU sees them: RGBA bytes, the row of
- * v = 0 first, in the texture's own colour space; what is brighter than white is white.
- * @throws Error when the graphics device is lost meanwhile
+ * Reads back any texture that the GPU can sample (compressed, floats): RGBA bytes, row of v = 0 first, in the texture's
+ * colour space, clamped to 1.
+ * @throws Error when the context is lost meanwhile
  */
 export async function readTexels(
   webgl: WebGLRenderer,

@@ -166,7 +166,7 @@ interface PartRowProps {
   onChange(value: number): void;
 }
 
-/** A part, as per cent. */
+/** A share, shown as a percentage. */
 function PartRow({ label, value, onChange }: PartRowProps): ReactNode {
   return (
     <NumberRow
@@ -211,7 +211,7 @@ function LightPart({ tool, value }: PartProps): ReactNode {
 
 const parts = { line: LinePart, ring: RingPart, grid: GridPart, scatter: ScatterPart };
 
-/** The settings of Duplicate along…, beside what they make. */
+/** Settings of the tool "Duplicate along…", updating its preview. */
 export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactNode {
   const { tools } = useEditor();
   useSignal(tool.changed);
