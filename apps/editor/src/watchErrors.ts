@@ -4,7 +4,7 @@ import type { EditorApi } from './api/EditorApi';
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
-/** Brings what goes wrong without anybody asking into the editor's console: components, shaders, the page. */
+/** Logs errors of components, shaders and the page in the editor's console. */
 export function watchErrors(editor: EditorApi): void {
   const { document, viewport, log } = editor;
   document.onComponentError = (component, error) => {
@@ -26,7 +26,7 @@ export function watchErrors(editor: EditorApi): void {
       t('{component} of {owner}: {reason}', { component: component.typeName, owner, reason: messageOf(error) }),
     );
   };
-  /** What is said of each script that is broken. */
+  /** Last error logged for each script. */
   const told = new Map<string, string>();
   document.scripts.changed.subscribe(() => {
     const { errors } = document.scripts;

@@ -5,12 +5,13 @@ import { idle, VIEWS } from './MicroShaderUses';
 import { compileAlone, compileStage } from './probeMicroShader';
 
 /**
- * Compiles microshaders that are on trial in every shader of every technique and view that holds one of them, and alone
- * where none does. Nothing is drawn and nothing changes; the page answers meanwhile.
- * @param farol - knows the techniques and the device
- * @param texts - the microshaders of the scene as they would be
- * @param names - of those on trial
- * @throws MicroShaderCompileError (as a rejection) with chunk and line; Error naming unknown chunks and circles
+ * Compiles changed microshaders in every shader of every technique and debug view that contains them, or alone when
+ * none does. Draws and changes nothing; yields to the page meanwhile.
+ * @param farol - provides the techniques and the device
+ * @param texts - microshaders of the scene with the changes
+ * @param names - names of the changed ones
+ * @throws MicroShaderCompileError (as a rejection) with microshader and line; Error naming unknown microshaders and
+ *   cycles
  */
 export async function checkMicroShaders(
   farol: FarolRenderer,
