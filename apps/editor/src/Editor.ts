@@ -352,9 +352,9 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    let shown: ViewChoice | null = null;
+    let appliedViews: ViewChoice | null = null;
     const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views, isMuted }: Preferences): void => {
-      if (views !== shown) applyViews(this.viewport, (shown = views));
+      if (views !== appliedViews) applyViews(this.viewport, (appliedViews = views));
       audioOutput.muted = isMuted;
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };

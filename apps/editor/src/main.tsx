@@ -33,19 +33,20 @@ const place = document.getElementById('app')!;
 
 /** @param problem - why the texts of the user's language could not be fetched; null when they were */
 function start(problem: Error | null): void {
-  const asked = new URLSearchParams(location.search);
+  const parameters = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
     urls: dragonUrl ? { dragon: dragonUrl } : {},
-    scene: isLink(location.hash) ? 'empty' : asked.get('scene'),
+    scene: isLink(location.hash) ? 'empty' : parameters.get('scene'),
     storage: STORAGE,
   });
   window.editor = editor;
   if (problem) editor.notices.show('warning', problem.message);
   watchDrops(editor);
   // a URL that names a scene suppresses the welcome page, unless it has ?welcome=yes
-  const saysScene = isLink(location.hash) || asked.has('scene');
-  const wanted = asked.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
-  const offer = welcomeUser(editor, wanted === 'yes');
+  const saysScene = isLink(location.hash) || parameters.has('scene');
+  const welcomeChoice =
+    parameters.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
+  const offer = welcomeUser(editor, welcomeChoice === 'yes');
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);

@@ -27,13 +27,13 @@ export function watchErrors(editor: EditorApi): void {
     );
   };
   /** Last error logged for each script. */
-  const told = new Map<string, string>();
+  const loggedErrors = new Map<string, string>();
   document.scripts.changed.subscribe(() => {
     const { errors } = document.scripts;
-    for (const script of [...told.keys()]) if (!errors.has(script)) told.delete(script);
+    for (const script of [...loggedErrors.keys()]) if (!errors.has(script)) loggedErrors.delete(script);
     for (const [script, { message, line }] of errors) {
-      if (told.get(script) === message) continue;
-      told.set(script, message);
+      if (loggedErrors.get(script) === message) continue;
+      loggedErrors.set(script, message);
       log.add('error', 'script', message, { script, line });
     }
   });

@@ -14,10 +14,10 @@ export function combinationOf(press: KeyPress): string | null {
   if (isPadPress(press)) key = press.code;
   const isSign = /^[^a-z0-9]$/i.test(key);
   if (key.length === 1) key = key.toUpperCase();
-  const held = [
+  const modifiers = [
     press.ctrlKey || press.metaKey ? 'Ctrl' : '',
     press.altKey ? 'Alt' : '',
     press.shiftKey && !isSign ? 'Shift' : '',
   ];
-  return [...held.filter(Boolean), key].join('+');
+  return [...modifiers.filter(Boolean), key].join('+');
 }

@@ -39,8 +39,8 @@ export const makeMaterial: Action = {
     const { document, commands } = editor;
     const renderers = renderersOf(editor);
     const first = renderers.find(({ material, shader }) => material === null && shader === null)!;
-    const wanted = t('{name} material', { name: first.gameObject.name });
-    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    const materialName = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);
     commands.run(made.command);
     document.assetSelection.set([made.name]);
     editor.layout.open('inspector');

@@ -167,16 +167,16 @@ export class ThumbnailMaker {
     const camera = isFlat ? flatCamera() : cameraFor(stage);
     // the result is read back as half floats
     if (!camera || !drawsFloats(webgl)) return null;
-    const before = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
+    const previousState = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
     webgl.setRenderTarget(this.target);
     webgl.setClearAlpha(0);
     webgl.autoClear = true;
     try {
       renderSmall(webgl, stage, camera);
     } finally {
-      webgl.setRenderTarget(before.target);
-      webgl.setClearAlpha(before.alpha);
-      webgl.autoClear = before.autoClear;
+      webgl.setRenderTarget(previousState.target);
+      webgl.setClearAlpha(previousState.alpha);
+      webgl.autoClear = previousState.autoClear;
       stage.remove(...lights);
     }
     if (!(await readPixels(webgl, this.target, 0, 0, SIZE, SIZE, this.pixels))) return undefined;

@@ -66,12 +66,12 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
 
 /** Reports files that came with a scene and were ignored. */
 function tellLeftOut(editor: EditorApi, scene: File, files: FileMap): void {
-  const left = [...files.values()]
+  const ignored = [...files.values()]
     .map(({ name }) => name)
     .filter((name) => name !== scene.name && name.replace(/\.zip$/i, '.farol') !== scene.name)
     .map((name) => shortText(name, 80));
-  if (left.length === 0) return;
-  const names = left.slice(0, 4).join(', ') + (left.length > 4 ? ', …' : '');
+  if (ignored.length === 0) return;
+  const names = ignored.slice(0, 4).join(', ') + (ignored.length > 4 ? ', …' : '');
   const text = t('{scene} was opened by itself, without {names}: drop these again.', {
     scene: shortText(scene.name, 80),
     names,

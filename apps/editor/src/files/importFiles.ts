@@ -26,7 +26,7 @@ export const isImportable = (path: string): boolean => typeOfUrl(path) !== null 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** A path, shortened for messages. */
-const told = (path: string): string => shortText(path, 80);
+const shortPath = (path: string): string => shortText(path, 80);
 
 function find(files: FileMap, model: string, uri: string): [string, File] | null {
   const parts = model.split('/').slice(0, -1);
@@ -73,9 +73,9 @@ async function packedProfile(files: FileMap, path: string, left: Set<string>): P
  * Finds a file ignoring case, as names from DOS need, in the folder of another file or among individually chosen ones.
  */
 function findAnyCase(files: FileMap, path: string, name: string): [string, File] | null {
-  const wanted = nameIn(name.replaceAll('\\', '/')).toLowerCase();
+  const lowerCaseName = nameIn(name.replaceAll('\\', '/')).toLowerCase();
   const folder = path.slice(0, path.lastIndexOf('/') + 1);
-  const found = [...files].filter(([each]) => each !== path && nameIn(each).toLowerCase() === wanted);
+  const found = [...files].filter(([each]) => each !== path && nameIn(each).toLowerCase() === lowerCaseName);
   return found.find(([each]) => each.startsWith(folder)) ?? found[0] ?? null;
 }
 
@@ -115,7 +115,7 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
   const [first = ''] = files.keys();
   const title =
     files.size === 1
-      ? t('Reading {name}', { name: told(nameIn(first)) })
+      ? t('Reading {name}', { name: shortPath(nameIn(first)) })
       : t('Reading {count} files', { count: files.size });
   const problems: string[] = [];
   return withProgress(editor.dialogs, title, async (signal) => {
@@ -129,7 +129,7 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
 export async function importOnly(editor: EditorApi, files: FileMap): Promise<void> {
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
-  const names = [...new Set(known)].slice(0, 4).map(told).join(', ');
+  const names = [...new Set(known)].slice(0, 4).map(shortPath).join(', ');
   editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
 }
 
@@ -145,7 +145,7 @@ async function importAll(
   const names: string[] = [];
   const added: string[] = [];
   const knownOnes: string[] = [];
-  const there = new KnownFiles(assets);
+  const existingFiles = new KnownFiles(assets);
   /** Generator of numbered names for each file name. */
   const numbered = new Map<string, Generator<string, void>>();
   const freeName = (fileName: string): string => {
@@ -157,7 +157,7 @@ async function importAll(
     }
   };
   const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
-    const known = await there.find(blob);
+    const known = await existingFiles.find(blob);
     if (known) {
       names.push(known);
       knownOnes.push(known);
@@ -171,7 +171,7 @@ async function importAll(
       if (assets.typeOf(name) === 'sound') await assets.sound(name).decode();
       added.push(name);
       names.push(name);
-      there.add({ name, type: assets.typeOf(name)!, blob });
+      existingFiles.add({ name, type: assets.typeOf(name)!, blob });
     } catch (error) {
       assets.unregister(name);
       numbered.delete(fileName);
@@ -179,7 +179,7 @@ async function importAll(
       const { cause } = error as Error;
       problems.push(
         t('{path} cannot be imported: {reason}', {
-          path: told(path),
+          path: shortPath(path),
           reason: error instanceof AssetError && cause instanceof Error ? cause.message : (error as Error).message,
         }),
       );
@@ -202,7 +202,7 @@ async function importAll(
         signal.throwIfAborted();
         problems.push(
           t('{path} cannot be imported: {reason}', {
-            path: told(path),
+            path: shortPath(path),
             reason: error instanceof Error ? error.message : String(error),
           }),
         );
@@ -236,12 +236,14 @@ async function importAll(
   }
   const scene = unknown.find((path) => /\.farol$/i.test(path));
   if (scene !== undefined) {
-    problems.push(t('{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.', { path: told(scene) }));
+    problems.push(
+      t('{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.', { path: shortPath(scene) }),
+    );
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
     throw new Error(
       t('{names} cannot be imported: only {importable} can.', {
-        names: unknown.slice(0, 4).map(told).join(', '),
+        names: unknown.slice(0, 4).map(shortPath).join(', '),
         importable,
       }),
     );
@@ -251,7 +253,7 @@ async function importAll(
   if (leftOut.length > 0)
     notes.push(
       t('{names} were left out: only {importable} can be imported.', {
-        names: leftOut.slice(0, 4).map(told).join(', '),
+        names: leftOut.slice(0, 4).map(shortPath).join(', '),
         importable,
       }),
     );

@@ -13,8 +13,8 @@ export async function mayReplace(
   handle: FileSystemFileHandle,
 ): Promise<FileSystemFileHandle | null> {
   for (let seen = file.seen; ;) {
-    const there = await handle.getFile().then(stampOf, () => undefined);
-    if (there === undefined || there === seen) return handle;
+    const stampOnDisk = await handle.getFile().then(stampOf, () => undefined);
+    if (stampOnDisk === undefined || stampOnDisk === seen) return handle;
     let savesAs = false;
     const replaces = await dialogs.show({
       kind: 'confirm',
@@ -34,6 +34,6 @@ export async function mayReplace(
     if (savesAs) return null;
     if (!replaces) throw new DOMException('The user turned back.', 'AbortError');
     // the file may change again while the user is being asked
-    seen = there;
+    seen = stampOnDisk;
   }
 }

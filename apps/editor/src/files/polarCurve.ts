@@ -20,9 +20,9 @@ export function roundUp(value: number): number {
 
 /** Whether a profile emits noticeable light above the horizontal. */
 export function shinesUp(profile: PhotometricProfile): boolean {
-  const least = 0.005 * profile.maximumIntensity;
+  const threshold = 0.005 * profile.maximumIntensity;
   for (let v = 95; v <= 180; v += 5)
-    for (let h = 0; h < 360; h += 15) if (profile.intensityAt(v, h) > least) return true;
+    for (let h = 0; h < 360; h += 15) if (profile.intensityAt(v, h) > threshold) return true;
   return false;
 }
 

@@ -21,9 +21,9 @@ export async function readClipAssets(
   list: readonly FileAsset[],
 ): Promise<ReadonlyMap<string, ReadAsset>> {
   const { scene, assets, scripts } = editor.document;
-  const wanted = list.filter((each) => each.values === undefined && nameInScene(scene, each) === null);
-  const refused = await askAbout(editor, wanted);
-  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) => readAll(editor, wanted, refused, signal));
+  const missing = list.filter((each) => each.values === undefined && nameInScene(scene, each) === null);
+  const refused = await askAbout(editor, missing);
+  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) => readAll(editor, missing, refused, signal));
   const texts = list.flatMap(({ name, type, values }) => {
     const source = type === 'script' && typeof values?.source === 'string' ? values.source : null;
     return source === null || assets.fieldAsset(name)?.get('source') === source ? [] : source;

@@ -40,8 +40,8 @@ export function sizesOf(split: LayoutSplit, extent: number): number[] {
   const main = split.children.findIndex((child) => groupWith(child, MAIN_PANEL));
   const flexible = main >= 0 ? main : split.sizes.indexOf(Math.max(...split.sizes));
   const others = split.sizes.reduce((sum, size, i) => (i === flexible ? sum : sum + size), 0);
-  const least = Math.min(SMALLEST, room / split.children.length);
-  const scale = others > room - least ? (room - least) / others : 1;
+  const smallest = Math.min(SMALLEST, room / split.children.length);
+  const scale = others > room - smallest ? (room - smallest) / others : 1;
   const sizes = split.sizes.map((size) => Math.round(size * scale));
   sizes[flexible] = 0;
   sizes[flexible] = room - sizes.reduce((a, b) => a + b, 0);
@@ -80,7 +80,7 @@ export function placeLayout(
 
 /** Sizes of a split after a divider was moved. @param by - CSS pixels */
 export function moveEdge({ sizes, index }: PlacedEdge, by: number): number[] {
-  const least = (i: number): number => Math.min(SMALLEST, sizes[i]);
-  const moved = Math.max(least(index) - sizes[index], Math.min(by, sizes[index + 1] - least(index + 1)));
+  const smallestOf = (i: number): number => Math.min(SMALLEST, sizes[i]);
+  const moved = Math.max(smallestOf(index) - sizes[index], Math.min(by, sizes[index + 1] - smallestOf(index + 1)));
   return sizes.map((size, i) => (i === index ? size + moved : i === index + 1 ? size - moved : size));
 }

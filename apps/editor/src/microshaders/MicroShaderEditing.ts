@@ -13,10 +13,10 @@ import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts
 
 /** Removes microshaders from a registry, dependents before their dependencies. @returns those that are still needed */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
-  let left = names.filter((name) => registry.has(name));
-  for (let before = Infinity; left.length < before;) {
-    before = left.length;
-    left = left.filter((name) => {
+  let remaining = names.filter((name) => registry.has(name));
+  for (let countBefore = Infinity; remaining.length < countBefore;) {
+    countBefore = remaining.length;
+    remaining = remaining.filter((name) => {
       try {
         registry.remove(name);
         return false;
@@ -25,7 +25,7 @@ function takeOut(registry: MicroShaderRegistry, names: readonly string[]): strin
       }
     });
   }
-  return left;
+  return remaining;
 }
 
 /** Whether a microshader of a registry was generated from a surface. */
@@ -135,8 +135,8 @@ export class MicroShaderEditing extends TextDrafts<string> {
 
   /** The scene's microshaders as they are in use; all microshaders when it has none. */
   exported(): MicroShader[] {
-    const own = [...this.document.scene.microShaders.texts.keys()].toSorted();
-    return (own.length > 0 ? own : this.names).flatMap((name) => this.registry.get(name) ?? []);
+    const sceneNames = [...this.document.scene.microShaders.texts.keys()].toSorted();
+    return (sceneNames.length > 0 ? sceneNames : this.names).flatMap((name) => this.registry.get(name) ?? []);
   }
 
   /** Uses the scene's microshaders in another renderer too. @returns a function that ends this */

@@ -20,14 +20,14 @@ export async function checkMicroShaders(
 ): Promise<void> {
   const gl = farol.webgl.getContext() as WebGL2RenderingContext;
   const tried = new Set<string>();
-  const held = new Set<string>();
+  const compiledNames = new Set<string>();
   const run = (options: Parameters<typeof dryRun>[1], inspect: Parameters<typeof dryRun>[4]): void => {
     for (const { stage, text } of dryRun(gl, options, texts, farol.techniques, inspect)) {
       if (tried.has(text)) continue;
       tried.add(text);
       const chunks = chunksOf(text);
       const onTrial = names.filter((name) => chunks.has(name));
-      for (const name of onTrial) held.add(name);
+      for (const name of onTrial) compiledNames.add(name);
       if (onTrial.length > 0) compileStage(gl, onTrial[0], stage, text);
     }
   };
@@ -45,6 +45,6 @@ export async function checkMicroShaders(
   }
   await idle();
   run({ technique: 'forward' }, (registry) => {
-    for (const name of names) if (!held.has(name) && registry.has(name)) compileAlone(gl, registry, name);
+    for (const name of names) if (!compiledNames.has(name) && registry.has(name)) compileAlone(gl, registry, name);
   });
 }

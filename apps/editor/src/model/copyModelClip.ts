@@ -88,11 +88,11 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
     const from = samples[first].value as Vector3Tuple;
     const to = samples[last].value as Vector3Tuple;
     let farthest = first;
-    let most = ACCURACY;
+    let largestError = ACCURACY;
     for (let n = first + 1; n < last; n++) {
       const far = distance(samples[n].value as Vector3Tuple, mix(from, to, (n - first) / (last - first)));
-      if (far <= most) continue;
-      most = far;
+      if (far <= largestError) continue;
+      largestError = far;
       farthest = n;
     }
     if (farthest === first) return;
@@ -162,9 +162,9 @@ export function makeEditableCopy(
   if (problem !== null) throw new Error(problem);
   const { data, lost } = copyModelClip(clip);
   const { folder } = splitName(assets.modelOf(name) ?? '');
-  const own = clip.name.replaceAll('/', '-').trim() || t('Clip ## of an animation');
+  const baseName = clip.name.replaceAll('/', '-').trim() || t('Clip ## of an animation');
   const values = { data: clipText(data), duration: clip.duration };
-  const made = newFieldAsset(assets, 'clip', folder === '' ? own : `${folder}/${own}`, values);
+  const made = newFieldAsset(assets, 'clip', folder === '' ? baseName : `${folder}/${baseName}`, values);
   const label = t('Made clip {name}', { name: made.name });
   const edits = animations.map((owner) => ({ owner, name: 'clip', value: made.name }));
   const command = new Sequence(label, [() => new AddAssets(assets, [made]), () => new SetFields(label, edits)]);

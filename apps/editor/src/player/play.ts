@@ -165,12 +165,12 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
     return opened;
   }
   const { scene, runScripts } = opened;
-  const told = new Set<string>();
+  const loggedErrors = new Set<string>();
   scene.onComponentError = (component, error) => {
     const owner = component.isAttached ? component.gameObject.name : '';
     const text = `${component.typeName} of ${owner}: ${error instanceof Error ? error.message : String(error)}`;
-    if (!told.has(text)) console.error(text, error);
-    told.add(text);
+    if (!loggedErrors.has(text)) console.error(text, error);
+    loggedErrors.add(text);
   };
   const scripted = scene.assets.fieldAssets('script').length > 0 && runScripts !== null;
   if (scripted) await runScripts(scene, registry);

@@ -88,11 +88,11 @@ export class SampleScene {
    * @returns the prefab's id
    */
   prefab(name: string, build: () => string): string {
-    const before = this.objects;
+    const outerObjects = this.objects;
     this.objects = [];
     const root = build();
     const { objects } = this;
-    this.objects = before;
+    this.objects = outerObjects;
     // the root's id is the prefab's
     this.prefabs.push({ id: root, name, objects });
     return root;
@@ -104,21 +104,21 @@ export class SampleScene {
     if (!prefab) throw new Error(`There is no prefab '${prefabId}'.`);
     const rootId = this.idOf(name ?? prefab.name);
     const ids = new Map(prefab.objects.map(({ id }) => [id, id === prefabId ? rootId : `${rootId}-${id}`]));
-    const left = new Set(Object.keys(overrides));
+    const unusedPaths = new Set(Object.keys(overrides));
     for (const source of prefab.objects) {
       const id = ids.get(source.id)!;
       const isRoot = source.id === prefabId;
       const components = source.components.map(({ type, values }, i) => {
-        const own: Record<string, FieldValue> = { ...values };
+        const instanceValues: Record<string, FieldValue> = { ...values };
         const fields = builtinComponents.types.get(type)?.fields ?? {};
         for (const field of Object.keys(fields)) {
-          if (fields[field].kind === 'object' && ids.has(own[field] as string))
-            own[field] = ids.get(own[field] as string)!;
+          if (fields[field].kind === 'object' && ids.has(instanceValues[field] as string))
+            instanceValues[field] = ids.get(instanceValues[field] as string)!;
           const path = `${source.name}/${type}.${field}`;
-          if (left.delete(path)) own[field] = overrides[path];
+          if (unusedPaths.delete(path)) instanceValues[field] = overrides[path];
         }
-        if (isRoot && type === 'Transform') Object.assign(own, transformOf(place));
-        return component(`${id}-${i}`, type, own);
+        if (isRoot && type === 'Transform') Object.assign(instanceValues, transformOf(place));
+        return component(`${id}-${i}`, type, instanceValues);
       });
       this.objects.push({
         id,
@@ -128,7 +128,7 @@ export class SampleScene {
         components,
       });
     }
-    if (left.size > 0) throw new Error(`The prefab '${prefab.name}' has no ${[...left].join(', ')}.`);
+    if (unusedPaths.size > 0) throw new Error(`The prefab '${prefab.name}' has no ${[...unusedPaths].join(', ')}.`);
     return rootId;
   }
 

@@ -21,9 +21,9 @@ const candelas = (value: number): string =>
  */
 function Grid({ scale, isWhole }: { scale: number; isWhole: boolean }): ReactNode {
   const rings = Array.from({ length: RINGS }, (_, i) => ((i + 1) * R) / RINGS);
-  const most = isWhole ? 180 : 90;
+  const maximumAngle = isWhole ? 180 : 90;
   const rays: number[] = [];
-  for (let angle = -most; angle <= most; angle += RAY_DEGREES) if (angle > -180) rays.push(angle);
+  for (let angle = -maximumAngle; angle <= maximumAngle; angle += RAY_DEGREES) if (angle > -180) rays.push(angle);
   return (
     <>
       {rings.map((radius) => (

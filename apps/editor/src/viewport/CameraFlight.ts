@@ -36,7 +36,7 @@ export class CameraFlight {
   /** @param match - moves the editor's camera to a camera of the scene */
   constructor(
     private readonly document: EditorDocument,
-    private readonly own: EditorCamera,
+    private readonly editorCamera: EditorCamera,
     private readonly canvas: HTMLCanvasElement,
     private readonly match: (camera: CameraComponent) => void,
   ) {
@@ -54,7 +54,7 @@ export class CameraFlight {
   set camera(camera: CameraComponent | null) {
     this.end();
     this.flown = camera;
-    this.own.glides = camera === null;
+    this.editorCamera.glides = camera === null;
     this.world.set(...NOWHERE);
     this.problemOf = '';
   }
@@ -74,13 +74,13 @@ export class CameraFlight {
 
   /** Called before the editor's camera moves: takes over the scene camera's pose if something else has changed it. */
   follow(): void {
-    const { flown, own } = this;
+    const { flown, editorCamera } = this;
     if (!flown?.isAttached || this.problem !== null) return;
     const { three } = flown;
     three.updateWorldMatrix(true, false);
     if (three.matrixWorld.equals(this.world) && three.projectionMatrix.equals(this.lens)) return;
     this.match(flown);
-    three.getWorldQuaternion(this.roll).premultiply(turn.copy(own.perspective.quaternion).invert());
+    three.getWorldQuaternion(this.roll).premultiply(turn.copy(editorCamera.perspective.quaternion).invert());
     this.note(flown);
   }
 
@@ -115,11 +115,12 @@ export class CameraFlight {
   }
 
   private command(camera: CameraComponent): Command {
-    const { own, pose } = this;
-    pose.position.copy(own.perspective.position);
-    pose.quaternion.copy(own.perspective.quaternion).multiply(this.roll);
+    const { editorCamera, pose } = this;
+    pose.position.copy(editorCamera.perspective.position);
+    pose.quaternion.copy(editorCamera.perspective.quaternion).multiply(this.roll);
     const edits = poseEdits(camera.gameObject, pose);
-    if (camera.three instanceof OrthographicCamera) edits.push({ owner: camera, name: 'size', value: own.height });
+    if (camera.three instanceof OrthographicCamera)
+      edits.push({ owner: camera, name: 'size', value: editorCamera.height });
     return new SetFields(t('Fly {name}', { name: camera.gameObject.name }), edits);
   }
 

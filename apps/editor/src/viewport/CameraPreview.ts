@@ -95,18 +95,18 @@ export class CameraPreview {
     const { webgl } = this;
     const place = CameraPreview.placeIn(width, height);
     const ratio = webgl.getPixelRatio();
-    const wanted = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
+    const drawKey = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
     this.target.setSize(Math.round(place.width * ratio), Math.round(place.height * ratio));
     const { autoClear } = webgl;
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     webgl.getViewport(this.viewport);
-    if (wanted !== this.drawnOf) {
-      this.drawnOf = wanted;
+    if (drawKey !== this.drawnOf) {
+      this.drawnOf = drawKey;
       camera.setViewport(place.width, place.height);
       webgl.setRenderTarget(this.target);
       webgl.autoClear = true;
       this.picture.render(scene, camera.three, camera);
-      webgl.setRenderTarget(before);
+      webgl.setRenderTarget(previousTarget);
     }
     webgl.autoClear = false;
     // y is measured from the lower edge

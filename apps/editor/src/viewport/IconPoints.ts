@@ -90,7 +90,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
    */
   pick(camera: ThreeCamera, point: Vector2, width: number, height: number): PickHit | null {
     let nearest: PickHit | null = null;
-    let least = Math.max(this.size, SIZE / 2) / 2 + 1;
+    let leastDistance = Math.max(this.size, SIZE / 2) / 2 + 1;
     for (const object of this.shown) {
       if (object.lockedInHierarchy) continue;
       place.setFromMatrixPosition(object.object3D.matrixWorld);
@@ -100,8 +100,8 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
       place.applyMatrix4(camera.projectionMatrix);
       if (place.z < -1 || place.z > 1) continue;
       const away = Math.hypot(((place.x - point.x) * width) / 2, ((place.y - point.y) * height) / 2);
-      if (away >= least) continue;
-      least = away;
+      if (away >= leastDistance) continue;
+      leastDistance = away;
       nearest = { object, distance };
     }
     return nearest;

@@ -32,7 +32,7 @@ export class MaterialBall {
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 20);
   private readonly ball: Mesh;
   private readonly target = new WebGLRenderTarget(1, 1, { samples: 4 });
-  private readonly own: Material[] = [];
+  private readonly ownMaterials: Material[] = [];
   private readonly endLost: () => void;
   private pixels = new Uint8Array(0);
   private isBusy = false;
@@ -43,7 +43,7 @@ export class MaterialBall {
     this.target.texture.colorSpace = SRGBColorSpace;
     this.ball = new Mesh(new SphereGeometry(1, 96, 64));
     const room = new MeshBasicMaterial({ color: 0x30343c, side: BackSide, toneMapped: false });
-    this.own.push(room);
+    this.ownMaterials.push(room);
     const key = new DirectionalLight(0xffffff, 2.4);
     key.position.set(-2, 3, 3);
     const rim = new PointLight(0x9db8ff, 14);
@@ -92,7 +92,7 @@ export class MaterialBall {
   private free(): void {
     this.target.dispose();
     for (const child of this.scene.children) if (child instanceof Mesh) child.geometry.dispose();
-    for (const material of this.own) material.dispose();
+    for (const material of this.ownMaterials) material.dispose();
   }
 
   /** @returns false when the context was lost during rendering */
@@ -110,12 +110,12 @@ export class MaterialBall {
     this.ball.rotation.set(up, right, 0);
     this.scene.environment = environment;
     target.setSize(width, height);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     const { autoClear } = webgl;
     webgl.autoClear = true;
     webgl.setRenderTarget(target);
     renderSmall(webgl, this.scene, this.camera);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     webgl.autoClear = autoClear;
     this.scene.environment = null;
     if (this.pixels.length !== width * height * 4) this.pixels = new Uint8Array(width * height * 4);

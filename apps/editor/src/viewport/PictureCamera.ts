@@ -21,10 +21,10 @@ export class PictureCamera {
 
   constructor(
     private readonly document: EditorDocument,
-    private readonly own: EditorCamera,
+    private readonly editorCamera: EditorCamera,
     canvas: HTMLCanvasElement,
   ) {
-    this.flight = new CameraFlight(document, own, canvas, (camera) => this.match(camera, true));
+    this.flight = new CameraFlight(document, editorCamera, canvas, (camera) => this.match(camera, true));
   }
 
   /** The scene's camera that is looked through; null for the editor's own. */
@@ -34,11 +34,11 @@ export class PictureCamera {
 
   set lookThrough(camera: CameraComponent | null) {
     if (camera === this.through) return;
-    if (this.through === null) this.before = this.own.pose;
+    if (this.through === null) this.before = this.editorCamera.pose;
     this.through = camera;
     this.flight.camera = camera;
-    if (camera === null && this.before) this.own.show(this.before, false);
-    this.own.allowed = this.steers;
+    if (camera === null && this.before) this.editorCamera.show(this.before, false);
+    this.editorCamera.allowed = this.steers;
   }
 
   /**
@@ -54,19 +54,19 @@ export class PictureCamera {
   }
 
   get current(): Camera {
-    return this.through?.isAttached ? this.through.three : this.own.camera;
+    return this.through?.isAttached ? this.through.three : this.editorCamera.camera;
   }
 
   /** Camera for raycasting: same view as `current`, with rays that start far enough back to hit everything visible. */
   get rays(): Camera {
-    return this.through?.isAttached ? this.through.three : this.own.rayCamera;
+    return this.through?.isAttached ? this.through.three : this.editorCamera.rayCamera;
   }
 
   /** Advances movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
-    this.own.allowed = this.steers;
+    this.editorCamera.allowed = this.steers;
     this.flight.follow();
-    const hasMoved = this.own.update(deltaSeconds);
+    const hasMoved = this.editorCamera.update(deltaSeconds);
     this.flight.update(hasMoved);
     return hasMoved;
   }
@@ -83,14 +83,14 @@ export class PictureCamera {
     const { activeCamera } = scene;
     scene.three.updateMatrixWorld();
     this.before = null;
-    if (!activeCamera) return this.own.focus(boundsOf(scene.roots), false);
+    if (!activeCamera) return this.editorCamera.focus(boundsOf(scene.roots), false);
     this.match(activeCamera);
   }
 
   /** Moves the editor's camera to a camera of the scene. @param exact - see `EditorCamera.matchCamera` */
   match(camera: AnyCamera, exact = false): void {
     const { scene } = this.document;
-    this.own.matchCamera(
+    this.editorCamera.matchCamera(
       camera,
       (three) => hitPoint(scene, three, middle, undefined, castByTree)?.distance ?? null,
       exact,
@@ -99,7 +99,7 @@ export class PictureCamera {
 
   /** Pose and lens of the editor's camera. */
   get view(): CameraView {
-    const { perspective, orthographic, height, target } = this.own;
+    const { perspective, orthographic, height, target } = this.editorCamera;
     const { position, quaternion } = perspective;
     const fov = perspective.fov * MathUtils.DEG2RAD;
     if (!orthographic) return { position, quaternion, fov, size: null, far: 0 };
@@ -116,7 +116,7 @@ export class PictureCamera {
   }
 
   /** Frames the selection, or everything when nothing is selected. */
-  focus(camera: EditorCamera = this.own): void {
+  focus(camera: EditorCamera = this.editorCamera): void {
     const { selectedObjects, scene } = this.document;
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
     if (!box.isEmpty()) camera.focus(box);

@@ -105,14 +105,14 @@ export class SelectionOutline {
     webgl.getCurrentViewport(viewport);
     this.edge.uniforms.texel.value.set(1 / viewport.z, 1 / viewport.w);
     this.edge.uniforms.radius.value = WIDTH * webgl.getPixelRatio();
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     const alpha = webgl.getClearAlpha();
     webgl.getClearColor(this.clear);
     webgl.setRenderTarget(this.target);
     webgl.setClearColor(0x000000, 0);
     webgl.clear();
     webgl.render(this.masked, camera);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     webgl.setClearColor(this.clear, alpha);
     webgl.render(this.over, this.overCamera);
   }

@@ -106,8 +106,8 @@ interface PresetsProps {
 /** Presets of curves, scaled to the present curve's height. */
 function Presets({ curve, field, onChoose }: PresetsProps): ReactNode {
   const { min = -Infinity, max = Infinity } = field;
-  const most = Math.max(...curve.map(([, value]) => value));
-  const high = Math.min(most > 0 ? most : 1, max);
+  const largest = Math.max(...curve.map(([, value]) => value));
+  const high = Math.min(largest > 0 ? largest : 1, max);
   const low = Math.min(Math.max(0, min), high);
   const range = { low, high: low < high ? high : low + 1 };
   return (

@@ -17,10 +17,10 @@ function roundUp(value: number): number {
 /** The range with all keys of a curve and some space above, within the field's limits. */
 export function valueRange({ min = -Infinity, max = Infinity }: CurveField, curve: Curve): ValueRange {
   const values = curve.map(([, value]) => value);
-  const most = Math.max(...values);
-  const least = Math.min(...values);
-  const high = most > 0 ? roundUp(most * 1.1) : least < 0 ? 0 : 1;
-  const low = least < 0 ? -roundUp(-least * 1.1) : 0;
+  const largest = Math.max(...values);
+  const smallest = Math.min(...values);
+  const high = largest > 0 ? roundUp(largest * 1.1) : smallest < 0 ? 0 : 1;
+  const low = smallest < 0 ? -roundUp(-smallest * 1.1) : 0;
   return { low: Math.max(low, min), high: Math.min(high, max) };
 }
 

@@ -80,7 +80,7 @@ export class LightBaker {
     try {
       const blob = await this.run(scene, abort);
       abort.signal.throwIfAborted();
-      await this.take(scene, blob);
+      await this.useBakedLight(scene, blob);
     } catch (error) {
       if (!abort.signal.aborted) throw error;
       const { reason } = abort.signal as { reason: Error };
@@ -131,7 +131,7 @@ export class LightBaker {
   }
 
   /** Adds the file to the library, and lights the scene with it. */
-  private async take(scene: Scene, blob: Blob): Promise<void> {
+  private async useBakedLight(scene: Scene, blob: Blob): Promise<void> {
     const { assets } = scene;
     const name = freeAssetName(assets, `${t('Baked light')}.bake`);
     assets.registerFile(name, blob);

@@ -52,10 +52,10 @@ export function addClip(
   const steps: (() => Command)[] = [() => new AddAssets(assets, [made])];
   if (object && player) {
     const { type, field } = player;
-    const there = object.getComponent(type.typeName);
-    if (!there) steps.push(() => addComponent(scene, [object], type, { [field]: free }));
-    else if (there.getAuthored(field) === null)
-      steps.push(() => new SetFields(label, [{ owner: there, name: field, value: free }]));
+    const existing = object.getComponent(type.typeName);
+    if (!existing) steps.push(() => addComponent(scene, [object], type, { [field]: free }));
+    else if (existing.getAuthored(field) === null)
+      steps.push(() => new SetFields(label, [{ owner: existing, name: field, value: free }]));
   }
   return { command: new Sequence(label, steps), name: free };
 }

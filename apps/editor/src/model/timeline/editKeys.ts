@@ -121,17 +121,17 @@ function insertKey(keys: readonly ClipKey[], time: number, value: FieldValue | u
   if (before && isSameTime(before.time, time)) {
     return value === undefined ? [...keys] : keys.with(i, { ...before, value });
   }
-  const own = value ?? valueAt(keys, time);
+  const keyValue = value ?? valueAt(keys, time);
   const after = keys[i + 1];
   if (!before || !after || before.easing !== 'bezier') {
-    return keys.toSpliced(i + 1, 0, makeKey(time, own, before?.easing));
+    return keys.toSpliced(i + 1, 0, makeKey(time, keyValue, before?.easing));
   }
   const split = splitCurve((time - before.time) / (after.time - before.time), before.control);
   return keys.toSpliced(
     i,
     1,
     makeKey(before.time, before.value, 'bezier', split.before),
-    makeKey(time, own, 'bezier', split.after),
+    makeKey(time, keyValue, 'bezier', split.after),
   );
 }
 

@@ -31,9 +31,9 @@ export function SessionList({ offer, onClose, onEmpty }: SessionListProps): Reac
             onClick={() =>
               editor.attempt(async () => {
                 await offer.discard(session);
-                const left = sessions.filter((each) => each !== session);
-                setSessions(left);
-                if (left.length === 0) onEmpty();
+                const remaining = sessions.filter((each) => each !== session);
+                setSessions(remaining);
+                if (remaining.length === 0) onEmpty();
               })
             }
           >

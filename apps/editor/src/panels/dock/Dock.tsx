@@ -62,9 +62,13 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
         return { id, isInFront: rectangle !== null, rectangle };
       })
     : all.groups.flatMap(({ group }) => {
-        const there = placed.groups.find((each) => each.group.id === group.id);
-        const rectangle = there ? belowTabs(there.rectangle) : null;
-        return group.panels.map((id) => ({ id, isInFront: there !== undefined && id === group.active, rectangle }));
+        const placedGroup = placed.groups.find((each) => each.group.id === group.id);
+        const rectangle = placedGroup ? belowTabs(placedGroup.rectangle) : null;
+        return group.panels.map((id) => ({
+          id,
+          isInFront: placedGroup !== undefined && id === group.active,
+          rectangle,
+        }));
       });
   const picture = shown.find(({ id, isInFront }) => id === 'viewport' && isInFront)?.rectangle ?? null;
   const drag = useTabDrag(place, placed.groups);

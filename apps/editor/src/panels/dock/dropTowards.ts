@@ -28,10 +28,10 @@ export function dropTowards(groups: readonly PlacedGroup[], panel: string, side:
   const from = groups.find(({ group }) => group.panels.includes(panel));
   if (!from) return null;
   let nearest: PlacedGroup | null = null;
-  let least = Infinity;
+  let leastDistance = Infinity;
   for (const each of groups) {
     const gap = each === from ? null : distance(from.rectangle, each.rectangle, side);
-    if (gap !== null && gap < least) [nearest, least] = [each, gap];
+    if (gap !== null && gap < leastDistance) [nearest, leastDistance] = [each, gap];
   }
   if (nearest) return { group: nearest.group.id, side: 'centre' };
   if (from.group.panels.length === 1) return null;

@@ -35,8 +35,8 @@ export function MaterialPreview({ components }: { components: readonly Component
   const show = (material: string): void => document.assetSelection.set([material]);
   const attempt = (run: () => void) => (): void => editor.attempt(run);
   const make = attempt(() => {
-    const wanted = t('{name} material', { name: first.gameObject.name });
-    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    const materialName = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);
     commands.run(made.command);
     show(made.name);
   });

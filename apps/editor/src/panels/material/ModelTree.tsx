@@ -32,11 +32,11 @@ const countOf = (root: Object3D): number => root.children.reduce((sum, child) =>
 /** The objects of a model as a foldable tree, read-only. */
 export function ModelTree({ model }: { model: Model }): ReactNode {
   const tree = useMemo(() => {
-    let left = MOST;
+    let remaining = MOST;
     const listOf = (objects: readonly Object3D[], depth: number): ReactNode => {
       const lines: ReactNode[] = [];
       for (const object of objects) {
-        if (left-- <= 0) break;
+        if (remaining-- <= 0) break;
         const line = (
           <span className="model-node">
             <Icon name={iconOf(object)} size={12} />

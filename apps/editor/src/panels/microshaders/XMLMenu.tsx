@@ -18,7 +18,7 @@ const fileType = () => ({
 export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;
-  const take = async (text: string, name: string): Promise<void> => {
+  const importText = async (text: string, name: string): Promise<void> => {
     const { importMicroShaders } = await import('../../files/importMicroShaders');
     const names = await importMicroShaders(editor, text, name);
     if (names === null) return;
@@ -33,10 +33,10 @@ export function XMLMenu(): ReactNode {
   };
   const open = async (): Promise<void> => {
     const file = await fileOpen(fileType());
-    await take(await file.text(), file.name);
+    await importText(await file.text(), file.name);
   };
   const thesis = async (): Promise<void> => {
-    await take(await fetchThesis(), 'thesis.xml');
+    await importText(await fetchThesis(), 'thesis.xml');
   };
   const save = async (): Promise<void> => {
     const chunks = microShaders.exported();

@@ -23,10 +23,10 @@ export function TrackList({ view, height, scrollTop, scroller }: TrackListProps)
   const current = Math.max(chosen, 0);
   const first = Math.max(Math.floor(scrollTop / rowHeight) - 2, 0);
   const last = Math.min(first + Math.ceil(Math.max(height, 0) / rowHeight) + 5, rows.length);
-  const shown = [...rows.keys()].slice(first, last);
+  const rendered = [...rows.keys()].slice(first, last);
   // the focused row stays rendered
-  if (current < first) shown.unshift(current);
-  else if (current >= last && current < rows.length) shown.push(current);
+  if (current < first) rendered.unshift(current);
+  else if (current >= last && current < rows.length) rendered.push(current);
 
   const goTo = (index: number): void => {
     const row = rows[Math.min(Math.max(index, 0), rows.length - 1)];
@@ -78,7 +78,7 @@ export function TrackList({ view, height, scrollTop, scroller }: TrackListProps)
       style={{ height: rows.length * rowHeight }}
       onKeyDown={keyDown}
     >
-      {shown.map((index) => (
+      {rendered.map((index) => (
         <TrackLine
           key={rows[index].id}
           view={view}

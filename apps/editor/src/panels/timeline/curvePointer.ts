@@ -83,9 +83,9 @@ const withNumber =
 /** Clamps a number to the limits of its field. */
 function limited({ row, fromShown }: ShownCurve, shown: number, toShown: (value: number) => number): number {
   const { min = -Infinity, max = Infinity } = (row.field ?? {}) as { min?: number; max?: number };
-  const least = row.field?.kind === 'colour' ? 0 : min;
+  const lowest = row.field?.kind === 'colour' ? 0 : min;
   const value = fromShown(shown);
-  if (value < least) return toShown(least);
+  if (value < lowest) return toShown(lowest);
   return value > max ? toShown(max) : shown;
 }
 

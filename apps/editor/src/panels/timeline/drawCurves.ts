@@ -105,9 +105,9 @@ function drawKeys(context: Context, view: TimelineView, colours: TimelineColours
 }
 
 function drawValues(context: Context, view: TimelineView, colours: TimelineColours): void {
-  const least = 32 / view.valueScale;
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= least)!;
+  const leastStep = 32 / view.valueScale;
+  const power = 10 ** Math.floor(Math.log10(leastStep));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= leastStep)!;
   context.font = '10px system-ui, sans-serif';
   for (const i of marksBetween(view.value(view.height), view.value(HEADER), step)) {
     const y = Math.round(view.y(i * step));

@@ -103,9 +103,9 @@ export function handleTimelineKey(editor: EditorApi, view: TimelineView, event: 
       Insert: () => addKeys(timeline, tracksForKeys(view)),
     });
   }
-  const held = `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${event.shiftKey ? 'Shift+' : ''}`;
+  const modifiers = `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${event.shiftKey ? 'Shift+' : ''}`;
   const key = latinKey(event);
-  const name = held + (key.length === 1 ? key.toLowerCase() : key);
+  const name = modifiers + (key.length === 1 ? key.toLowerCase() : key);
   if (name === 'Escape' && (timeline.selection.keys.size > 0 || timeline.selection.events.length > 0)) {
     timeline.select(new Set());
     return true;

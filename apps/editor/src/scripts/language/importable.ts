@@ -33,10 +33,10 @@ export function importableNames(
 /** The edit that imports a name: position and text to insert. */
 export function importEdit(text: string, name: string, module: string): { at: number; insert: string } {
   const word = module.replaceAll(/[.*+?^${}()|[\]\\/]/g, String.raw`\$&`);
-  const there = new RegExp(String.raw`^import\s*\{([^}]*)\}\s*from\s*(['"])${word}\2`, 'm').exec(text);
-  if (there) {
-    const names = there[1];
-    const end = there.index + there[0].indexOf('{') + 1 + names.trimEnd().length;
+  const existingImport = new RegExp(String.raw`^import\s*\{([^}]*)\}\s*from\s*(['"])${word}\2`, 'm').exec(text);
+  if (existingImport) {
+    const names = existingImport[1];
+    const end = existingImport.index + existingImport[0].indexOf('{') + 1 + names.trimEnd().length;
     const separator = names.trim() === '' ? ' ' : names.trimEnd().endsWith(',') ? ' ' : ', ';
     return { at: end, insert: separator + name + (names.trim() === '' && names === '' ? ' ' : '') };
   }

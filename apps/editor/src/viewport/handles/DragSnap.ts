@@ -100,11 +100,11 @@ export class DragSnap {
     this.vertices ??= verticesOf(this.dragged, this.box);
     const moved = pivot.position.clone().sub(this.start);
     const way = target.clone().sub(this.start);
-    let least = Infinity;
+    let leastDistance = Infinity;
     for (const vertex of this.vertices) {
       const distance = corner.copy(vertex).add(moved).distanceToSquared(target);
-      if (distance >= least) continue;
-      least = distance;
+      if (distance >= leastDistance) continue;
+      leastDistance = distance;
       way.copy(target).sub(vertex);
     }
     restrict(way);

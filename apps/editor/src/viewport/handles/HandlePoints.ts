@@ -124,12 +124,12 @@ export class HandlePoints {
     const isHandled = object && !second && !object.lockedInHierarchy && document.simulation.state === 'stopped';
     // during a drag the handles are kept, with their positions from its beginning
     if (!this.dragged) this.handles = isHandled ? this.clearOf(object, this.handlesOf(object)) : [];
-    const shown = this.dragged && isHandled ? this.handlesOf(object) : this.handles;
-    this.three.visible = shown.length > 0;
-    if (shown.length === 0) return;
-    const positions = shown.flatMap(({ place }) => place.toArray());
+    const visibleHandles = this.dragged && isHandled ? this.handlesOf(object) : this.handles;
+    this.three.visible = visibleHandles.length > 0;
+    if (visibleHandles.length === 0) return;
+    const positions = visibleHandles.flatMap(({ place }) => place.toArray());
     const attribute = this.three.geometry.getAttribute('position') as Float32BufferAttribute | undefined;
-    if (attribute?.count === shown.length) {
+    if (attribute?.count === visibleHandles.length) {
       attribute.copyArray(positions);
       attribute.needsUpdate = true;
     } else {
@@ -225,12 +225,12 @@ export class HandlePoints {
 
   private handleAt({ clientX, clientY, pointerType }: PointerEvent): Handle | null {
     let nearest: Handle | null = null;
-    let least = pointerType === 'touch' ? FINGER_REACH : REACH;
+    let leastDistance = pointerType === 'touch' ? FINGER_REACH : REACH;
     for (const handle of this.handles) {
       const at = this.seenAt(seen.copy(handle.place));
       if (!at) continue;
       const distance = Math.hypot(at.x - clientX, at.y - clientY);
-      if (distance < least) [nearest, least] = [handle, distance];
+      if (distance < leastDistance) [nearest, leastDistance] = [handle, distance];
     }
     return nearest;
   }

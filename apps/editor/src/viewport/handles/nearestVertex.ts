@@ -27,12 +27,12 @@ function nearestCorner({ object, face, instanceId, point }: Intersection): Vecto
   const positions = object.geometry.getAttribute('position');
   if (!(positions instanceof BufferAttribute) && !('isInterleavedBufferAttribute' in positions)) return null;
   let nearest: Vector3 | null = null;
-  let least = Infinity;
+  let leastDistance = Infinity;
   for (const index of [face.a, face.b, face.c]) {
     object.getVertexPosition(index, vertex).applyMatrix4(world);
     const distance = vertex.distanceToSquared(point);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= leastDistance) continue;
+    leastDistance = distance;
     nearest = vertex.clone();
   }
   return nearest;

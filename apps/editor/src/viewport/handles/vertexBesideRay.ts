@@ -43,15 +43,15 @@ export function vertexBesideRay(
   const { at, grows } = heightOf(camera);
   const reachAt = (distance: number): number => REACH * at * (grows ? distance : 1);
   const last = limit * (1 + BEHIND);
-  let left = MOST_VERTICES;
-  let least = 1;
+  let verticesLeft = MOST_VERTICES;
+  let leastDistance = 1;
   let nearest: Vector3 | null = null;
   const consider = (point: Vector3): void => {
     const distance = way.copy(point).sub(ray.origin).dot(ray.direction);
     if (distance <= 0 || distance > last) return;
     const off = way.addScaledVector(ray.direction, -distance).length() / reachAt(distance);
-    if (off >= least) return;
-    least = off;
+    if (off >= leastDistance) return;
+    leastDistance = off;
     nearest = (nearest ?? new Vector3()).copy(point);
   };
   const isNear = ({ center, radius }: Sphere, grown = 1): boolean => {
@@ -77,8 +77,8 @@ export function vertexBesideRay(
         });
         return;
       }
-      if (positions.count > left) return;
-      left -= positions.count;
+      if (positions.count > verticesLeft) return;
+      verticesLeft -= positions.count;
       for (let i = 0; i < positions.count; i++) {
         if (mesh) mesh.getVertexPosition(i, vertex);
         else vertex.fromBufferAttribute(positions, i);

@@ -72,10 +72,10 @@ export class PictureDifference {
     const { webgl, sums } = this;
     const [across, down] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)];
     sums.setSize(across, down);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     webgl.setRenderTarget(sums);
     this.draw(this.summed, a, b);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     const blocks = new Float32Array(across * down * 4);
     if (!(await readPixels(webgl, sums, 0, 0, across, down, blocks))) return null;
     let [squares, largest, differing] = [0, 0, 0];

@@ -154,13 +154,13 @@ export class WipePainter implements Painter {
   private drawTargets(scene: Scene, camera: Camera): void {
     const { webgl, farol } = this.viewport;
     webgl.getDrawingBufferSize(size);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     [farol, this.other].forEach((renderer, i) => {
       this.targets[i].setSize(size.x, size.y);
       webgl.setRenderTarget(this.targets[i]);
       renderer.render(scene, camera);
     });
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
   }
 
   private async measure(): Promise<void> {

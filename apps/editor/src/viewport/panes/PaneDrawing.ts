@@ -77,9 +77,9 @@ export class PaneDrawing {
       return;
     }
     const { technique } = farol;
-    const own = techniqueOf(shading);
+    const shadedBy = techniqueOf(shading);
     try {
-      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
+      if (shadedBy !== null && Object.hasOwn(farol.techniques, shadedBy)) farol.technique = shadedBy as TechniqueName;
       // side views are for editing: no depth of field, bloom and the like
       if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);

@@ -60,7 +60,7 @@ export function colliderHandles(collider: Collider): Handle[] {
 
 /** Handles that move the anchors of a joint, parallel to the view plane. */
 export function jointHandles(joint: Joint): Handle[] {
-  const own = anchorOf(joint, new Vector3());
+  const anchor = anchorOf(joint, new Vector3());
   const far = partnerAnchorOf(joint, new Vector3());
   const partner = joint.partner === null ? null : (joint.scene?.findById(joint.partner) ?? null);
   const handle = (place: Vector3, name: 'anchor' | 'partnerAnchor', toLocal: Matrix4): Handle => ({
@@ -76,7 +76,7 @@ export function jointHandles(joint: Joint): Handle[] {
   });
   const inverse = (matrixWorld: Matrix4): Matrix4 => matrixWorld.clone().invert();
   return [
-    handle(own, 'anchor', inverse(joint.gameObject.object3D.matrixWorld)),
+    handle(anchor, 'anchor', inverse(joint.gameObject.object3D.matrixWorld)),
     ...(far ? [handle(far, 'partnerAnchor', partner ? inverse(partner.object3D.matrixWorld) : new Matrix4())] : []),
   ];
 }

@@ -76,7 +76,7 @@ export class DuplicateTool implements Tool {
     this.current = this.firstArrangement();
     this.endings = [
       commands.changed.subscribe(() => !this.gesture.isOpen && onEnd()),
-      selection.changed.subscribe(() => this.takeTarget()),
+      selection.changed.subscribe(() => this.useSelectionAsTarget()),
     ];
     this.preview();
   }
@@ -181,7 +181,7 @@ export class DuplicateTool implements Tool {
   }
 
   /** Uses the object that the user selects while the tool is open as the surface. */
-  private takeTarget(): void {
+  private useSelectionAsTarget(): void {
     const { document, sources, targetObject } = this;
     const object = document.selectedObjects.at(-1);
     if (this.current.kind !== 'scatter' || !object || object === targetObject) return;

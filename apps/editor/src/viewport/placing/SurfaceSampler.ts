@@ -77,11 +77,11 @@ export class SurfaceSampler {
    * @param normalWS - receives the unit normal
    */
   sample(random: () => number, point: Vector3, normalWS: Vector3): void {
-    const wanted = random() * this.area;
+    const targetArea = random() * this.area;
     let [first, last] = [0, this.areas.length - 1];
     while (first < last) {
       const middle = (first + last) >> 1;
-      if (this.areas[middle] > wanted) last = middle;
+      if (this.areas[middle] > targetArea) last = middle;
       else first = middle + 1;
     }
     this.read(first);

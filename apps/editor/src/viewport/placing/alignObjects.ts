@@ -46,9 +46,9 @@ function moved(label: string, parts: readonly Boxed[], ways: readonly Vector3[])
 export function alignObjects(scene: Scene, objects: readonly GameObject[], axis: Axis, side: AlignSide): Command {
   const parts = boxed(scene, objects);
   const all = parts.reduce((sum, { box }) => sum.union(box), new Box3());
-  const wanted = sideOf(all, axis, side);
+  const targetSide = sideOf(all, axis, side);
   const ways = parts.map(({ box }) =>
-    new Vector3().setComponent('xyz'.indexOf(axis), wanted - sideOf(box, axis, side)),
+    new Vector3().setComponent('xyz'.indexOf(axis), targetSide - sideOf(box, axis, side)),
   );
   return moved(countLabel(t('Aligned'), namesOf(parts)), parts, ways);
 }

@@ -148,8 +148,8 @@ function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   const [seen] = surfaces;
   if (isFloor(seen) && canCarry(seen, box)) return [{ at: seen.point, on: seen }];
   const behind = isThing(seen, box) ? floorBehind(surfaces, box) : null;
-  const before = standBefore(view, seen, box);
-  return behind ? [{ at: behind.point, on: behind }, before] : [before];
+  const inFront = standBefore(view, seen, box);
+  return behind ? [{ at: behind.point, on: behind }, inFront] : [inFront];
 }
 
 /** On the floor in front of a wall, or of the side of something large. */
@@ -268,14 +268,14 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   }
   if (!isShape && first.getComponent(CameraComponent)) turnWithView(objects, camera);
   let shift = new Vector3();
-  let least = Infinity;
+  let leastHidden = Infinity;
   for (const stand of standsAt(view, point, box)) {
     const landed = standOn(view, objects, box, isShape, stand);
-    const there = box.clone().translate(landed);
+    const movedBox = box.clone().translate(landed);
     // a place hidden by other objects would be confusing
-    const hidden = hiddenShare(there, obstaclesFor(there, scene, stand.on?.object ?? null, isShape), camera);
-    if (hidden < least) [shift, least] = [landed, hidden];
-    if (least <= HIDDEN_ENOUGH) break;
+    const hidden = hiddenShare(movedBox, obstaclesFor(movedBox, scene, stand.on?.object ?? null, isShape), camera);
+    if (hidden < leastHidden) [shift, leastHidden] = [landed, hidden];
+    if (leastHidden <= HIDDEN_ENOUGH) break;
   }
   moveBy(objects, shift);
 }

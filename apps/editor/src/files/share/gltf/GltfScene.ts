@@ -238,13 +238,13 @@ export class GltfScene {
     const { attributes } = drawn.geometry;
     const use = { user, object, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };
     const materials = await Promise.all(sources.map((source) => this.materials.convert(source, use)));
-    const looks = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
+    const glTFMaterials = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
     const isTriangles = 'isMesh' in drawn;
     const look = {
-      vertexColours: looks.some(({ vertexColors }) => vertexColors),
-      flat: looks.some((material) => 'flatShading' in material && material.flatShading),
-      tangents: looks.some((material) => 'normalMap' in material && material.normalMap),
-      edges: isTriangles && looks.some(({ wireframe }) => wireframe),
+      vertexColours: glTFMaterials.some(({ vertexColors }) => vertexColors),
+      flat: glTFMaterials.some((material) => 'flatShading' in material && material.flatShading),
+      tangents: glTFMaterials.some((material) => 'normalMap' in material && material.normalMap),
+      edges: isTriangles && glTFMaterials.some(({ wireframe }) => wireframe),
     };
     const geometry = this.geometryOf(drawn.geometry, look);
     if (!geometry) return false;

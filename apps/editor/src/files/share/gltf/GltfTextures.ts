@@ -52,15 +52,15 @@ export class GltfTextures {
 
   /** Converts a colour or data map. @param user - user of the texture, for messages */
   convert(texture: Texture, user: string): Promise<Texture> {
-    return this.take(texture, { rows: texture.flipY, red: false, green: false }, user);
+    return this.convertOnce(texture, { rows: texture.flipY, red: false, green: false }, user);
   }
 
   /** Converts a normal map, inverting channels: in glTF green points up, and scales are not negative. */
   convertNormalMap(texture: Texture, red: boolean, green: boolean, user: string): Promise<Texture> {
-    return this.take(texture, { rows: texture.flipY, red, green }, user);
+    return this.convertOnce(texture, { rows: texture.flipY, red, green }, user);
   }
 
-  private take(texture: Texture, flips: Flips, user: string): Promise<Texture> {
+  private convertOnce(texture: Texture, flips: Flips, user: string): Promise<Texture> {
     const key = `${texture.uuid} ${Object.values(flips).join()}`;
     let made = this.made.get(key);
     if (!made) this.made.set(key, (made = this.make(texture, flips, user)));

@@ -31,8 +31,8 @@ export class LeftOut {
   get lines(): string[] {
     return [...this.kinds].map(([kind, { size }]) => {
       const names = [...(this.names.get(kind) ?? [])];
-      const told = names.slice(0, MOST_NAMES).join(', ') + (names.length > MOST_NAMES ? ', …' : '');
-      return `${kind}${told && `: ${told}`}${size > 0 ? ` (${formatCount(size)})` : ''}`;
+      const listedNames = names.slice(0, MOST_NAMES).join(', ') + (names.length > MOST_NAMES ? ', …' : '');
+      return `${kind}${listedNames && `: ${listedNames}`}${size > 0 ? ` (${formatCount(size)})` : ''}`;
     });
   }
 }

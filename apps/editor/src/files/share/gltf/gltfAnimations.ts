@@ -44,9 +44,10 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
     for (const owner of drawn.length > 0 ? drawn : [root]) owners.add(owner);
     const tracks = isModel ? modelTracks(clip, root, nodes, leftOut) : ownTracks(clip, root, nodes, leftOut);
     if (tracks.length === 0) return;
-    const wanted = isModel ? clip.name : splitName(clip.name).leaf;
-    let name = wanted;
-    for (let n = 1; names.has(name); n++) name = n === 1 ? `${wanted} (${root.name})` : `${wanted} (${root.name} ${n})`;
+    const baseName = isModel ? clip.name : splitName(clip.name).leaf;
+    let name = baseName;
+    for (let n = 1; names.has(name); n++)
+      name = n === 1 ? `${baseName} (${root.name})` : `${baseName} (${root.name} ${n})`;
     names.add(name);
     made.push(new AnimationClip(name, -1, tracks));
   };
@@ -103,8 +104,8 @@ function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, le
 /** Extends a track to a time with its last value. */
 function longer(track: ClipTrack, time: number): ClipTrack {
   const last = track.keys.at(-1)!;
-  const held: ClipKey = { ...last, easing: track.keys.at(-2)?.easing === 'step' ? 'step' : 'linear' };
-  return { ...track, keys: [...track.keys.slice(0, -1), held, { time, value: last.value }] };
+  const holdingKey: ClipKey = { ...last, easing: track.keys.at(-2)?.easing === 'step' ? 'step' : 'linear' };
+  return { ...track, keys: [...track.keys.slice(0, -1), holdingKey, { time, value: last.value }] };
 }
 
 function ownTracks(clip: ClipAsset, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {

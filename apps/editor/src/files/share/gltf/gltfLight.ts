@@ -78,7 +78,7 @@ export function gltfProfileLight(
   light: Light | null,
 ): { node: Object3D; light: ProfileLight } {
   const { colour, largest } = split(source);
-  const most = profile.maximumIntensity;
+  const maximum = profile.maximumIntensity;
   const intensity = source.intensity * largest * (light ? asBright(light) : 1);
   const node = new Object3D();
   // three's point lights with profiles point along -y
@@ -88,7 +88,7 @@ export function gltfProfileLight(
   const end = distance > 0 && { intensity: source.intensity, color: color.toArray(), distance, decay: 2 };
   const extras = source instanceof PointLight && (lightExtrasOf(source, largest > 1) ?? end);
   if (extras) node.userData.farolLight = extras;
-  return { node, light: { profile, multiplier: most > 0 ? intensity / most : 0, color: colour.toArray() } };
+  return { node, light: { profile, multiplier: maximum > 0 ? intensity / maximum : 0, color: colour.toArray() } };
 }
 
 /**

@@ -40,14 +40,14 @@ export function gltfMorphTracks(
   renderer.three?.traverse((mesh) => {
     const node = nodes.get(mesh);
     if (!(mesh instanceof Mesh && mesh.morphTargetDictionary && node)) return;
-    const own = Object.entries(mesh.morphTargetDictionary).flatMap(([name, index]) => {
+    const animated = Object.entries(mesh.morphTargetDictionary).flatMap(([name, index]) => {
       const track = tracks.find(({ field }) => field === morphField(name));
       return track ? [{ track, index, field: renderer.fields[track.field] }] : [];
     });
-    if (own.length === 0) return;
+    if (animated.length === 0) return;
     const values = times.flatMap((time) => {
       const weights = [...mesh.morphTargetInfluences!];
-      for (const { track, index, field } of own) weights[index] = valueAt(track, field, time) as number;
+      for (const { track, index, field } of animated) weights[index] = valueAt(track, field, time) as number;
       return weights;
     });
     made.push(new NumberKeyframeTrack(`${node.uuid}.morphTargetInfluences`, times, values));

@@ -41,18 +41,18 @@ export async function readTexels(
   const scene = new Scene();
   scene.add(plane);
   const target = new WebGLRenderTarget(width, height, { colorSpace: LinearSRGBColorSpace, depthBuffer: false });
-  const before = webgl.getRenderTarget();
+  const previousTarget = webgl.getRenderTarget();
   try {
     webgl.setRenderTarget(target);
     webgl.render(scene, new OrthographicCamera());
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     const data = new Uint8ClampedArray(width * height * 4);
     if (!(await readPixels(webgl, target, 0, 0, width, height, data))) {
       throw new Error(t('the graphics device was lost: export again when the picture is back.'));
     }
     return data;
   } finally {
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     target.dispose();
     material.dispose();
     plane.geometry.dispose();
