@@ -7,7 +7,7 @@ import { build, type Plugin } from 'vite';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 
-/** In the place of a decoder, so that pages without compressed models stay small. */
+/** Stub of the decoders, so that pages without compressed models stay small. */
 const noDecoder = `export class DRACOLoader {
   constructor() {
     throw new Error('it has compressed meshes or textures, which this page cannot read: export the scene as a web page.');
@@ -15,7 +15,7 @@ const noDecoder = `export class DRACOLoader {
 }
 export { DRACOLoader as KTX2Loader };`;
 
-/** Leaves the decoders of Draco and KTX2 out: 2.7 MB. */
+/** Replaces the decoders of Draco and KTX2 (2.7 MB) by stubs. */
 function withoutDecoders(): Plugin {
   const id = '\0no-decoder';
   return {
@@ -26,22 +26,22 @@ function withoutDecoders(): Plugin {
   };
 }
 
-/** Has the player find Rapier in a script of its own, `farol-player-physics.js`: 4.3 MB. */
+/** Makes the player load Rapier from `farol-player-physics.js` (4.3 MB) instead of containing it. */
 function withoutRapier(): Plugin {
   const own = fileURLToPath(new URL('src/player/loadRapier.ts', import.meta.url));
   return {
     name: 'farol-no-rapier',
     enforce: 'pre',
-    // built packages name their files with an ending
+    // built packages import files with an extension
     resolveId: (source, importer) => (importer && /\/loadRapier(\.js)?$/.test(source) ? own : null),
   };
 }
 
-/** In the place of the renderer's particles, so that pages without particles stay small. */
+/** Stub of the renderer's particles, so that pages without particles stay small. */
 const noParticles = `export const ParticleEmitter = null, Particles = null, particlePresets = null;
 throw new Error('The page has no particles: export the scene anew.');`;
 
-/** Leaves the renderer's particles out, and tells the player so. */
+/** Replaces the renderer's particles by stubs, and sets `hasParticles` to false. */
 function withoutParticles(): Plugin {
   const code: Readonly<Record<string, string>> = {
     '\0no-particles': noParticles,
@@ -59,14 +59,14 @@ function withoutParticles(): Plugin {
 }
 
 interface PlayerParts {
-  /** Whether it can read compressed models. */
+  /** Whether the player can read compressed models. */
   readonly decoders?: boolean;
-  /** Whether it runs scripts, which may use all of three and of the engine: it has particles too. */
+  /** Whether the player runs scripts, which may use all of three and of the engine, particles included. */
   readonly scripts?: boolean;
   readonly particles?: boolean;
 }
 
-/** The player as one classic script, with everything that it would load late inside: it runs without a server. */
+/** Builds the player as one classic script with all dynamic imports inlined, which runs without a server. */
 function buildPlayer(
   fromSource: boolean,
   { decoders = false, scripts = false, particles = scripts }: PlayerParts = {},
@@ -77,7 +77,7 @@ function buildPlayer(
   return buildScript(`src/player/${scripts ? 'mainWithScripts' : 'main'}.ts`, 'FarolPlayer', fromSource, plugins);
 }
 
-/** One classic script. @param name - of the global that it makes */
+/** Builds one classic script. @param name - name of its global variable */
 async function buildScript(entry: string, name: string, fromSource: boolean, plugins: Plugin[]): Promise<string> {
   const result = await build({
     root,
@@ -104,8 +104,8 @@ async function buildScript(entry: string, name: string, fromSource: boolean, plu
 const DRAGON = 'dragon.ply.gz';
 
 /**
- * The page of embedded frames; it knows where the Stanford dragon is, when it is part of the build.
- * @param runsScripts - of a scene in a link: it is shown in a sandboxed frame
+ * The page for embedded frames, with the URL of the Stanford dragon when it is part of the build.
+ * @param runsScripts - builds the page for scenes with scripts from links, which is shown in a sandboxed frame
  */
 async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<string> {
   const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
@@ -117,10 +117,10 @@ async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<str
 }
 
 /**
- * Serves and builds `farol-player.js`, which exported pages hold and embedded frames run, the same with decoders of
- * compressed models, with particles, with scripts, and with several of them, `farol-player-physics.js`, which all need for scenes with physics,
- * `farol-script-compiler.js`, which frames of scenes with scripts fetch, and `player.html` and `player-scripts.html`, which
- * embedded frames show.
+ * Serves and builds the player's files. `farol-player.js` is included in exported pages and run by embedded frames; it
+ * has variants with decoders for compressed models, with particles, and with scripts. `farol-player-physics.js` is
+ * loaded for scenes with physics, `farol-script-compiler.js` for scenes with scripts from links. `player.html` and
+ * `player-scripts.html` are the pages of embedded frames.
  */
 export function playerPlugin(): Plugin {
   const scripts = new Map<string, Promise<string | Uint8Array>>();

@@ -22,7 +22,7 @@ export default defineConfig(({ command }) => ({
     appAddresses(),
   ],
   server: { port: 5173, strictPort: true },
-  // What is imported late must be known early, or the development server reloads the page when a file asks for it.
+  // dynamically imported packages must be listed, or the development server reloads the page when one is first needed
   optimizeDeps: {
     include: [
       'three/addons/exporters/GLTFExporter.js',
@@ -51,7 +51,7 @@ export default defineConfig(({ command }) => ({
     chunkSizeWarningLimit: 2000,
     rolldownOptions: {
       output: {
-        // what the first frame needs is few files: they are smaller whole, and asked for at once
+        // the first frame's code is in few files, which compress better and are requested at once
         codeSplitting: {
           groups: [
             { name: 'three', tags: ['$initial'], test: /[\\/]node_modules[\\/]three[\\/]/, priority: 1 },

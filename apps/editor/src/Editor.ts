@@ -37,23 +37,23 @@ import { makeLibrary } from './files/makeLibrary';
 import { withProgress } from './files/withProgress';
 import { watchErrors } from './watchErrors';
 
-/** Scene of the engine's that is there at first, and its parameters. */
+/** Demo scene that is opened first, with its parameters. */
 const FIRST_SCENE = { name: 'temple', parameters: { lights: 50 } };
 
-/** How long frames must have been drawn before the message that they cannot be is taken away (ms). */
+/** Time of successful drawing after which the notice of a drawing failure is removed (ms). */
 const RECOVERED = 1000;
 
-/** After a frame that could not be drawn another is tried, where nothing else asks for one (ms). */
+/** Delay before drawing is retried after a failed frame (ms). */
 const RETRY = 8000;
 
 export interface EditorOptions {
-  /** Addresses of assets that are files, by name. */
+  /** URLs of asset files, by name. */
   urls?: Record<string, string>;
-  /** The scene that is there at first: a name of the engine's `scenes`, or 'empty'; the temple when absent or null. */
+  /** First scene: a name of the engine's `scenes`, or 'empty'; the temple when absent or null. */
   scene?: string | null;
   /**
-   * Under what preferences, keys and layout are kept in the browser: this and what begins with it; 'farol-editor' when
-   * absent. Editors of one page that are to remember different things take different ones.
+   * Prefix of the keys in localStorage for preferences, key bindings and layout; 'farol-editor' when absent. Editors of
+   * one page that need separate settings use different ones.
    */
   storage?: string;
 }
@@ -100,12 +100,12 @@ export class Editor implements EditorApi {
   worksOffline = false;
 
   private openFile: OpenFile = { name: null, handle: null };
-  /** How many scenes are being read, and which of all was begun last. */
+  /** Number of scenes being read. */
   private reading = 0;
   private turn = 0;
   private readonly urls: Record<string, string>;
 
-  /** @param canvas - what the picture is drawn to @throws Error when the browser has no WebGL 2 */
+  /** @param canvas - canvas of the viewport @throws Error when the browser has no WebGL 2 */
   constructor(canvas: HTMLCanvasElement, options: EditorOptions = {}) {
     const { urls = {}, scene = null, storage = 'farol-editor' } = options;
     this.urls = urls;
@@ -129,7 +129,7 @@ export class Editor implements EditorApi {
     guardScripts(this.document);
     this.microShaders = new MicroShaderEditing(this.document, this.viewport.farol.microshaders, this.log);
     this.viewport.shareMicroShaders = (registry) => this.microShaders.addRegistry(registry);
-    // what the first frame may need is there before it
+    // fetched before the first frame, which may need them
     this.ready = this.viewport.farol.addLazyMicroShaders().then(() => this.openFirst(scene));
   }
 
@@ -179,7 +179,7 @@ export class Editor implements EditorApi {
     if (read) this.show(read, { name: null, handle: null });
   }
 
-  /** @returns null when another scene was begun or shown while this one was read */
+  /** @returns null when another scene was opened or shown meanwhile */
   private async readNext(read: (assets: AssetLibrary) => Promise<Scene>): Promise<Scene | null> {
     const turn = ++this.turn;
     const assets = this.libraryForNext();
@@ -189,7 +189,7 @@ export class Editor implements EditorApi {
       scene = await read(assets);
       return turn === this.turn ? scene : null;
     } catch (error) {
-      // the library went with the scene that was there
+      // the library was disposed of with its scene
       if (turn !== this.turn) return null;
       throw error;
     } finally {
@@ -203,7 +203,7 @@ export class Editor implements EditorApi {
 
   libraryForNext(): AssetLibrary {
     const { assets } = this.document;
-    // a file that is turned down leaves nothing in the library of a scene that stays
+    // the present scene stays if the file is refused, so the file must not add to a library in use
     if (!assets.hasOwn && !this.commands.isDirty && this.reading === 0) return assets;
     return makeLibrary({ urls: this.urls, renderer: this.viewport.webgl });
   }
@@ -234,7 +234,7 @@ export class Editor implements EditorApi {
         ),
       );
       if (!scene) return false;
-      // asked only now that the file is known to be good
+      // asked last, once the file is known to be valid
       if (!(await this.mayLoseChanges())) {
         const { assets } = scene;
         scene.dispose();
@@ -333,7 +333,7 @@ export class Editor implements EditorApi {
   private tellOfUnknown(): void {
     const { scripts, scene } = this.document;
     const unknown = unknownTypes(scene);
-    // while scripts are off their components are data, as the bar says
+    // while scripts are off, their banner explains components kept as data
     if (unknown.length === 0 || (scripts.areThere && !scripts.isOn)) return;
     const text = t(
       'What brings these components is not here, so they are kept as data: {names}. Add the plugin that they belong to.',
@@ -342,7 +342,7 @@ export class Editor implements EditorApi {
     this.notices.show('warning', text, 'plugin');
   }
 
-  /** Puts the file that was just opened among the recent ones. */
+  /** Adds the file that was just opened to the recent ones. */
   private remember(bytes: Uint8Array): void {
     const content = new Blob([bytes as Uint8Array<ArrayBuffer>]);
     this.attempt(async () => {
@@ -352,9 +352,9 @@ export class Editor implements EditorApi {
   }
 
   private watchPreferences(): void {
-    let shown: ViewChoice | null = null;
+    let appliedViews: ViewChoice | null = null;
     const apply = ({ snapSteps, snapTo, alignsToSurface, pivot, views, isMuted }: Preferences): void => {
-      if (views !== shown) applyViews(this.viewport, (shown = views));
+      if (views !== appliedViews) applyViews(this.viewport, (appliedViews = views));
       audioOutput.muted = isMuted;
       const { translate, rotate, scale } = snapSteps;
       this.viewport.gizmo.snapSteps = { translate, rotate: MathUtils.degToRad(rotate), scale };
@@ -366,7 +366,7 @@ export class Editor implements EditorApi {
 
   private watchPicture(): void {
     const { viewport, notices } = this;
-    /** Messages that the picture cannot be drawn, and when the last one came (ms). */
+    /** Ids of notices that drawing fails, and the time of the last failure (ms). */
     const failures = new Set<number>();
     let failedAt = 0;
     let timer: ReturnType<typeof setTimeout> | undefined;

@@ -8,7 +8,7 @@ import { engine } from './language/es/engine';
 import { messageTranslator } from './language/messageTable';
 import { showLanguage } from './language/shownLanguage';
 
-// other tests run in the same thread
+// restores English for other tests in the thread
 afterEach(async () => {
   await showLanguage('en');
   vi.unstubAllGlobals();
@@ -16,7 +16,7 @@ afterEach(async () => {
 
 afterEach(() => showLanguage('en'));
 
-/** What is filled in as '{}': of templates in sources, and of the table. */
+/** Replaces the parameters of a template in the sources, or of the table, by '{}'. */
 const ofSource = (text: string): string => text.replaceAll(/\$\{[^{}]*\}/g, '{}').replaceAll(/\\(['"`])/g, '$1');
 const ofTable = (text: string): string => text.replaceAll(/\{\w+\}/g, '{}');
 
@@ -29,7 +29,7 @@ test('the engine says each message of the table', () => {
   const missing = Object.keys(engine).filter((english) => {
     const text = ofTable(english);
     const parts = [text, ...heads.filter((head) => text.startsWith(head)).map((head) => text.slice(head.length))];
-    // what follows in the last blank is said elsewhere
+    // the text of the last parameter may come from elsewhere
     return !parts.some((part) => sources.includes(part) || sources.includes(part.replace(/\{\}$/, '')));
   });
   expect(missing).toEqual([]);

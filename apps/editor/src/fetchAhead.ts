@@ -1,7 +1,7 @@
 import { preloadFileCode } from '@farol/engine/files';
 import { preloadSceneCode } from '@farol/scenes';
 
-/** Once the page has nothing else to do. */
+/** Resolves when the page is idle. */
 const idle = (): Promise<void> =>
   new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: 3000 });
@@ -9,9 +9,9 @@ const idle = (): Promise<void> =>
   });
 
 /**
- * Fetches, once the page is idle, the code that opening, dropping and saving files need, and the samples; the first frame
- * needs none of it. What cannot be fetched now is fetched when it is needed.
- * @returns whether all was fetched, so that opening, dropping and saving work without a network
+ * Fetches, once the page is idle, the code for opening, dropping and saving files, and the samples, which the first
+ * frame does not need. A failure is ignored: the code is then fetched when needed.
+ * @returns whether everything was fetched, so that these work offline
  */
 export async function fetchAhead(): Promise<boolean> {
   await idle();
@@ -31,7 +31,7 @@ export async function fetchAhead(): Promise<boolean> {
     ]);
     return true;
   } catch {
-    // what needs the code says that it could not be fetched
+    // the code that needs it reports the failure
     return false;
   }
 }

@@ -29,13 +29,13 @@ const ofFields = (fields: FieldTable): string[] =>
     field.help,
     field.group ?? '',
     ...Object.values(field.variants?.of ?? {}).flatMap(({ label }) => label ?? []),
-    // signs of units, such as 'm/s', are the same everywhere
+    // symbols of units, such as 'm/s', are not translated
     ...('unit' in field && field.unit && /\p{L}{4}| /u.test(field.unit) ? [field.unit] : []),
     ...(field.kind === 'choice' ? choicesOf(field) : []),
     ...(field.kind === 'object' && field.noneLabel ? [field.noneLabel] : []),
   ]);
 
-/** Every text that the editor may ask for. */
+/** Every text that the editor may look up. */
 function wantedTexts(): Set<string> {
   const scene = new Scene();
   const texts = [
@@ -60,7 +60,7 @@ function wantedTexts(): Set<string> {
       propertyTexts(path, source, 'help', 'label', 'title'),
     ),
   ];
-  // single letters, signs and figures are the same everywhere
+  // single letters, signs and numbers are not translated
   return new Set(texts.filter((text) => /\p{L}{2}/u.test(text)));
 }
 

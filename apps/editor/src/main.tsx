@@ -21,45 +21,46 @@ import { InLanguage } from './ui/InLanguage';
 
 declare global {
   interface Window {
-    /** See the class for what tests use of it. */
+    /** Exposed for tests and for the console, see the class. */
     editor: Editor;
   }
 }
 
-/** Where preferences, keys and layout are kept in the browser. */
+/** Prefix of the keys in localStorage. */
 const STORAGE = 'farol-editor';
 
 const place = document.getElementById('app')!;
 
-/** @param problem - why the texts of the user's language are not there; null when they are */
+/** @param problem - why the texts of the user's language could not be fetched; null when they were */
 function start(problem: Error | null): void {
-  const asked = new URLSearchParams(location.search);
+  const parameters = new URLSearchParams(location.search);
   const editor = new Editor(document.createElement('canvas'), {
     urls: dragonUrl ? { dragon: dragonUrl } : {},
-    scene: isLink(location.hash) ? 'empty' : asked.get('scene'),
+    scene: isLink(location.hash) ? 'empty' : parameters.get('scene'),
     storage: STORAGE,
   });
   window.editor = editor;
   if (problem) editor.notices.show('warning', problem.message);
   watchDrops(editor);
-  // an address that says what to edit has no welcome, unless it says ?welcome=yes
-  const saysScene = isLink(location.hash) || asked.has('scene');
-  const wanted = asked.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
-  const offer = welcomeUser(editor, wanted === 'yes');
+  // a URL that names a scene suppresses the welcome page, unless it has ?welcome=yes
+  const saysScene = isLink(location.hash) || parameters.has('scene');
+  const welcomeChoice =
+    parameters.get('welcome') ?? (saysScene || !editor.preferences.getState().showWelcome ? 'no' : 'yes');
+  const offer = welcomeUser(editor, welcomeChoice === 'yes');
   const openLink = async (): Promise<void> => {
     const { decodeLink } = await import('./files/share/linkText');
     const text = await decodeLink(location.hash, editor.mayUnpack);
     await editor.openFileBytes(text, { name: null, handle: null });
   };
   const plugins = startPlugins(editor).catch((error: Error) => editor.notices.show('error', error.message, 'plugin'));
-  // a scene may hold components of plugins
+  // recovery waits for plugins, since a scene may have components of theirs
   const opened = Promise.allSettled([editor.ready, plugins]);
   const autosave = async (): Promise<void> => {
     const { startAutosave } = await import('./files/autosave/startAutosave');
     editor.autosave = await startAutosave(editor, opened, (recovery) => void recent.then(() => offer(recovery)));
   };
   const loadRecent = async (): Promise<void> => (await import('./files/recent/noteRecent')).loadRecent(editor);
-  // the welcome goes without recent files where their code cannot be fetched
+  // without its code the welcome page has no recent files
   const recent = loadRecent().catch(() => {});
   editor.attempt(autosave);
   void opened.then(() => {
@@ -87,7 +88,7 @@ function start(problem: Error | null): void {
   );
 }
 
-/** Starts the editor; what cannot be started is told in its place. */
+/** Starts the editor; an error is shown in its place. */
 function tryStart(problem: Error | null): void {
   try {
     start(problem);
@@ -101,7 +102,7 @@ function tryStart(problem: Error | null): void {
 }
 
 const language = storedLanguage(STORAGE);
-// English has no texts to wait for
+// English needs no texts
 if (language === 'en') tryStart(null);
 else {
   showLanguage(language).then(

@@ -1,16 +1,16 @@
 declare module 'virtual:stanford-dragon/*' {
-  /** Address of the Stanford dragon's PLY; null where it is not part of the build. */
+  /** URL of the Stanford dragon's PLY; null when it is not part of the build. */
   const url: string | null;
   export default url;
 }
 
 declare module 'virtual:script-declarations' {
-  /** Address of a JSON file, `ScriptDeclarations` of `@farol/tools/scriptDeclarations`. */
+  /** URL of a JSON file with `ScriptDeclarations`, made by `@farol/tools/scriptDeclarations`. */
   const url: string;
   export default url;
 }
 
-/** All of three: see `@farol/tools/wholeThree`. */
+/** The complete three module, see `@farol/tools/wholeThree`. */
 declare module 'virtual:whole-three' {
   export * from 'three';
 }

@@ -4,7 +4,7 @@ import type { EditorApi } from './api/EditorApi';
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
-/** Brings what goes wrong without anybody asking into the editor's console: components, shaders, the page. */
+/** Logs errors of components, shaders and the page in the editor's console. */
 export function watchErrors(editor: EditorApi): void {
   const { document, viewport, log } = editor;
   document.onComponentError = (component, error) => {
@@ -26,14 +26,14 @@ export function watchErrors(editor: EditorApi): void {
       t('{component} of {owner}: {reason}', { component: component.typeName, owner, reason: messageOf(error) }),
     );
   };
-  /** What is said of each script that is broken. */
-  const told = new Map<string, string>();
+  /** Last error logged for each script. */
+  const loggedErrors = new Map<string, string>();
   document.scripts.changed.subscribe(() => {
     const { errors } = document.scripts;
-    for (const script of [...told.keys()]) if (!errors.has(script)) told.delete(script);
+    for (const script of [...loggedErrors.keys()]) if (!errors.has(script)) loggedErrors.delete(script);
     for (const [script, { message, line }] of errors) {
-      if (told.get(script) === message) continue;
-      told.set(script, message);
+      if (loggedErrors.get(script) === message) continue;
+      loggedErrors.set(script, message);
       log.add('error', 'script', message, { script, line });
     }
   });

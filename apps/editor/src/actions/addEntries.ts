@@ -13,9 +13,9 @@ export interface PagePoint {
 }
 
 /**
- * Adds something to the scene.
- * @param parent - what it goes below, and where it begins; at the top of the tree, and where one looks, when null
- * @param at - the point of the picture that counts; its middle when absent
+ * Adds an object to the scene.
+ * @param parent - parent, at whose origin the object is put; null for the top of the tree, in front of the camera
+ * @param at - page position where the object lands; the centre of the viewport when absent
  */
 export async function addCreation(
   editor: EditorApi,
@@ -38,9 +38,9 @@ export async function addCreation(
 const iconOf = (kind: string): IconName => (kind in iconPaths ? (kind as IconName) : 'object');
 
 /**
- * The lines of the Add menu.
- * @param parent - what the new object goes below; the top of the tree when null
- * @param at - the point of the picture where it lands; its middle when absent
+ * Entries of the Add menu.
+ * @param parent - parent of the new object; the top of the tree when null
+ * @param at - page position where the object lands; the centre of the viewport when absent
  */
 export function addEntries(editor: EditorApi, parent: GameObject | null = null, at?: PagePoint): MenuEntry[] {
   const all = creations(editor.document.scene);

@@ -4,7 +4,7 @@ import { techniqueActions, viewActions } from './pictureActions';
 import { recentActions } from './recentActions';
 import { showPanels } from './showPanels';
 
-/** The actions of the registry, and those for each recent file, technique, view and panel that there is. */
+/** The actions of the registry, and those generated for each recent file, technique, view and panel. */
 export const allActions = (editor: EditorApi): Action[] => [
   ...editor.actions.list,
   ...recentActions(editor),

@@ -6,7 +6,7 @@ import { hasSelection } from './hasSelection';
 const several = ({ document }: EditorApi): boolean => document.selection.ids.length > 1;
 const three = ({ document }: EditorApi): boolean => document.selection.ids.length > 2;
 
-/** Puts what is selected onto what is below it. */
+/** Drops the selected objects onto the surface below them. */
 export const drop: Action = {
   id: 'object.drop',
   label: 'Drop to ground',
@@ -32,7 +32,7 @@ const alignments: readonly [Axis, AlignSide, string][] = [
   ['z', 'max', 'Align the greatest z'],
 ];
 
-/** Move what is selected until their boxes have a side in common. */
+/** Aligns one side of the selected objects' boxes. */
 export const align: readonly Action[] = alignments.map(([axis, side, label]) => ({
   id: `object.align-${axis}-${side}`,
   label,
@@ -54,7 +54,7 @@ const distributions: readonly [Axis, 'gaps' | 'centres', string][] = [
   ['z', 'centres', 'Equal distances of middles along z'],
 ];
 
-/** Move what is selected until it is equally far apart. */
+/** Makes distances between the selected objects equal. */
 export const distribute: readonly Action[] = distributions.map(([axis, by, label]) => ({
   id: `object.distribute-${axis}-${by}`,
   label,

@@ -3,8 +3,8 @@ import { save } from './save';
 import type { EditorApi } from '../api/EditorApi';
 
 /**
- * Asks what becomes of changes that are not saved, before another scene takes the place of this one.
- * @returns whether it may: the changes are saved, or the user lets go of them
+ * Asks what to do with unsaved changes, before another scene replaces this one.
+ * @returns whether it may be replaced: the changes are saved or given up
  */
 export async function askToSave(editor: EditorApi): Promise<boolean> {
   let isDropped = false;
@@ -26,7 +26,7 @@ export async function askToSave(editor: EditorApi): Promise<boolean> {
   try {
     await save.run(editor);
   } catch (error) {
-    // who turns back from choosing a file keeps the scene
+    // cancelling the file picker keeps the scene
     if (!(error instanceof Error) || error.name !== 'AbortError') throw error;
   }
   return !editor.commands.isDirty;

@@ -5,7 +5,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { setStatic } from '../model/edits';
 import { hasSelection } from './hasSelection';
 
-/** Makes objects static or moving; asks whether those below them become so too, where they are otherwise. */
+/** Makes objects static or moving. Asks about objects below them when these differ. */
 export async function changeStatic(
   { commands, dialogs }: EditorApi,
   objects: readonly GameObject[],
@@ -31,7 +31,7 @@ export async function changeStatic(
 
 const areStatic = ({ document }: EditorApi): boolean => document.selectedObjects.every(({ isStatic }) => isStatic);
 
-/** Whether the selected objects stay where they are. */
+/** Marks the selected objects as static, or as moving. */
 export const toggleStatic: Action = {
   id: 'edit.static',
   label: 'Static',
@@ -42,7 +42,7 @@ export const toggleStatic: Action = {
   checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
 };
 
-/** Opens the panel that bakes. */
+/** Opens the panel for baking light. */
 export const bakeLight: Action = {
   id: 'object.bake-light',
   label: 'Bake light…',

@@ -4,14 +4,14 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { SetView } from '../model/commands/SetView';
 
-/** Places of views that are kept with a scene. */
+/** Numbers of the views that can be stored with a scene. */
 const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
 
-/** What a kept view is called. */
+/** Display name of a stored view. */
 export const nameOfView = (place: number, { name }: SceneView): string =>
   name === '' ? t('View {place}', { place }) : name;
 
-/** Keeps where the active view looks from, under the name that was there before. */
+/** Stores the active view's pose, keeping the name stored before. */
 export function keepView({ commands, document, viewport }: EditorApi, place: number): void {
   const { scene } = document;
   const before = scene.views.get(place);
@@ -19,7 +19,7 @@ export function keepView({ commands, document, viewport }: EditorApi, place: num
   commands.run(new SetView(t('Keep view {place}', { place }), scene, place, view));
 }
 
-/** Looks from where a view was kept, in the active view. */
+/** Moves the active view to a stored pose. */
 export function showView({ document, viewport }: EditorApi, place: number): void {
   const view = document.scene.views.get(place);
   if (!view) return;
@@ -35,7 +35,7 @@ export function forgetView({ commands, document }: EditorApi, place: number): vo
   commands.run(new SetView(label, document.scene, place, null));
 }
 
-/** Asks for the name of a kept view. */
+/** Asks for a name of a stored view. */
 export function renameView({ commands, dialogs, document }: EditorApi, place: number): void {
   const { scene } = document;
   const view = scene.views.get(place);
@@ -50,7 +50,7 @@ export function renameView({ commands, dialogs, document }: EditorApi, place: nu
   });
 }
 
-/** Looks from each of the views that are kept with the scene. */
+/** One action for each stored view, which shows it. */
 export const showViews: readonly Action[] = places.map((place) => ({
   id: `view.bookmark.${place}`,
   label({ document }) {
@@ -63,7 +63,7 @@ export const showViews: readonly Action[] = places.map((place) => ({
   enabled: ({ document }) => document.scene.views.get(place) !== null,
 }));
 
-/** Keeps where one looks from. */
+/** One action for each number, which stores the active view. */
 export const keepViews: readonly Action[] = places.map((place) => ({
   id: `view.keep.${place}`,
   label: () => t('Keep this view as {place}', { place }),
@@ -72,6 +72,6 @@ export const keepViews: readonly Action[] = places.map((place) => ({
   run: (editor) => keepView(editor, place),
 }));
 
-/** The first place that no view is kept in; 9 where all are taken. */
+/** The first number without a stored view; 9 when all are taken. */
 export const freePlace = ({ document }: EditorApi): number =>
   places.find((place) => document.scene.views.get(place) === null) ?? places.length;

@@ -4,7 +4,7 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { addCameraAt, alignCamera } from '../model/cameraEdits';
 
-/** The camera that is meant: the selected one, or else the scene's active one. */
+/** The selected camera, or else the scene's active one. */
 function cameraOf({ document }: EditorApi): Camera | null {
   const selected = document.selectedObjects.at(-1)?.getComponent(Camera) ?? null;
   return selected ?? (document.scene.activeCamera as Camera | null);
@@ -45,7 +45,7 @@ export const createCameraFromView: Action = {
   },
 };
 
-/** Looks through the camera, or no longer. */
+/** Looks through a camera, or stops doing so. */
 export const lookThroughCamera: Action = {
   id: 'camera.lookThrough',
   label: 'Look through the camera',
@@ -60,7 +60,7 @@ export const lookThroughCamera: Action = {
   enabled: (editor) => editor.viewport.lookThrough !== null || hasCamera(editor),
 };
 
-/** In the order of the menu. */
+/** Camera actions in the order of their menu. */
 export const cameraActions: readonly Action[] = [
   lookThroughCamera,
   alignCameraToView,

@@ -15,8 +15,8 @@ const copySelection = ({ document, clipboard }: EditorApi): void => {
 };
 
 /**
- * Puts what was copied below a parent; what it needs of files and scripts is read first, where the scene does not have it.
- * @param where - called once all is read
+ * Pastes copied objects below a parent. Files and scripts that the scene lacks are read first.
+ * @param where - called once everything is read
  */
 function pasteClip(
   editor: EditorApi,
@@ -38,7 +38,7 @@ function pasteClip(
   });
 }
 
-/** Whether a scene can have an asset at once: it has the same one, or one of fields comes, which is no script. */
+/** Whether an asset needs no reading: the scene has it, or it consists of fields and is no script. */
 function isThere(scene: Scene, asset: FileAsset): boolean {
   const { name, type, values } = asset;
   if (values === undefined) return nameInScene(scene, asset) !== null;
@@ -68,7 +68,7 @@ export const cut: Action = {
   enabled: hasSelection,
 };
 
-/** Beside what is selected, or at the top of the tree. */
+/** Pastes beside the selected object, or at the top of the tree. */
 export const paste: Action = {
   id: 'edit.paste',
   label: 'Paste',
@@ -80,7 +80,7 @@ export const paste: Action = {
   enabled: ({ clipboard }) => isClip(clipboard.text),
 };
 
-/** At the top of the tree, on what is seen at a point of the page (CSS pixels). */
+/** Pastes at the top of the tree; the objects land at a page position (CSS pixels). */
 export async function pasteAt(editor: EditorApi, at: { readonly x: number; readonly y: number }): Promise<void> {
   const { landingView, pointInPicture } = await import('../files/landInPicture');
   const { land } = await import('../viewport/placing/land');
@@ -91,7 +91,7 @@ export async function pasteAt(editor: EditorApi, at: { readonly x: number; reado
   }));
 }
 
-/** Below what is selected. */
+/** Pastes below the selected object. */
 export const pasteBelow: Action = {
   id: 'edit.paste-below',
   label: 'Paste below the selected object',

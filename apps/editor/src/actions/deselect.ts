@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Escape: ends a drag of the gizmo and puts everything back; else leaves the tool that is open; else selects nothing. */
+/** Escape: cancels a drag of the gizmo, else ends the open tool, else clears the selection. */
 export const deselect: Action = {
   id: 'edit.deselect',
   label: 'Deselect',

@@ -1,7 +1,7 @@
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
-/** Copies along a line, on a ring, on a grid or over a surface. */
+/** Opens the tool that copies along a line, on a ring, on a grid or over a surface. */
 export const duplicateMany: Action = {
   id: 'edit.duplicate-many',
   label: 'Duplicate along…',
@@ -11,7 +11,7 @@ export const duplicateMany: Action = {
   async run({ document, viewport, tools }) {
     const { DuplicateTool } = await import('../viewport/placing/DuplicateTool');
     if (document.selection.ids.length === 0) return;
-    // a tool that is open puts back what it shows, before the next one looks at the scene
+    // first, since an open tool restores the scene when it ends
     tools.end();
     const tool: { current: InstanceType<typeof DuplicateTool> | null } = { current: null };
     tool.current = new DuplicateTool(document, viewport.rayCamera, () => tools.end(tool.current));

@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Shows the ways to give the scene away. */
+/** Opens the export dialog. */
 export const exportScene: Action = {
   id: 'file.export',
   label: 'Export and share…',

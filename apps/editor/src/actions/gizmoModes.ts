@@ -9,7 +9,7 @@ const modes: readonly [GizmoMode & IconName, string, string][] = [
   ['scale', 'Scale##verb', 'R'],
 ];
 
-/** What the handles in the viewport do. */
+/** One action for each mode of the gizmo. */
 export const gizmoModes: readonly Action[] = modes.map(([mode, label, key]) => ({
   id: `gizmo.${mode}`,
   label,

@@ -10,7 +10,7 @@ const pages = [
   ['examples', 'Examples for your own page', 'apps/viewer/examples'],
 ] as const;
 
-/** Opens a page of the documentation in a window of its own. */
+/** One action for each page of the documentation, which opens in a new window. */
 export const guides: readonly Action[] = pages.map(([name, label, path]) => ({
   id: `help.guide.${name}`,
   label,
@@ -18,7 +18,7 @@ export const guides: readonly Action[] = pages.map(([name, label, path]) => ({
   run: () => void window.open(`${REPOSITORY}/${path}`, '_blank', 'noopener,noreferrer'),
 }));
 
-/** Says what this is, and under what terms. */
+/** Shows version and licence. */
 export const about: Action = {
   id: 'help.about',
   label: 'About Farol',

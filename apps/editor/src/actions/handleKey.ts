@@ -4,10 +4,13 @@ import { isComposing } from '@farol/editing';
 import { allActions } from './allActions';
 import { matchKey } from './matchKey';
 
-/** What the focus is in. A menu or a list takes letters as text does: they choose what begins with them. */
+/** Kind of the focused element. Menus and lists count as text: letters choose the entries that begin with them. */
 type Focus = 'page' | 'text';
 
-/** What a key goes to, innermost first: also what is in an open shadow root, whose host alone is the event's target. */
+/**
+ * Elements that a key event passes, innermost first, including those in open shadow roots (the event's target is only
+ * their host).
+ */
 const elementsOf = (event: KeyboardEvent): Element[] =>
   event.composedPath().filter((each): each is Element => each instanceof Element);
 
@@ -21,26 +24,29 @@ function focusOf(elements: readonly Element[]): Focus {
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
   if (['checkbox', 'radio', 'button', 'range'].includes(target.type)) return 'page';
-  // a number takes letters too: units, π, functions
+  // number fields take letters too: units, π, functions
   return 'text';
 }
 
-/** What the space bar belongs to while it has the focus. */
+/** Selector of elements that use the space bar themselves. */
 const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treeitem"], [role="option"]';
 
-/** What is walked through, or set, by the arrow keys, Home, End and the pages while it has the focus. */
+/** Selector of elements that use arrow keys, Home, End or Page keys themselves. */
 const WALKED = 'input, select, [role="slider"], [role="tab"], [role="treeitem"], [role="option"], [role="separator"]';
 const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
 
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
-/** Whether what has the focus does this itself: a code editor has a history of its own. See `data-own-actions`. */
+/**
+ * Whether the focused element handles an action itself, as a code editor with its own undo does; see
+ * `data-own-actions`.
+ */
 function isOwnKey(elements: readonly Element[], action: Action): boolean {
   const owner = elements.find((each) => each.matches('[data-own-actions]')) as HTMLElement | undefined;
   return owner?.dataset.ownActions?.split(' ').includes(action.id) ?? false;
 }
 
-/** An action that a key does, and by which combination; one that the layout types comes before one by the key's place. */
+/** Actions of a key, with the matching combination: first by the typed character, then by the key's position. */
 function* actionsOf(editor: EditorApi, event: KeyboardEvent): Generator<readonly [Action, string]> {
   for (const isTyped of [true, false]) {
     for (const action of allActions(editor)) {
@@ -51,11 +57,11 @@ function* actionsOf(editor: EditorApi, event: KeyboardEvent): Generator<readonly
 }
 
 /**
- * Does the action of a key.
- * @param isCapture - before the focused element hears of the key: only actions that count in every place, which no menu
- * that is just closing shall swallow; else those that count where the focus is: none while keys go to a scene that plays,
- * but Escape, which gives them back
- * @returns whether there is one; nobody else shall do anything with the key then
+ * Runs the action of a key.
+ * @param isCapture - before the focused element gets the key: only actions that work everywhere, so that a closing menu
+ *   does not swallow the key. Afterwards: actions allowed for the focused element; while keys go to a playing scene
+ *   only Escape, which ends that
+ * @returns whether an action was found, so that others must ignore the key
  */
 export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: boolean): boolean {
   if (event.defaultPrevented || isComposing(event) || editor.dialogs.current) return false;
@@ -78,7 +84,7 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
   return false;
 }
 
-/** A text field gives its value when it loses the focus: what was typed shall count before the action does. */
+/** Commits a text field, which gives its value on blur, before the action runs. */
 function takeOverField(target: Element | undefined): void {
   if (!(target instanceof HTMLElement)) return;
   const isInput = target instanceof HTMLInputElement && !['checkbox', 'radio'].includes(target.type);

@@ -1,4 +1,4 @@
 import type { EditorApi } from '../api/EditorApi';
 
-/** Whether anything is selected. */
+/** Whether an object is selected. */
 export const hasSelection = ({ document }: EditorApi): boolean => document.selection.ids.length > 0;

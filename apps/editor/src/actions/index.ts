@@ -49,7 +49,7 @@ import { undo } from './undo';
 import { startTour, welcome } from './welcome';
 import { continuous, showColliders, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
 
-/** Everything built in that the user can do by a key or a menu. A new action is a file and a line here. */
+/** All built-in actions. A new action is a file and a line here. */
 export const actions: readonly Action[] = [
   welcome,
   newScene,

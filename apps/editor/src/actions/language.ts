@@ -2,7 +2,7 @@ import type { Action } from '../api/Action';
 import { type Language, languages } from '../language/languages';
 import { showLanguage, shownLanguage } from '../language/shownLanguage';
 
-/** One action for each language; it is remembered. */
+/** One action for each language; the choice is remembered. */
 export const chooseLanguage: readonly Action[] = Object.entries(languages).map(([language, label]) => ({
   id: `help.language.${language}`,
   label,

@@ -1,6 +1,6 @@
 import { latinKey } from '@farol/editing';
 
-/** What of a KeyboardEvent tells which keys are held. */
+/** The properties of a KeyboardEvent that are used. */
 export interface KeyPress {
   readonly key: string;
   readonly code: string;
@@ -12,15 +12,15 @@ export interface KeyPress {
 
 const isPadName = (name: string): boolean => /^Numpad(\d|Decimal)$/.test(name);
 
-/** Whether a press is of a digit or the dot of the number pad; what moves the caret, while NumLock is off, is not. */
+/** Whether a press is a digit or the dot of the number pad; cursor keys of the pad (NumLock off) are not. */
 export const isPadPress = ({ key, code }: KeyPress): boolean => key.length === 1 && isPadName(code);
 
 /**
- * Whether a press is a combination such as 'Ctrl+Shift+Z', 'F2' or '?'. Ctrl stands for Command too. Letters and digits go
- * by what the layout says; by the place of the key where that is neither (Cyrillic, Greek, digits of AZERTY), and with Alt
- * held, which types other signs on some systems. 'Numpad1' and the like are keys of the number pad by their place, and '1'
- * is none of them.
- * @param isTyped - whether only what the layout says counts, not the place
+ * Whether a press matches a combination such as 'Ctrl+Shift+Z', 'F2' or '?'. Ctrl also stands for Command. Letters and
+ * digits are compared by the typed character; by the key's position when it types neither (Cyrillic, Greek, AZERTY
+ * digits), or with Alt, which types other characters on some systems. 'Numpad1' and the like are keys of the number
+ * pad, and '1' is none of them.
+ * @param isTyped - whether only the typed character counts, not the position
  */
 export function matchKey(combination: string, press: KeyPress, isTyped = false): boolean {
   const parts = combination.split('+');
@@ -30,7 +30,7 @@ export function matchKey(combination: string, press: KeyPress, isTyped = false):
   const isSign = /^[^a-z0-9 ]$/i.test(key);
   if (parts.includes('Ctrl') !== (press.ctrlKey || press.metaKey)) return false;
   if (parts.includes('Alt') !== press.altKey) return false;
-  // a sign such as '?' says itself whether it needs Shift
+  // a sign such as '?' implies whether Shift is needed
   if (!isSign && parts.includes('Shift') !== press.shiftKey) return false;
   if (isPadName(name)) return press.code === name;
   if (press.key.toLowerCase() === key.toLowerCase()) return true;

@@ -11,7 +11,7 @@ const modelsOf = ({ document }: EditorApi): ModelRenderer[] =>
     .flatMap((object) => object.getComponent(ModelRenderer) ?? [])
     .filter(({ model }) => model !== null);
 
-/** Adds a material to the library, and shows its fields. */
+/** Adds a material to the library, and selects it. */
 export const newMaterial: Action = {
   id: 'material.new',
   label: 'New material',
@@ -27,7 +27,7 @@ export const newMaterial: Action = {
   },
 };
 
-/** Makes an asset of the first selected object's material, which all that are selected share. */
+/** Makes a library material of the first selected object's own, and assigns it to all selected objects. */
 export const makeMaterial: Action = {
   id: 'material.make',
   label: 'Make material asset',
@@ -39,15 +39,15 @@ export const makeMaterial: Action = {
     const { document, commands } = editor;
     const renderers = renderersOf(editor);
     const first = renderers.find(({ material, shader }) => material === null && shader === null)!;
-    const wanted = t('{name} material', { name: first.gameObject.name });
-    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    const materialName = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);
     commands.run(made.command);
     document.assetSelection.set([made.name]);
     editor.layout.open('inspector');
   },
 };
 
-/** Makes the selected models trees of objects. */
+/** Unpacks the selected models into trees of objects. */
 export const unpackModel: Action = {
   id: 'model.unpack',
   label: 'Unpack model',

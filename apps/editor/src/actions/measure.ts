@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { openBeside } from '@farol/engine/files';
 import type { Action } from '../api/Action';
 
-/** Opens the scene as it is in the Lab, which measures the techniques with it. */
+/** Opens the current scene in the Lab, which measures techniques. */
 export const measure: Action = {
   id: 'file.measure',
   label: 'Measure this scene',

@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Shows the distance between two points that are clicked. */
+/** Opens the tool that measures the distance between two clicked points. */
 export const measureDistance: Action = {
   id: 'view.measure-distance',
   label: 'Measure distance',

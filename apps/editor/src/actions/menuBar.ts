@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Puts the focus on the bar of menus, whose arrow keys go on from there. */
+/** Focuses the menu bar. */
 export const goToMenuBar: Action = {
   id: 'panels.menu-bar',
   label: 'Go to the menus',

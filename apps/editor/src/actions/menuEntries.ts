@@ -6,7 +6,7 @@ import { allActions } from './allActions';
 
 export type MenuName = MenuPlace['menu'];
 
-/** The menus of the bar, from left to right, each with its groups from top to bottom. Other groups come after these. */
+/** Menus of the bar, each with its groups in order. Other groups come after these. */
 const menus: Readonly<Record<MenuName, readonly string[]>> = {
   file: ['new', 'open', 'save', 'share', 'recover'],
   edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'animation', 'plugins'],
@@ -20,17 +20,17 @@ const menus: Readonly<Record<MenuName, readonly string[]>> = {
 
 export const menuNames = Object.keys(menus) as readonly MenuName[];
 
-/** What a menu is called. */
+/** Display name of a menu. */
 export const menuLabel = (name: MenuName): string =>
   ({ file: t('File'), edit: t('Edit'), object: t('Object'), view: t('View'), help: t('Help') })[name];
 
-/** Actions that are in a second menu too. */
+/** Actions that are also in a second menu. */
 const alsoIn: Readonly<Record<string, MenuPlace>> = { 'file.welcome': { menu: 'help', group: 'learn' } };
 
-/** Where actions of plugins are that name no place. */
+/** Place of plugins' actions that name none. */
 const PLUGINS: MenuPlace = { menu: 'edit', group: 'plugins', submenu: 'Plugins' };
 
-/** Puts what has the same key together, in the order of first appearance. */
+/** Groups items by key, in the order of first appearance. */
 function groupsBy<T>(list: readonly T[], keyOf: (item: T) => string): Map<string, T[]> {
   const groups = new Map<string, T[]>();
   for (const item of list) {
@@ -42,7 +42,7 @@ function groupsBy<T>(list: readonly T[], keyOf: (item: T) => string): Map<string
   return groups;
 }
 
-/** The lines of a menu of the bar: the actions whose place it is, in groups with lines between, and submenus. */
+/** Entries of a menu: its actions in groups with separators, and submenus. */
 export function menuEntries(editor: EditorApi, menu: MenuName): MenuEntry[] {
   const placed = allActions(editor)
     .flatMap((action) => {

@@ -2,7 +2,7 @@ import { makeEmptyScene } from '../model/makeEmptyScene';
 import type { Action } from '../api/Action';
 import { samples } from '../api/Sample';
 
-/** A scene to begin with: a camera, a sun and a sky. */
+/** Opens a new scene with a camera, a sun and a sky. */
 export const newScene: Action = {
   id: 'file.new',
   label: 'New empty scene',
@@ -13,7 +13,7 @@ export const newScene: Action = {
   },
 };
 
-/** One action for each sample. */
+/** One action for each sample, which opens it. */
 export const openExamples: readonly Action[] = Object.values(samples).map(({ name, label }) => ({
   id: `file.new.${name}`,
   label,

@@ -14,7 +14,7 @@ import { makePrefab, unpackPrefab } from './prefabs';
 import { remove } from './remove';
 import { rename } from './rename';
 
-/** The lines of the menu of what is selected; null when nothing is. */
+/** Context menu of the selected objects; null when nothing is selected. */
 export function objectEntries(editor: EditorApi): MenuEntry[] | null {
   const selected = editor.document.selectedObjects.at(-1);
   if (!selected) return null;

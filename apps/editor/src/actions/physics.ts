@@ -14,7 +14,7 @@ const makes = (kind: PhysicsKind, label: string, icon: Action['icon']): Action =
   },
 });
 
-/** Make the selected objects bodies, with colliders that are fitted to their meshes. */
+/** Actions that make the selected objects physics bodies, with colliders fitted to their meshes. */
 export const physicsActions: readonly Action[] = [
   makes('dynamic', 'Add dynamic body and collider', 'body'),
   makes('kinematic', 'Add kinematic body and collider', 'body'),

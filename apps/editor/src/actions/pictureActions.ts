@@ -3,14 +3,14 @@ import { type View, views } from '@farol/renderer';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 
-/** What a view is called in English. */
+/** English name of a debug view. */
 export const englishViewLabel = (view: View): string =>
   view.charAt(0).toUpperCase() + view.slice(1).replaceAll('-', ' ');
 
-/** What a view is called, in the language that is shown. */
+/** Name of a debug view, in the user's language. */
 export const viewLabel = (view: View): string => t(englishViewLabel(view));
 
-/** One action for each technique of the renderer: draws by it. */
+/** One action for each technique of the renderer, which switches to it. */
 export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =>
   Object.entries(farol.techniques).map(([name, { label }]) => ({
     id: `technique.${name}`,
@@ -23,7 +23,7 @@ export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =
     checked: ({ viewport }) => viewport.technique === name,
   }));
 
-/** One action for each view of the renderer: the picture, or what it is made of. */
+/** One action for each debug view, which shows it. */
 export const viewActions: readonly Action[] = views.map((view) => ({
   id: `shown.${view}`,
   label: englishViewLabel(view),

@@ -56,7 +56,7 @@ export const stop: Action = {
   enabled: ({ document }) => document.simulation.state !== 'stopped',
 };
 
-/** Seen through the scene's camera, as the finished scene will be. */
+/** Plays, looking through the scene's camera. */
 export const playFromCamera: Action = {
   id: 'play.fromCamera',
   label: 'Play from the camera',
@@ -68,7 +68,7 @@ export const playFromCamera: Action = {
   enabled: canPlayThrough,
 };
 
-/** The scene's camera begins where the editor looks from, until the scene stops. */
+/** Plays, with the scene's camera moved to the editor's view until the scene stops. */
 export const playFromHere: Action = {
   id: 'play.fromHere',
   label: 'Play from here',
@@ -83,7 +83,7 @@ export const playFromHere: Action = {
   },
 };
 
-/** Scenes that play are silent; their sounds go on. */
+/** Mutes playing scenes; their sounds keep running. */
 export const muteSound: Action = {
   id: 'play.mute',
   label: 'Mute sound',

@@ -23,7 +23,7 @@ export const makePrefab: Action = {
   },
 };
 
-/** Makes the selected instance an object of its own. */
+/** Turns the selected instance into plain objects. */
 export const unpackPrefab: Action = {
   id: 'prefab.unpack',
   label: 'Unpack prefab',

@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Between a picture with perspective and one without. */
+/** Switches between perspective and orthographic. */
 export const toggleOrthographic: Action = {
   id: 'view.orthographic',
   label: 'Orthographic',
@@ -15,7 +15,7 @@ export const toggleOrthographic: Action = {
   enabled: ({ viewport }) => viewport.lookThrough === null,
 };
 
-/** How far a key turns the picture (rad). */
+/** Angle by which a key orbits the view (rad). */
 const TURN = Math.PI / 12;
 
 const turn = (id: string, label: string, key: string, azimuth: number, polar: number): Action => ({
@@ -30,7 +30,7 @@ const turn = (id: string, label: string, key: string, azimuth: number, polar: nu
   enabled: ({ viewport }) => viewport.flightProblem === null,
 });
 
-/** Turns the picture by 15 degrees. */
+/** Orbit the view by 15 degrees. */
 export const turns: readonly Action[] = [
   turn('turnLeft', 'Turn the view left', 'Numpad4', -1, 0),
   turn('turnRight', 'Turn the view right', 'Numpad6', 1, 0),

@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** One view, or four: from above, from the front, from the right, and the one there always is. */
+/** Switches between one view, and four: top, front, right and the main one. */
 export const quadView: Action = {
   id: 'view.quad',
   label: 'Four views',
@@ -14,7 +14,7 @@ export const quadView: Action = {
   checked: ({ viewport }) => viewport.isQuad,
 };
 
-/** The next of four views is the one that keys turn and shade. */
+/** Activates the next of four views. */
 export const nextView: Action = {
   id: 'view.nextView',
   label: 'Next view',
@@ -27,7 +27,7 @@ export const nextView: Action = {
   enabled: ({ viewport }) => viewport.isQuad,
 };
 
-/** The views beside the main one show again what that shows. */
+/** Aims the side views at the main view's target again. */
 export const resetViews: Action = {
   id: 'view.resetViews',
   label: 'Bring the other views to where this one looks',

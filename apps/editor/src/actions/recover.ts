@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
-/** Offers again what tabs that were closed without warning have left, and what was put off by Later. */
+/** Offers unsaved scenes of closed tabs again, including those put off by Later. */
 export const recover: Action = {
   id: 'file.recover',
   label: 'Recover…',

@@ -7,7 +7,7 @@ import { EditorDocument } from '../model/EditorDocument';
 import { Notices } from '../model/Notices';
 import { save } from './save';
 
-/** What the picker gives. */
+/** Result of the fake file picker. */
 let picked: FileSystemFileHandle | null = null;
 
 vi.mock('browser-fs-access', () => ({
@@ -19,7 +19,7 @@ vi.mock('browser-fs-access', () => ({
   },
 }));
 
-/** A file on a disk, which others write too. */
+/** A fake file on disk, which other programs also write. */
 class DiskFile {
   writes = 0;
   lastModified = 1;
@@ -45,7 +45,7 @@ class DiskFile {
   }
 }
 
-/** An editor of a file, as far as saving asks for it. */
+/** A stub of an editor with an open file, sufficient for saving. */
 async function editorOf(disk: DiskFile): Promise<{ editor: EditorApi; said: () => string[] }> {
   const document = new EditorDocument();
   const log = new ConsoleLog();
@@ -72,7 +72,7 @@ beforeEach(() => {
   picked = null;
 });
 
-/** Waits for a question other than one that is known. */
+/** Waits for the next question, other than a known one. */
 const question = ({ dialogs }: EditorApi, known: ConfirmDialog | null = null): Promise<ConfirmDialog> =>
   new Promise((resolve) => {
     const look = (): void => {
@@ -87,7 +87,7 @@ const question = ({ dialogs }: EditorApi, known: ConfirmDialog | null = null): P
 
 test('a file that is as it was opened, or as it was saved last, is saved without a question', async () => {
   const { editor, said } = await editorOf(disk);
-  // another program has touched it, and changed nothing
+  // another program has changed the time, but not the content
   disk.lastModified = 2;
   await save.run(editor);
   await save.run(editor);
@@ -106,7 +106,7 @@ test('a file that another has changed is not saved over before the user says so'
   expect(disk.text).toBe('{"other": 1}');
   expect(disk.writes).toBe(1);
 
-  // the same size, and changed once more while the question is open
+  // changed again, to content of the same size, while the question is open
   const saved = Promise.resolve(save.run(editor));
   const first = await question(editor);
   disk.text = '{"third": 1}';

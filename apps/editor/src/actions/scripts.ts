@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 
-/** Adds a script to the library, and its component to the selected objects, and shows it. */
+/** Adds a script to the library and its component to the selected objects, and opens the script. */
 export const newScript: Action = {
   id: 'script.new',
   label: 'New script',

@@ -2,7 +2,7 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import type { Shading } from '../viewport/shading/Shading';
 
-/** Has the active view show the scene in a way, and remembers it. */
+/** Sets the active view's shading, and remembers it. */
 export function setShading({ viewport, preferences }: EditorApi, shading: Shading): void {
   const { active } = viewport.panes;
   viewport.shade(active, shading);
@@ -20,7 +20,7 @@ const shading = (name: Shading & string, label: string): Action => ({
   enabled: ({ viewport }) => viewport.painter === null,
 });
 
-/** How the active view shows the scene. */
+/** One action for each shading of the active view. */
 export const shadings: readonly Action[] = [
   shading('scene', "As the scene's technique lights it"),
   shading('unlit', 'Unlit colours'),
@@ -28,7 +28,7 @@ export const shadings: readonly Action[] = [
   shading('wireframe', 'Wireframe'),
 ];
 
-/** Opens the menu of shadings in the viewport. */
+/** Opens the viewport's menu of shadings. */
 export const showShadings: Action = {
   id: 'view.shadingMenu',
   label: 'Choose the shading…',

@@ -1,18 +1,18 @@
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 
-/** Puts the focus into a panel once it is there. */
+/** Focuses a panel once it is rendered. */
 function focusPanel(id: string): void {
   requestAnimationFrame(() => document.getElementById(`panel-${id}`)?.focus());
 }
 
-/** The panel whose tab or content has the focus. */
+/** Id of the panel whose tab or content has the focus. */
 function focusedPanel(): string | null {
   const place = document.activeElement?.closest('[role="tabpanel"], [role="tab"]');
   return place?.id.replace(/^(panel|tab)-/, '') ?? null;
 }
 
-/** Goes round the panels in front. */
+/** Focuses the next or previous panel in front. */
 function goRound(by: 1 | -1): void {
   const shown = [...document.querySelectorAll('.dock-panel:not([hidden])')].map(({ id }) => id.replace('panel-', ''));
   const at = shown.indexOf(focusedPanel() ?? '');
@@ -56,7 +56,7 @@ export const resetPanels: Action = {
   run: ({ layout }) => layout.reset(),
 };
 
-/** One action for each panel: shows it, puts the focus there, or closes it when it is in front. */
+/** One action for each panel: shows and focuses it, or closes it when it is in front. */
 export const showPanels = ({ panels }: EditorApi): Action[] =>
   panels.list.map(({ id, title, icon }) => ({
     id: `panels.show.${id}`,

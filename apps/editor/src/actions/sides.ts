@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { Vector3 } from 'three';
 import type { Action } from '../api/Action';
 
-/** The sides that a scene is looked at from: name, direction from the scene to the camera, and key. */
+/** Views of the scene along the axes: name, direction from the target to the camera, and key. */
 export const sides = [
   ['right', [1, 0, 0], 'Numpad3'],
   ['left', [-1, 0, 0], 'Ctrl+Numpad3'],
@@ -14,7 +14,7 @@ export const sides = [
 
 export type Side = (typeof sides)[number][0];
 
-/** What a side is called. */
+/** Display name of a side. */
 export function sideName(side: Side): string {
   switch (side) {
     case 'right':
@@ -41,7 +41,7 @@ const labels: Readonly<Record<Side, string>> = {
   back: 'Look from the back',
 };
 
-/** Looks from each side at the point that is orbited, without perspective until the picture is turned. */
+/** One action for each side: views the orbit target from there, orthographically until the user orbits. */
 export const lookFrom: readonly Action[] = sides.map(([side, direction, key]) => ({
   id: `view.${side}`,
   label: labels[side],

@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 import type { BuiltinSurface, BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
 
-/** Adds a surface to the library; what is selected wears it, by a material of its own. */
+/** An action that adds a surface to the library; the selected objects get it by a new material. */
 const newSurface = (id: BuiltinSurfaceName, label: string, nameOf: () => string): Action => ({
   id: `surface.${id}`,
   label,

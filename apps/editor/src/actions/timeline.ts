@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
-/** Keys of place, turn and size of the selected objects at the playhead of the Timeline. */
+/** Adds keys of position, rotation and scale of the selected objects at the playhead. */
 export const addKeys: Action = {
   id: 'timeline.key',
   label: 'Add keys at the playhead',
@@ -22,7 +22,7 @@ export const addKeys: Action = {
   enabled: (editor) => hasSelection(editor) && editor.document.simulation.state === 'stopped',
 };
 
-/** Whether edits of fields become keys of the clip. */
+/** Switches recording, by which edits of fields become keys of the clip. */
 export const record: Action = {
   id: 'timeline.record',
   label: 'Record keys',

@@ -22,7 +22,7 @@ export const showIcons: Action = {
   checked: ({ viewport }) => viewport.showIcons,
 };
 
-/** Of all lights, or of those that are selected. */
+/** Shows ranges of all lights, or only of selected ones. */
 export const showRanges: Action = {
   id: 'view.ranges',
   label: 'Ranges of all lights, not of selected ones alone',
@@ -34,7 +34,7 @@ export const showRanges: Action = {
   checked: ({ viewport }) => viewport.showRanges,
 };
 
-/** Of all objects, or of those that are selected. */
+/** Shows colliders of all objects, or only of selected ones. */
 export const showColliders: Action = {
   id: 'view.colliders',
   label: 'Colliders and joints of all objects, not of selected ones alone',
@@ -46,7 +46,7 @@ export const showColliders: Action = {
   checked: ({ viewport }) => viewport.showColliders,
 };
 
-/** They are in the way of work: what is out of focus cannot be seen. */
+/** Shows the scene's effects, such as depth of field, which can be in the way of editing. */
 export const showPictureEffects: Action = {
   id: 'view.pictureEffects',
   label: 'Picture effects: bloom, depth of field, grading, vignette',

@@ -1,6 +1,6 @@
 import type { Action } from '../api/Action';
 
-/** Shows samples, recent files and the tour. */
+/** Opens the welcome page with samples, recent files and the tour. */
 export const welcome: Action = {
   id: 'file.welcome',
   label: 'Welcome…',
@@ -9,7 +9,7 @@ export const welcome: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'welcome', recovery: null }),
 };
 
-/** Leads round the window. */
+/** Starts the tour of the window. */
 export const startTour: Action = {
   id: 'help.tour',
   label: 'Tour of the editor',

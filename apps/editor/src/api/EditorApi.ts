@@ -27,135 +27,138 @@ import type { FieldEditorProps } from './FieldEditorProps';
 import type { KeyBindings } from './KeyBindings';
 import type { PreferenceStore } from './preferences';
 
-/** The file that the document is saved to. */
+/** The file that the document was opened from or saved to. */
 export interface OpenFile {
-  /** Its name; null for a document that has not been saved. */
+  /** File name; null for a document that was never saved. */
   readonly name: string | null;
-  /** Where the browser lets us write again; null where it does not. */
+  /** Handle to write the file again; null in browsers that give none. */
   readonly handle: FileSystemFileHandle | null;
-  /** Mark of the bytes that the document was read from, or written as, last (see `seenFile`); absent where it is not known. */
+  /** Hash of the bytes last read or written (see `seenFile`); absent when unknown. */
   readonly seen?: string;
 }
 
-/** What stores the document's changes for a tab that is killed. */
+/** Stores unsaved changes, for recovery when the tab is killed. */
 export interface DraftKeeper {
-  /** Whether everything is stored as it is now. */
+  /** Whether the present state is stored. */
   readonly isUpToDate: boolean;
-  /** Offers what tabs that were killed have left. @returns whether there was any */
+  /** Offers unsaved scenes of killed tabs. @returns whether there are any */
   offerRecovery(): Promise<boolean>;
 }
 
-/** The control of the fields of a plugin's type. */
+/** Control for fields of a plugin's type. */
 export interface CustomFieldEditor {
-  /** Name of the type of fields. */
+  /** Name of the field type. */
   readonly id: string;
   readonly editor: ComponentType<FieldEditorProps<CustomField>>;
 }
 
 /**
- * One editor, as its actions, panels, fields and plugins know it; the class `Editor` is one. Several may be on one page:
- * each has registries, preferences and a layout of its own.
+ * An editor as seen by its actions, panels, fields and plugins; implemented by the class `Editor`. A page may have
+ * several, each with its own registries, preferences and layout.
  */
 export interface EditorApi {
   /** Scene, selection, simulation and history. */
   readonly document: EditorDocument;
-  /** Canvas, camera, gizmo and renderer. */
+  /** Canvas, cameras, gizmo and renderer. */
   readonly viewport: Viewport;
   readonly microShaders: MicroShaderEditing;
-  /** What the Microshaders panel shows. */
+  /** Place shown by the Microshaders panel. */
   readonly microShaderPlace: PlaceToShow;
-  /** What the Scripts panel shows. */
+  /** Place shown by the Scripts panel. */
   readonly scriptPlace: PlaceToShow;
   readonly dialogs: Dialogs;
   readonly clipboard: Clipboard;
-  /** What is open over the picture, such as copies that are being arranged. */
+  /** Tool that is open over the viewport, such as the arranging of copies. */
   readonly tools: Tools;
-  /** The clip that is edited; null until the Timeline panel was first shown: see `timelineOf`. */
+  /** The timeline; null until the Timeline panel is first shown, see `timelineOf`. */
   timeline: Timeline | null;
-  /** What the Console panel shows. */
+  /** Messages of the Console panel. */
   readonly log: ConsoleLog;
   readonly notices: Notices;
-  /** The files that were last opened or saved. */
+  /** Files that were last opened or saved. */
   readonly recentFiles: RecentFiles;
   readonly tour: Tour;
-  /** Whether changes are kept for a tab that is killed. */
+  /** Whether unsaved changes are being stored. */
   readonly drafts: Drafts;
 
-  /** Everything that the user can do by a key or a menu. */
+  /** All commands that the user can run. */
   readonly actions: Registry<Action>;
-  /** The user's keys for the actions. */
+  /** The user's key bindings. */
   readonly keys: KeyBindings<Action>;
   readonly panels: PanelRegistry;
-  /** Where the panels are. */
+  /** Layout of the panels. */
   readonly layout: PanelLayout;
-  /** Types of components that can be added, and that files may hold. */
+  /** Component types that can be added, and read from files. */
   readonly components: ComponentRegistry;
-  /** Controls of the types of fields that plugins brought. */
+  /** Controls for field types of plugins. */
   readonly fieldEditors: Registry<CustomFieldEditor>;
   readonly preferences: PreferenceStore;
-  /** What was added by `addPlugin`; `changed` emits when a plugin comes or goes. */
+  /** Plugins added by `addPlugin`; `changed` emits when one is added or removed. */
   readonly plugins: { readonly changed: Signal; readonly list: readonly EditorPlugin[] };
 
   /** Emits when the user asks to rename the selected object. */
   readonly renameRequested: Signal;
-  /** Emits when another file, or another scene, is edited. */
+  /** Emits when another file or scene is opened. */
   readonly fileChanged: Signal;
-  /** Scenes to begin with, by name. */
+  /** Samples by name. */
   readonly samples: Readonly<Record<string, Sample>>;
   /** Fulfilled when the first scene is loaded and drawn. */
   readonly ready: Promise<void>;
-  /** Stores changes; null until it has begun, soon after `ready`, and where the browser cannot. */
+  /** Stores unsaved changes; null until soon after `ready`, and in browsers without the necessary storage. */
   readonly autosave: DraftKeeper | null;
-  /** Whether the code that opens and saves files has been fetched, so that both work without a network. */
+  /** Whether the code for opening and saving files has been fetched, so that both work offline. */
   readonly worksOffline: boolean;
-  /** The history: `document.commands`. */
+  /** The history, same as `document.commands`. */
   readonly commands: CommandStack;
   readonly file: OpenFile;
 
-  /** Notes that the document, as it was after a step of its history, was saved to a file. @param step - null for none */
+  /** Notes that the document was saved to a file. @param step - last step of the history at that time; null for none */
   saved(file: OpenFile, step: Command | null): void;
-  /** The scene as the text of a file. */
+  /** The scene as JSON text, in the file format. */
   serialize(): string;
-  /** Opens one of the engine's scenes. @throws Error (as a rejection) when it cannot be made; the present scene stays */
+  /**
+   * Opens one of the engine's demo scenes. @throws Error (as a rejection) when it cannot be made; the present scene
+   * stays
+   */
   openScene(name: string, parameters?: SceneParameters): Promise<void>;
   /** Opens one of `samples`. @throws Error (as a rejection) when it cannot be made or read; the present scene stays */
   openSample(name: string): Promise<void>;
-  /** A library for the scene that comes next: the present one where nothing of the user's is in it, else a new one. */
+  /** Asset library for the next scene: the present one if the user added nothing to it, else a new one. */
   libraryForNext(): EditorDocument['assets'];
   /**
-   * Opens a file: a `.farol` container, or plain JSON. It is checked, and its assets are loaded, before anything changes:
-   * of a broken file a dialog lists all problems, and the present scene stays. Of a good one the user is asked what becomes of
-   * unsaved changes.
-   * @param bytes - of the file, or the scene as text
-   * @param fileOf - assets that came with a text, by their paths in it
-   * @returns whether it was opened
+   * Opens a file: a `.farol` container, or JSON. File and assets are checked before anything changes; a dialog lists
+   * all problems of a broken file, and the present scene stays. Asks about unsaved changes before replacing the scene.
+   * @param bytes - the file's bytes, or the scene as text
+   * @param fileOf - gives assets that came with a text, by their paths in it
+   * @returns whether the file was opened
    */
   openFileBytes(bytes: Uint8Array | string, file: OpenFile, fileOf?: (path: string) => Blob | null): Promise<boolean>;
-  /** Asks before packed data become large. */
+  /** Asks before compressed data expand to a large size. */
   mayUnpack(this: void, sizes: UnpackQuestion): Promise<boolean>;
-  /** Asks what becomes of unsaved changes, when there are any. @returns whether another scene may take this one's place */
+  /** Asks about unsaved changes, when there are any. @returns whether the scene may be replaced */
   mayLoseChanges(): Promise<boolean>;
-  /** Runs something; what it throws becomes a message, save where the user turned back from choosing a file. */
+  /** Runs a function. Errors become messages; cancelling a file picker is ignored. */
   attempt(run: () => unknown): void;
   /**
-   * Adds all that a plugin brings, or nothing. Components of the scene that were kept as data are themselves again.
-   * @throws Error naming what there is already
+   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data become real
+   * again.
+   * @throws Error naming what exists already
    */
   addPlugin(plugin: EditorPlugin): void;
   /**
-   * Takes out all that a plugin brought. Its components stay in the scene as data, which are kept and saved; undo brings
-   * the plugin back.
+   * Removes everything that a plugin added. Its components stay in the scene as data, which are saved; undo adds the
+   * plugin again.
    * @throws Error when there is no plugin of that name
    */
   removePlugin(name: string): void;
-  /** Shows a microshader in its panel, at a line (from 1) if one is given. */
+  /** Opens a microshader in its panel, at a line (from 1) if given. */
   openMicroShader(chunk: string, line?: number): void;
-  /** Shows a script of the scene in its panel, at a line (from 1) if one is given. */
+  /** Opens a script in its panel, at a line (from 1) if given. */
   openScript(name: string, line?: number): void;
   /**
-   * Edits another scene, with an empty history.
-   * @param runsScripts - whether its scripts run, as they do when absent; those of a scene of somebody else's are off until
-   * the user says so
+   * Replaces the scene, with an empty history.
+   * @param runsScripts - whether its scripts run, the default; those of a scene from elsewhere are off until the user
+   *   allows them
    */
   show(scene: Scene, file: OpenFile, runsScripts?: boolean): void;
 }

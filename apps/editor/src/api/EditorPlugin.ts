@@ -8,36 +8,36 @@ import type { Action } from './Action';
 import type { EditorApi } from './EditorApi';
 import type { FieldEditorProps } from './FieldEditorProps';
 
-/** A type of fields: what it allows, and what it is edited with. Declare fields of it by the engine's `custom`. */
+/** A field type: its allowed values, and its control. Fields of it are declared with the engine's `custom`. */
 export interface PluginFieldType extends FieldType {
   readonly editor: ComponentType<FieldEditorProps<CustomField>>;
 }
 
-/** An effect: what the Frame panel says of it, and how one is made. */
+/** An effect: its texts in the Frame panel, and its constructor. */
 export interface PluginEffect {
   readonly label: string;
-  /** One line. */
+  /** Short description, one line. */
   readonly help: string;
-  /** A new effect, made when it is first switched on. */
+  /** Creates the effect, when it is first switched on. */
   make(): FarolEffect;
 }
 
-/** What a plugin brings; all parts but the name may be left out. See `EditorApi.addPlugin` and `removePlugin`. */
+/** A plugin; all parts but the name are optional. See `EditorApi.addPlugin` and `removePlugin`. */
 export interface EditorPlugin {
-  /** Its own in an editor; named in messages. */
+  /** Unique name, used in messages. */
   readonly name: string;
   readonly panels?: readonly Panel[];
-  /** Classes that extend the engine's `component({ … })`: in the menu Add component, the inspector, files and undo. */
+  /** Classes that extend the engine's `component({ … })`; available in the Add menu, inspector, files and undo. */
   readonly components?: readonly ComponentClass[];
   readonly fieldTypes?: readonly PluginFieldType[];
-  /** By key: in every menu of techniques. */
+  /** Techniques by key; available in every menu of techniques. */
   readonly techniques?: Readonly<Record<string, Technique>>;
-  /** By key: in the Frame panel, where each is switched. */
+  /** Effects by key; switched in the Frame panel. */
   readonly effects?: Readonly<Record<string, PluginEffect>>;
-  /** By name: text in the form of a `.glsl` file, for `#include` in every renderer of the editor. */
+  /** Microshaders by name, as text of a `.glsl` file; can be included in all shaders of the editor. */
   readonly microshaders?: Readonly<Record<string, string>>;
-  /** Commands: in the palette, on the page of keys, and by their keys. */
+  /** Actions; available in the palette, on the page of keys, and by their keys. */
   readonly actions?: readonly Action[];
-  /** Called last. What it returns is called first when the plugin is removed. */
+  /** Called after everything else was added. The returned function is called first when the plugin is removed. */
   setUp?(editor: EditorApi): (() => void) | void;
 }

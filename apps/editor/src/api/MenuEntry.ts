@@ -2,23 +2,23 @@ import { type Action, labelOf } from './Action';
 import type { EditorApi } from './EditorApi';
 import type { IconName } from '../style/iconPaths';
 
-/** One line of a menu: something to do, a submenu, or a line between groups. */
+/** An entry of a menu: a command, a submenu, or a separator. */
 export type MenuEntry =
   | {
       readonly label: string;
       readonly help?: string;
       readonly icon?: IconName;
-      /** Key shown at the right. */
+      /** Key combination shown at the right. */
       readonly keys?: string;
       readonly disabled?: boolean;
-      /** For what is on or off: whether it is on. */
+      /** For switches: whether it is on. */
       readonly checked?: boolean;
       run(): void;
     }
   | { readonly label: string; readonly icon?: IconName; readonly entries: readonly MenuEntry[] }
   | 'separator';
 
-/** The line of an action. */
+/** The menu entry of an action. */
 export function actionEntry(action: Action, editor: EditorApi): MenuEntry {
   return {
     label: labelOf(action, editor),

@@ -1,16 +1,16 @@
 import { type SceneDefinition, scenes } from '@farol/scenes';
 
-/** A scene to look at and to learn from. */
+/** A sample scene. */
 export interface Sample {
-  /** Also that of its picture. */
+  /** Unique name, also of its thumbnail. */
   readonly name: string;
-  /** In English. */
+  /** Label, in English. */
   readonly label: string;
-  /** What to try, in English. */
+  /** Hint on something to try, in English. */
   readonly help: string;
-  /** Its file in `public/scenes`; null for a scene that the engine makes. */
+  /** File name in `public/scenes`; null for a demo scene of the engine. */
   readonly file: string | null;
-  /** The engine's scene; null for a file. */
+  /** Demo scene of the engine; null for a file. */
   readonly scene: SceneDefinition | null;
 }
 
@@ -19,7 +19,7 @@ const ofFile = (file: string, label: string, help: string): Sample => ({
   ...{ label, help, file, scene: null },
 });
 
-/** Files that `packages/tools/makeSamples.mjs` writes. */
+/** Samples in files, written by `packages/tools/makeSamples.mjs`. */
 const ofFiles: readonly Sample[] = [
   ofFile(
     'night-in-the-temple.farol',
@@ -69,7 +69,7 @@ const ofFiles: readonly Sample[] = [
   ),
 ];
 
-/** All samples by name, in the order in which they are shown. */
+/** All samples by name, in display order. */
 export const samples: Readonly<Record<string, Sample>> = Object.fromEntries(
   [
     ...ofFiles,

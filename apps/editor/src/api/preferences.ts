@@ -6,32 +6,32 @@ import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
 
-/** What the user has set up of the editor itself; kept in the browser, not in files. */
+/** The user's preferences, stored in the browser, not in files. */
 export interface Preferences {
-  /** Components that are folded in the inspector, by type. */
+  /** Folded components in the inspector, by type. */
   folded: Readonly<Record<string, boolean>>;
-  /** 'system' follows the system's light or dark. */
+  /** 'system' follows the system's setting. */
   theme: 'dark' | 'light' | 'system';
-  /** Null for the first of the browser's that there is. */
+  /** Null for the first supported language of the browser's list. */
   language: Language | null;
-  /** By what drags of the handles go while they snap: metres, degrees, part of the size; each above 0. */
+  /** Snapping increments of the gizmo: m, degrees, share of the size; each above 0. */
   snapSteps: { readonly translate: number; readonly rotate: number; readonly scale: number };
-  /** Whether the welcome is shown when the editor opens. */
+  /** Whether the welcome page is shown when the editor opens. */
   showWelcome: boolean;
-  /** What drags hold to while they snap, and whether what is moved to a surface is turned along it. */
+  /** Target of snapping, and whether objects dropped on a surface are rotated to its normal. */
   snapTo: SnapTarget;
   alignsToSurface: boolean;
-  /** What several objects turn and grow about. */
+  /** Point that several objects rotate and scale about. */
   pivot: GizmoPivot;
-  /** Whether scenes that play are silent. */
+  /** Whether playing scenes are muted. */
   isMuted: boolean;
-  /** One view or four, and how they show the scene. */
+  /** One view or four, and their shadings. */
   views: ViewChoice;
 }
 
 export type PreferenceStore = StoreApi<Preferences>;
 
-/** The preferences of one editor. @param storage - key in the browser's storage */
+/** The preferences of one editor. @param storage - key in localStorage */
 export const createPreferences = (storage: string): PreferenceStore =>
   createStore<Preferences>()(
     persist(

@@ -13,7 +13,7 @@ const refuse = (): never => {
   throw new DOMException('The quota has been exceeded.', 'QuotaExceededError');
 };
 
-/** Storages of browsers that are full, that are blocked, and that hold what nobody wrote. */
+/** Fake storages: one that is full, one that is blocked, and one with malformed content. */
 const storages: Record<string, object> = {
   full: { getItem: () => null, setItem: refuse, removeItem: refuse },
   blocked: { getItem: refuse, setItem: refuse, removeItem: refuse },

@@ -14,7 +14,7 @@ interface AssetOption extends SearchOption {
   readonly entry: AssetEntry;
 }
 
-/** What an asset is called in the list; of the clips of a model first what the model calls them. */
+/** Label of an asset in the list; clips begin with their own name, before the model's. */
 function nameOf(assets: AssetLibrary, { name, kind, label }: AssetEntry): string {
   const model = kind === 'clip' ? assets.modelOf(name) : null;
   if (model !== null) return `${label.replace(/^clip-\d+-/, '')} (${model})`;
@@ -36,19 +36,19 @@ const noneOf = (type: AssetField['assetType']): string =>
     bake: t('No baked light'),
   })[type];
 
-/** What fits first: to a map of normals what holds normals, to others what does not; other sizes of a texture last. */
+/** Sort rank of an asset: textures of the kind that the field needs (normal map or not), then others, then variants. */
 function rankOf(assets: AssetLibrary, entry: AssetEntry, isForNormals: boolean | null): number {
   if (entry.isVariant) return 2;
   return isForNormals === null || holdsNormals(assets, entry.name) === isForNormals ? 0 : 1;
 }
 
-/** Whether a texture goes to a map of normals; null where a field is no map of a material. */
+/** Whether a field takes a normal map; null when it is not a map of a material. */
 function isForNormals(name: string): boolean | null {
   const map: MaterialMap | undefined = (materialMaps as Readonly<Record<string, MaterialMap>>)[name];
   return map ? (map.isNormals ?? false) : null;
 }
 
-/** The name of an asset: chosen from a list with pictures, or dropped from the Assets panel. */
+/** Chooses an asset from a list with thumbnails, or by a drop from the Assets panel. */
 export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
   const { field, name, value, mixed, label, description, disabled, onCommit } = props;
   const editor = useEditor();
@@ -64,7 +64,7 @@ export function AssetEditor(props: FieldEditorProps<AssetField>): ReactNode {
       .filter(({ kind }) => kind === assetType)
       .map((entry) => ({ value: entry.name, label: nameOf(assets, entry), entry }))
       .toSorted((a, b) => rank(a) - rank(b));
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the library
   }, [scene, assets, assetType, name, revision]);
   const placeholder = mixed ? '—' : noneOf(assetType);
   const pictureOf = (option: SearchOption): ReactNode => {

@@ -4,7 +4,7 @@ import type { ReactNode } from 'react';
 import { SelectBox } from '../ui/SelectBox';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 
-/** Options without a label are words as files hold them, such as 'point'. */
+/** Capitalises an option without a label of its own, such as 'point'. */
 const capital = (text: string): string => text.charAt(0).toLocaleUpperCase() + text.slice(1);
 
 export function ChoiceEditor(props: FieldEditorProps<ChoiceField>): ReactNode {

@@ -5,7 +5,7 @@ import type { ReactNode } from 'react';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { ColourPicker } from './ColourPicker';
 
-/** A linear colour, shown as sRGB and a factor of intensity where it is brighter than a screen. */
+/** A linear colour, edited as sRGB with an intensity factor for colours brighter than the screen. */
 export function ColourEditor(props: FieldEditorProps<ColourField>): ReactNode {
   const { value, mixed, label, description, disabled } = props;
   const { hex, intensity } = splitColour(value ?? [0, 0, 0]);

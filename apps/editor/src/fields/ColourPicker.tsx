@@ -11,17 +11,17 @@ type ColourPickerProps = Pick<
   'value' | 'mixed' | 'label' | 'onPreview' | 'onCommit' | 'onAmend' | 'onDiscard'
 >;
 
-/** A linear colour to be picked or typed: as sRGB, and a factor where it is brighter than a screen. */
+/** Picks or types a linear colour, as sRGB with an intensity factor for colours brighter than the screen. */
 export function ColourPicker(props: ColourPickerProps): ReactNode {
   const { value, mixed, label, onPreview, onCommit, onAmend, onDiscard } = props;
   const { hex, intensity } = splitColour(value ?? [0, 0, 0]);
-  /** Whether the button, the finger or a key is down that changes the picker. */
+  /** Whether a button, finger or key that changes the picker is down. */
   const pressed = useRef(false);
 
   const pick = (next: string): void => {
     const update = withScreenColour(next);
     if (!update || next === hex) return;
-    // the picker tells of its last change after the next frame, on a busy page long after the button is up
+    // the picker reports its last change a frame late, which may be after the button was released
     if (pressed.current) onPreview(update);
     else onAmend(update);
   };
@@ -35,7 +35,7 @@ export function ColourPicker(props: ColourPickerProps): ReactNode {
   };
   const pressPointer = (): void => {
     press();
-    // the pointer may go up outside of the picker
+    // the pointer may be released outside of the picker
     const end = new AbortController();
     const lift = (): void => {
       end.abort();
@@ -47,7 +47,7 @@ export function ColourPicker(props: ColourPickerProps): ReactNode {
   useEffect(() => {
     last.current = release;
   });
-  // what was picked when the picker went counts
+  // commits a pending change when the picker is closed
   useEffect(() => () => last.current(), []);
 
   return (

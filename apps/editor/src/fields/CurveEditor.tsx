@@ -7,7 +7,7 @@ import { valueRange } from './keys/valueRange';
 
 const CurvePopup = lazy(async () => ({ default: (await import('./keys/CurvePopup')).CurvePopup }));
 
-/** A curve, drawn small; a press opens its graph. */
+/** A thumbnail of a curve, which opens its graph. */
 export function CurveEditor(props: FieldEditorProps<CurveField>): ReactNode {
   const { field, value, mixed, label, description, disabled } = props;
   const picture =

@@ -4,7 +4,7 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 import { useEditor, useSignal } from '../ui/EditorContext';
 import { TechniqueEditor } from './TechniqueEditor';
 
-/** The control of a field of a type of its own; the value as text where no plugin has brought a control. */
+/** Control of a field of a custom type; the value as text when no plugin provides a control. */
 export function CustomEditor(props: FieldEditorProps<CustomField>): ReactNode {
   const { fieldEditors } = useEditor();
   useSignal(fieldEditors.changed);

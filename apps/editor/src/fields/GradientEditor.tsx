@@ -6,7 +6,7 @@ import { KeysPopover } from './keys/KeysPopover';
 
 const GradientPopup = lazy(async () => ({ default: (await import('./keys/GradientPopup')).GradientPopup }));
 
-/** A gradient as a bar; a press opens its stops. */
+/** A bar with a gradient, which opens its stops. */
 export function GradientEditor(props: FieldEditorProps<GradientField>): ReactNode {
   const { value, mixed, label, description, disabled } = props;
   const picture =

@@ -4,7 +4,7 @@ import { Icon } from '../ui/Icon';
 import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
 
 interface KeyEditorProps {
-  /** Code of the key (KeyboardEvent.code); null where several differ. */
+  /** KeyboardEvent.code; null when the values differ. */
   readonly value: string | null;
   /** Accessible name. */
   readonly label: string;
@@ -19,11 +19,11 @@ const others = ['Space', 'Enter', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRig
 const modifiers = ['ShiftLeft', 'ShiftRight', 'ControlLeft', 'ControlRight', 'AltLeft', 'AltRight'];
 const codes = [...letters, ...digits, ...others, ...modifiers];
 
-/** What a key is called: 'E' for 'KeyE', 'Arrow Up' for 'ArrowUp'. */
+/** Display name of a key code: 'E' for 'KeyE', 'Arrow Up' for 'ArrowUp'. */
 const nameOf = (code: string): string =>
   code === 'Space' ? t('Space') : code.replace(/^(Key|Digit)(?=.$)/, '').replaceAll(/([a-z])([A-Z\d])/g, '$1 $2');
 
-/** A key of the keyboard, by its place: pressed, or chosen from a list. */
+/** Chooses a key by position on the keyboard: pressed, or from a list. */
 export function KeyEditor({ value, label, description, disabled, onCommit }: KeyEditorProps): ReactNode {
   const [isListening, setListening] = useState(false);
   const options: SearchOption[] = codes.map((code) => ({ value: code, label: nameOf(code) }));

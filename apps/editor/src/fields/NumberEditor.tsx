@@ -4,7 +4,7 @@ import { type ReactNode, useMemo } from 'react';
 import { NumberInput } from '../ui/NumberInput';
 import type { FieldEditorProps } from '../api/FieldEditorProps';
 
-/** A number, or an angle in degrees; with a slider where it has a range. */
+/** A number, or an angle in degrees; with a slider if it has a range. */
 export function NumberEditor(props: FieldEditorProps<NumberField | AngleField>): ReactNode {
   const { field, value, onPreview, onCommit, ...rest } = props;
   const { toShown, fromShown, ...shown } = useMemo(() => numberDisplay(field), [field]);

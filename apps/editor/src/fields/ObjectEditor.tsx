@@ -13,7 +13,7 @@ export function ObjectEditor(props: FieldEditorProps<ObjectField>): ReactNode {
     const list: SearchOption[] = [];
     document.scene.traverse(({ id, name }) => list.push({ value: id, label: name }));
     return list;
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the tree
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the tree
   }, [document, revision]);
   const placeholder = mixed ? '—' : t(field.noneLabel ?? 'No object');
   return <SearchSelect {...{ value, options, label, description, disabled, placeholder }} onChange={onCommit} />;

@@ -8,10 +8,10 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 const KeyEditor = lazy(async () => ({ default: (await import('./KeyEditor')).KeyEditor }));
 
-/** A longer list than this is searched by typing. */
+/** Number of choices up to which a plain list is shown; longer ones are searched by typing. */
 const SHORT = 10;
 
-/** Any text; one of several where the owner says which there are; a key where it is the code of one. */
+/** A text field; a list when the owner gives choices; a key field for key codes. */
 export function StringEditor(props: FieldEditorProps<StringField>): ReactNode {
   const { field, value, mixed, label, description, disabled, choices, onCommit } = props;
   if (field.input === 'key') {

@@ -6,7 +6,7 @@ import { useEditor, useSignal } from '../ui/EditorContext';
 import { SelectBox } from '../ui/SelectBox';
 import { techniqueOptions } from '../ui/techniqueOptions';
 
-/** A technique of the renderer, those of plugins among them. */
+/** Chooses a technique of the renderer, including those of plugins. */
 export function TechniqueEditor(props: FieldEditorProps<CustomField>): ReactNode {
   const { value, label, description, disabled, onCommit } = props;
   const { plugins, viewport } = useEditor();

@@ -6,7 +6,7 @@ import type { FieldEditorProps } from '../api/FieldEditorProps';
 
 const axes = ['x', 'y', 'z'] as const;
 
-/** Three numbers side by side, one for each axis: a vector, or Euler angles in degrees. */
+/** Three numbers side by side: a vector, or Euler angles in degrees. */
 export function TripleEditor(props: FieldEditorProps<Vector3Field | EulerField>): ReactNode {
   const { field, value, parts, label, onPreview, onCommit, ...rest } = props;
   const { unit, min, max, step, toShown, fromShown } = useMemo(() => numberDisplay(field), [field]);

@@ -15,7 +15,7 @@ import { TripleEditor } from './TripleEditor';
 
 type FieldOf<K extends FieldKind> = Extract<Field, { kind: K }>;
 
-/** The editor of each kind of field. A kind without one does not compile. */
+/** The editor for each kind of field; complete, as the type ensures. */
 export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEditorProps<FieldOf<K>>> } = {
   number: NumberEditor,
   boolean: BooleanEditor,

@@ -33,19 +33,19 @@ import { soundPicture } from './soundPicture';
 /** Side of a thumbnail (pixels). */
 const SIZE = 96;
 
-/** Linear light as a byte of sRGB, bright parts rolled off. @see Reinhard 2002, equation 4, white at 4 */
+/** Tone-maps linear light to an sRGB byte. @see Reinhard 2002, equation 4, white at 4 */
 function encode(linear: number): number {
   const light = Math.max(0, linear);
   const toned = light <= 0.8 ? light : 0.8 + 0.2 * (1 - 1 / (1 + (light - 0.8) * 2));
   return 255 * (toned <= 0.0031308 ? toned * 12.92 : 1.055 * toned ** (1 / 2.4) - 0.055);
 }
 
-/** Draws small pictures of assets with the viewport's own renderer, one at a time while the page is idle. */
+/** Renders thumbnails of assets with the viewport's renderer, one at a time while the page is idle. */
 export class ThumbnailMaker {
   private readonly target = new WebGLRenderTarget(SIZE, SIZE, { type: HalfFloatType, samples: 4 });
   private readonly pixels = new Uint16Array(SIZE * SIZE * 4);
   private readonly pictures = new WeakMap<object, Map<string, Promise<string | null>>>();
-  /** Pictures that wait; what was asked for last is drawn first. */
+  /** Pending thumbnails; the one requested last is rendered first. */
   private readonly waiting: (() => Promise<void>)[] = [];
   private isDrawing = false;
 
@@ -53,7 +53,7 @@ export class ThumbnailMaker {
     whenLost(viewport.webgl, () => this.target.dispose());
   }
 
-  /** An address of a picture of an asset; null when none can be drawn now. It is drawn once for each state of the asset. */
+  /** URL of an asset's thumbnail; null when none can be rendered now. Cached until the asset changes. */
   pictureOf(entry: AssetEntry): Promise<string | null> {
     const { scene, assets } = this.viewport.document;
     if (entry.kind === 'script' || entry.kind === 'clip' || entry.kind === 'surface') return Promise.resolve(null);
@@ -64,7 +64,7 @@ export class ThumbnailMaker {
     if (!known) this.pictures.set(owner, (known = new Map()));
     const revision = material ? this.viewport.document.ownerSignal(material).revision : 0;
     const key = material ? String(revision) : `${entry.kind}/${entry.name}`;
-    // pictures of what the material was before
+    // drops thumbnails of earlier states of the material
     if (material && !known.has(key)) this.forget(known);
     let picture = known.get(key);
     if (!picture) {
@@ -73,7 +73,7 @@ export class ThumbnailMaker {
       });
       void this.drawWaiting();
       known.set(key, picture);
-      // what was not loaded yet is asked for again
+      // not cached: an asset that was not loaded yet is tried again
       void picture.then((address) => address ?? known.delete(key));
     }
     return picture;
@@ -89,7 +89,7 @@ export class ThumbnailMaker {
     this.isDrawing = false;
   }
 
-  /** Lets pictures go, once those that show them have had the time for others. */
+  /** Revokes URLs, after a delay in which their images are replaced. */
   private forget(pictures: Map<string, Promise<string | null>>): void {
     for (const picture of pictures.values()) {
       void picture.then((address) => address && setTimeout(() => URL.revokeObjectURL(address), 10_000));
@@ -97,7 +97,7 @@ export class ThumbnailMaker {
     pictures.clear();
   }
 
-  /** Draws an asset, after a lost context once more. */
+  /** Renders an asset, retrying once after a lost context. */
   private async draw(entry: AssetEntry, prefab: Prefab | null): Promise<string | null> {
     let picture: string | null | undefined;
     do {
@@ -128,7 +128,7 @@ export class ThumbnailMaker {
       stage.add(subject);
       return await this.render(stage, entry.kind === 'texture');
     } catch {
-      // an asset that cannot be drawn has its icon
+      // the asset cannot be rendered: its card shows an icon
       return null;
     } finally {
       release();
@@ -165,18 +165,18 @@ export class ThumbnailMaker {
     lights[1].position.set(2, 3, 2.5);
     stage.add(...lights);
     const camera = isFlat ? flatCamera() : cameraFor(stage);
-    // its pixels are read as half floats
+    // the result is read back as half floats
     if (!camera || !drawsFloats(webgl)) return null;
-    const before = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
+    const previousState = { target: webgl.getRenderTarget(), alpha: webgl.getClearAlpha(), autoClear: webgl.autoClear };
     webgl.setRenderTarget(this.target);
     webgl.setClearAlpha(0);
     webgl.autoClear = true;
     try {
       renderSmall(webgl, stage, camera);
     } finally {
-      webgl.setRenderTarget(before.target);
-      webgl.setClearAlpha(before.alpha);
-      webgl.autoClear = before.autoClear;
+      webgl.setRenderTarget(previousState.target);
+      webgl.setClearAlpha(previousState.alpha);
+      webgl.autoClear = previousState.autoClear;
       stage.remove(...lights);
     }
     if (!(await readPixels(webgl, this.target, 0, 0, SIZE, SIZE, this.pixels))) return undefined;
@@ -219,7 +219,7 @@ function flatCamera(): OrthographicCamera {
   return camera;
 }
 
-/** A camera that sees everything from the front, right and above; null where there is nothing to see. */
+/** A camera that frames everything from the front, right and above; null when there is nothing to see. */
 function cameraFor(stage: Scene): PerspectiveCamera | null {
   stage.updateMatrixWorld(true);
   const box = new Box3().setFromObject(stage);

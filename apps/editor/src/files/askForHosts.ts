@@ -2,11 +2,11 @@ import { formatCount, shortText, t } from '@farol/editing';
 import type { FileProblem, ForeignAddress } from '@farol/engine/files';
 import type { Dialogs } from '../model/Dialogs';
 
-/** Names of assets that are listed for a host, and hosts that are listed. */
+/** Number of hosts listed, and of assets listed for each. */
 const LISTED = 4;
 const HOSTS = 30;
 
-/** What is wanted from each host. */
+/** One line for each host, with the assets that it provides. */
 function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
   const byOrigin = new Map<string, string[]>();
   for (const { origin, asset } of addresses) {
@@ -25,7 +25,10 @@ function wants(addresses: readonly ForeignAddress[]): FileProblem[] {
     : listed;
 }
 
-/** Asks whether a scene may load from other hosts. @param name - of the file or link @returns whether from all of them */
+/**
+ * Asks whether a scene may load assets from other hosts. @param name - name of the file or link @returns whether all of
+ * them are allowed
+ */
 export const askForHosts = (dialogs: Dialogs, name: string, addresses: readonly ForeignAddress[]): Promise<boolean> =>
   dialogs.show({
     kind: 'problems',

@@ -5,27 +5,27 @@ import type { Prefab } from '@farol/engine/prefabs';
 import type { Texture } from 'three';
 import { canRename, splitName } from '../model/assetNames';
 
-/** What the Assets panel shows: assets of the library, and prefabs. */
+/** Kind of a card of the Assets panel: an asset type, or a prefab. */
 export type AssetKind = AssetType | 'prefab';
 
 /** One card of the Assets panel. */
 export interface AssetEntry {
   readonly kind: AssetKind;
-  /** Name of the asset, id of the prefab. */
+  /** Name of the asset, or id of the prefab. */
   readonly name: string;
   readonly label: string;
-  /** Whether it came with Farol, and cannot be deleted. */
+  /** Whether the asset is built in, so that it cannot be deleted. */
   readonly isBuiltin: boolean;
-  /** Path of the folder that it is in; '' for the top. */
+  /** Path of its folder; '' for the top. */
   readonly folder: string;
-  /** Whether it is another one over again: a built-in texture of another size, or one picture twice in a model. */
+  /** Whether it duplicates another entry: a built-in texture in another size, or an image used twice in a model. */
   readonly isVariant: boolean;
 }
 
-/** Whether a texture is one of light from all sides. */
+/** Whether a texture is an environment map. */
 export const isEnvironment = (name: string): boolean => /\.(hdr|exr)$/i.test(name);
 
-/** What a kind of asset is called. @param isMany - of several */
+/** Display name of a kind of asset. @param isMany - plural */
 export const kindLabel = (kind: AssetKind, isMany = false): string =>
   ({
     prefab: isMany ? t('Prefabs') : t('Prefab'),
@@ -49,7 +49,10 @@ function prefabEntry({ id, name }: Prefab): AssetEntry {
   return { ...shared, kind: 'prefab', name: id, folder, label: leaf };
 }
 
-/** A card of the Assets panel; null where nothing is of that name. @param name - of an asset, or id of a prefab, which goes first */
+/**
+ * A card of the Assets panel; null when nothing has this name. @param name - name of an asset, or id of a prefab, which
+ * has precedence
+ */
 export function assetEntry(scene: Scene, name: string): AssetEntry | null {
   const prefab = scene.prefabs.get(name);
   return prefab ? prefabEntry(prefab) : libraryEntry(scene.assets, name);
@@ -71,7 +74,7 @@ function libraryEntry(assets: AssetLibrary, name: string): AssetEntry | null {
   };
 }
 
-/** Everything that can be used in a scene: its own first, parts of models after them. */
+/** All assets and prefabs of a scene: its own first, then parts of models. */
 export function assetEntries(scene: Scene): AssetEntry[] {
   const { assets } = scene;
   const pictures = new Set<unknown>();
@@ -88,17 +91,17 @@ export function assetEntries(scene: Scene): AssetEntry[] {
   return [...scene.prefabs.list.map(prefabEntry), ...entries.toSorted((a, b) => rank(a) - rank(b))];
 }
 
-/** A built-in texture of another size than the usual one: 'stone@512'. */
+/** Whether a built-in texture is another size of one: 'stone@512'. */
 const isOtherSize = (assets: AssetLibrary, name: string): boolean =>
   assets.isBuiltin(name) && assets.has(name.replace(/@\d+$/, '')) && /@\d+$/.test(name);
 
-/** What the textures of a model share that show one picture; null for what is no part. */
+/** Image that several textures of a model may share; null for textures that are no part of a model. */
 function pictureOf(assets: AssetLibrary, { kind, name }: AssetEntry): unknown {
   if (kind !== 'texture' || assets.modelOf(name) === null || !assets.isReady('texture', name)) return null;
   return (assets.texture(name) as Texture<unknown>).image;
 }
 
-/** Whether a texture holds normals, as its name says, or the material of the model that it is a part of. */
+/** Whether a texture is a normal map, judging by its name or by its use in its model. */
 export function holdsNormals(assets: AssetLibrary, name: string): boolean {
   if (/(^|[^a-z])(normals?|nrm|nor|norm|n)([^a-z]|$)/i.test(splitName(name).leaf.replace(/\.\w+$/, ''))) return true;
   const model = assets.modelOf(name);

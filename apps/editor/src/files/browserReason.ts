@@ -1,12 +1,12 @@
 import { t } from '@farol/editing';
 
-/** Why the browser refused to write something, as the end of a sentence, and the mend as a sentence of its own. */
+/** Why the browser refused to write a file, as the end of a sentence; and the remedy, as a sentence of its own. */
 export interface BrowserReason {
   readonly why: string;
   readonly mend: string;
 }
 
-/** Letters of a message of the browser's that are shown. */
+/** Longest message of a browser that is shown (characters). */
 const LONGEST = 200;
 
 const known = (): Readonly<Record<string, BrowserReason>> => ({
@@ -22,12 +22,12 @@ const known = (): Readonly<Record<string, BrowserReason>> => ({
   },
   InvalidStateError: { why: t('the file has changed meanwhile'), mend: t('Save again, or choose another place.') },
   NotReadableError: { why: t('the disk cannot be read'), mend: t('Choose another place.') },
-  // a picker that the user turned back from is no failure and does not come here
+  // the user's cancellation of a picker is no failure, and is handled elsewhere
   AbortError: { why: t('the browser refused the file'), mend: t('Save again under another name.') },
   SecurityError: { why: t('the browser did not allow it'), mend: t('Save once more.') },
 });
 
-/** The name and message of what was thrown: a DOMException, an Error or anything else. */
+/** Name and message of anything thrown: a DOMException, an Error or another value. */
 export function namedError(error: unknown): { name: string; message: string } {
   if (typeof error !== 'object' || error === null) return { name: 'Error', message: String(error) };
   const { name, message } = error as { name?: unknown; message?: unknown };
@@ -37,7 +37,7 @@ export function namedError(error: unknown): { name: string; message: string } {
   };
 }
 
-/** A message of the browser's as the end of a sentence: no capital, no full stop, not too long; never empty. */
+/** A browser's message as the end of a sentence: no capital, no full stop, shortened; never empty. */
 export function asClause({ name, message }: { name: string; message: string }): string {
   const text = message.trim().replaceAll(/\s+/g, ' ');
   if (text === '') return t('the browser gives no reason but {name}', { name });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { draggedAsset, setDraggedAsset } from './dragAsset';
 
-/** The data of a drag, as a browser keeps it. */
+/** A DataTransfer as a browser provides during a drag. */
 function transferOf(text?: string): DataTransfer {
   const data = new Map<string, string>(text === undefined ? [] : [['application/x-farol-asset', text]]);
   return {

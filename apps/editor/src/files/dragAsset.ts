@@ -1,20 +1,20 @@
 import type { AssetKind } from './assetKinds';
 
-/** What is dragged from the Assets panel. */
+/** An asset dragged from the Assets panel. */
 export interface DraggedAsset {
   readonly kind: AssetKind;
-  /** Name of the asset, id of the prefab. */
+  /** Name of the asset, or id of the prefab. */
   readonly name: string;
-  /** All that is dragged with it, itself included; itself alone when absent. */
+  /** Names of all dragged assets, including this one; only this one when absent. */
   readonly names?: readonly string[];
 }
 
 const TYPE = 'application/x-farol-asset';
 
-/** Types can be read while something is dragged, what they hold only when it is dropped: the kind is in the type. */
+/** During a drag only types can be read, not data: so the type contains the asset's kind. */
 const typeOf = (kind: AssetKind): string => `${TYPE}-${kind}`;
 
-/** Begins a drag. @param names - of all that are dragged with the asset, itself included */
+/** Starts a drag. @param names - names of all dragged assets, including this one */
 export function setDraggedAsset(
   transfer: DataTransfer,
   { kind, name }: DraggedAsset,
@@ -27,7 +27,7 @@ export function setDraggedAsset(
   transfer.effectAllowed = 'copy';
 }
 
-/** Whether an asset is dragged, of this kind if one is given. */
+/** Whether an asset is dragged, optionally of a given kind. */
 export const isAssetDrag = (transfer: DataTransfer, kind?: AssetKind): boolean =>
   transfer.types.includes(kind ? typeOf(kind) : TYPE);
 
@@ -36,7 +36,7 @@ export const isFileDrag = (transfer: DataTransfer): boolean => transfer.types.in
 
 const isText = (value: unknown): value is string => typeof value === 'string';
 
-/** The asset that is dropped; null when it is none of the editor's: any page can have its own dragged under that type. */
+/** The dropped asset; null when the data is malformed, since other pages can use the same type. */
 export function draggedAsset(transfer: DataTransfer): DraggedAsset | null {
   try {
     const asset = JSON.parse(transfer.getData(TYPE)) as DraggedAsset;

@@ -44,7 +44,7 @@ async function drop(
 test('a scene among files is opened; a .json beside models is none', async () => {
   expect(await drop('room/wall.ply', 'room/room.farol')).toMatchObject({ opened: ['room.farol'], imported: [] });
   expect(await drop('scene.json')).toMatchObject({ opened: ['scene.json'] });
-  // libraries of scans put what they know of a model beside it
+  // libraries of scanned models add metadata as JSON
   expect(await drop('rock/asset.json', 'rock/rock.ply')).toMatchObject({ opened: [], imported: ['rock.ply'] });
   expect(await drop('rock/license.txt', 'rock/scene.json')).toMatchObject({ opened: ['scene.json'] });
 });
@@ -64,7 +64,7 @@ const zipOf = (name: string, entries: Record<string, string>): File => {
 test('a scene file that was renamed to .zip is opened; one within a ZIP says what to do', async () => {
   const renamed = zipOf('room.ZIP', { 'scene.json': '{}', 'assets/wall.ply': ply });
   expect(await drop(renamed)).toMatchObject({ opened: ['room.farol'], imported: [] });
-  // models are packed with what describes them
+  // models are packed together with their metadata
   expect(await drop(zipOf('rock.zip', { 'rock/scene.json': '{}', 'rock/rock.ply': ply }))).toMatchObject({
     opened: [],
     imported: ['rock.ply'],

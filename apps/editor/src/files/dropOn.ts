@@ -8,8 +8,8 @@ import { pointInPicture } from './landInPicture';
 import { type DropPlace, placeAsset } from './placeAsset';
 
 /**
- * The scene among files: a `.farol`, one that is called `.zip`, as some programs do, or a `.json` beside nothing that can be
- * imported, as many models have one.
+ * The scene among files: a `.farol`, one that a program renamed to `.zip`, or a `.json` unless there is something to
+ * import, since many models come with one.
  */
 export async function sceneAmong(files: FileMap): Promise<File | null> {
   const paths = [...files.keys()];
@@ -23,17 +23,17 @@ export async function sceneAmong(files: FileMap): Promise<File | null> {
   return null;
 }
 
-/** What was dropped: an asset of the editor's, or files. */
+/** Dropped data: an asset of the editor, or files. */
 export interface Dropped {
   readonly asset: DraggedAsset | null;
   readonly files: FileMap;
 }
 
-/** Where it was dropped. */
+/** Place of a drop. */
 export type DropTarget =
   | { readonly kind: 'picture'; /** CSS pixels of the page. */ readonly x: number; readonly y: number }
   | { readonly kind: 'tree'; /** Id of the object of the row; null beside the rows. */ readonly id: string | null }
-  /** Files are imported, and nothing is placed. */
+  /** Files are imported without being placed. */
   | { readonly kind: 'elsewhere' };
 
 function placeOf(editor: EditorApi, target: DropTarget): DropPlace {
@@ -43,7 +43,7 @@ function placeOf(editor: EditorApi, target: DropTarget): DropPlace {
   return { parent, target: object };
 }
 
-/** Imports what was dropped, where it is files, and places it. A scene among files is opened instead. */
+/** Imports dropped files and places them, or places a dropped asset. A scene among the files is opened instead. */
 export async function dropOn(editor: EditorApi, { asset, files }: Dropped, target: DropTarget): Promise<void> {
   if (asset) {
     if (target.kind !== 'elsewhere') await placeAsset(editor, asset, placeOf(editor, target));
@@ -64,14 +64,14 @@ export async function dropOn(editor: EditorApi, { asset, files }: Dropped, targe
   for (const name of names) await placeAsset(editor, { kind: editor.document.assets.typeOf(name)!, name }, place);
 }
 
-/** Names what came with a scene and was not taken. */
+/** Reports files that came with a scene and were ignored. */
 function tellLeftOut(editor: EditorApi, scene: File, files: FileMap): void {
-  const left = [...files.values()]
+  const ignored = [...files.values()]
     .map(({ name }) => name)
     .filter((name) => name !== scene.name && name.replace(/\.zip$/i, '.farol') !== scene.name)
     .map((name) => shortText(name, 80));
-  if (left.length === 0) return;
-  const names = left.slice(0, 4).join(', ') + (left.length > 4 ? ', …' : '');
+  if (ignored.length === 0) return;
+  const names = ignored.slice(0, 4).join(', ') + (ignored.length > 4 ? ', …' : '');
   const text = t('{scene} was opened by itself, without {names}: drop these again.', {
     scene: shortText(scene.name, 80),
     names,

@@ -1,10 +1,10 @@
-/** Names that Windows keeps for devices. */
+/** File names reserved for devices on Windows. */
 const devices = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 
-/** Longest name (letters), of which systems allow 255 bytes. */
+/** Longest name (characters); systems allow 255 bytes. */
 const LONGEST = 60;
 
-/** A name that every system takes for a file, without an ending: letters, marks, digits, blanks, '_' and '-'. */
+/** A name that is valid on every system, without extension: letters, marks, digits, blanks, '_' and '-'. */
 export function fileNameOf(name: string): string {
   const allowed = name.normalize('NFC').replaceAll(/[^\p{L}\p{M}\p{N} _-]+/gu, '');
   const short = [...allowed.trim()].slice(0, LONGEST).join('').trim();

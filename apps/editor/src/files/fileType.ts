@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** The kind of file that the dialogs of open and save offer. */
+/** File type offered by open and save dialogs. */
 export const fileType = {
   id: 'farol-scene',
   get description() {

@@ -5,7 +5,7 @@ import { EditorDocument } from '../model/EditorDocument';
 import { Notices } from '../model/Notices';
 import { importFiles, importOnly } from './importFiles';
 
-/** A triangle. */
+/** A PLY file with one triangle. */
 const ply = `ply
 format ascii 1.0
 element vertex 3
@@ -64,7 +64,7 @@ test('a ZIP that cannot be read is told by name, and the files beside it come in
   expect(notices.current.map(({ kind, text }) => [kind, text])).toEqual([
     ['error', expect.stringMatching(/^cut\.zip: The file is cut short or damaged/)],
   ]);
-  // alone it is why nothing came in
+  // the only file: the error is shown, since nothing was imported
   expect(await importFiles(editor, new Map([['a.zip', new File(['PK'], 'a.zip')]]))).toEqual({ names: [], known: [] });
   expect(notices.current.at(-1)!.text).toMatch(/^a\.zip: The file is cut short or damaged/);
 });
@@ -100,12 +100,12 @@ test('many files of one size, of which none is there, and of one name are taken 
   const { names } = await importFiles(editor, files);
   expect(new Set(names).size).toBe(count);
   expect(document.assets.has(`triangle ${count}.ply`)).toBe(true);
-  // each is read to be loaded, and to be told from the others
+  // each is read for loading and for comparison only
   expect(read.mock.calls.length).toBeLessThan(count * 4);
   read.mockRestore();
 });
 
-/** What is said of files that are imported. */
+/** Messages shown when files are imported. */
 async function saidOf(files: Record<string, BlobPart>): Promise<string[]> {
   const { editor, document, notices } = editorOf();
   document.onAssetFailed = ({ message }) => notices.show('error', message);
@@ -147,6 +147,6 @@ test('nothing to import is told, and so is what was left out', async () => {
   expect(await saidOf({ 'empty.zip': end })).toEqual(nothing);
   const [left] = await saidOf({ 'a.ply': ply, 'photo.psd': 'x', 'film.mp4': 'x' });
   expect(left).toMatch(/^photo\.psd, film\.mp4 were left out: only \.glb/);
-  // what lies in a folder beside models is none of anybody's business
+  // unrelated files in a folder with models are ignored silently
   expect(await saidOf({ 'rock/a.ply': ply, 'rock/license.txt': 'x' })).toEqual([]);
 });

@@ -17,16 +17,16 @@ import { numberedNames } from '../model/assetNames';
 import { AddAssets } from '../model/commands/AddAssets';
 import type { FileMap } from '@farol/engine/files';
 
-/** Endings of the files that can be imported, for messages: an OBJ or STL is packed into a GLB, and a ZIP unpacked. */
+/** Extensions of importable files, for messages. OBJ and STL are converted to GLB; ZIP files are unpacked. */
 const importable = readableEndings.replace('.gltf,', '.gltf, .fbx, .obj, .stl, .zip,');
 
-/** Whether a file can be imported by itself, by its ending. */
+/** Whether a file can be imported by itself, judging by its extension. */
 export const isImportable = (path: string): boolean => typeOfUrl(path) !== null || /\.(fbx|obj|stl|zip)$/i.test(path);
 
 const nameIn = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
-/** A path for a message. */
-const told = (path: string): string => shortText(path, 80);
+/** A path, shortened for messages. */
+const shortPath = (path: string): string => shortText(path, 80);
 
 function find(files: FileMap, model: string, uri: string): [string, File] | null {
   const parts = model.split('/').slice(0, -1);
@@ -35,12 +35,14 @@ function find(files: FileMap, model: string, uri: string): [string, File] | null
     else if (part !== '.' && part !== '') parts.push(part);
   }
   const path = parts.join('/');
-  // files that were chosen one by one have lost their folder
+  // individually chosen files have no folder
   const found = [path, nameIn(path)].find((each) => files.has(each));
   return found === undefined ? null : [found, files.get(found)!];
 }
 
-/** One GLB of a .gltf and the files beside it, which are taken out of `left`. */
+/**
+ * Packs a .gltf and the files that it names into one GLB. @param left - paths of unused files; used ones are removed
+ */
 async function packed(files: FileMap, path: string, left: Set<string>): Promise<Blob> {
   const bytes = await packGltf(await files.get(path)!.arrayBuffer(), async (uri) => {
     const found = find(files, path, uri);
@@ -51,7 +53,10 @@ async function packed(files: FileMap, path: string, left: Set<string>): Promise<
   return new Blob([bytes], { type: 'model/gltf-binary' });
 }
 
-/** A photometric file with the tilt of its lamps, whose file, if it has one, is taken out of `left`. */
+/**
+ * A photometric file with its lamp's tilt, which may be in a file of its own. @param left - paths of unused files; used
+ * ones are removed
+ */
 async function packedProfile(files: FileMap, path: string, left: Set<string>): Promise<Blob> {
   const file = files.get(path)!;
   const bytes = await file.arrayBuffer();
@@ -64,15 +69,20 @@ async function packedProfile(files: FileMap, path: string, left: Set<string>): P
   return packed === bytes ? file : new Blob([packed]);
 }
 
-/** The same whether letters are small or capital, as DOS has names: beside the file, or one chosen by itself. */
+/**
+ * Finds a file ignoring case, as names from DOS need, in the folder of another file or among individually chosen ones.
+ */
 function findAnyCase(files: FileMap, path: string, name: string): [string, File] | null {
-  const wanted = nameIn(name.replaceAll('\\', '/')).toLowerCase();
+  const lowerCaseName = nameIn(name.replaceAll('\\', '/')).toLowerCase();
   const folder = path.slice(0, path.lastIndexOf('/') + 1);
-  const found = [...files].filter(([each]) => each !== path && nameIn(each).toLowerCase() === wanted);
+  const found = [...files].filter(([each]) => each !== path && nameIn(each).toLowerCase() === lowerCaseName);
   return found.find(([each]) => each.startsWith(folder)) ?? found[0] ?? null;
 }
 
-/** One GLB of an FBX, OBJ or STL, its materials and textures, which are taken out of `left`. @param notes - gets what is missing */
+/**
+ * Packs an FBX, OBJ or STL with its materials and textures into one GLB. @param left - paths of unused files; used ones
+ * are removed @param notes - receives what is missing
+ */
 async function packedObj(
   files: FileMap,
   path: string,
@@ -87,25 +97,25 @@ async function packedObj(
   return new Blob([obj.glb], { type: 'model/gltf-binary' });
 }
 
-/** What came of an import. */
+/** Result of an import. */
 export interface ImportResult {
-  /** Names of the assets, those that were there already included. */
+  /** Names of the assets, including those that existed already. */
   readonly names: readonly string[];
-  /** Names of those that were there already. */
+  /** Names of the assets that existed already. */
   readonly known: readonly string[];
 }
 
 /**
- * Takes files in as assets: one step of history. Each is read before anything changes; what cannot be read is told by
- * name, and the others come in all the same. The bytes that are there already are used as they are.
- * @throws Error naming the files, when none of them is one that can be read; AbortError when the user cancelled, and then
- * nothing has changed
+ * Imports files as assets, in one step of history. All are read before anything changes; unreadable ones are reported
+ * by name, and the rest is imported. Assets with identical bytes are reused.
+ * @throws Error naming the files, when none of them can be imported; AbortError when the user cancelled, and then
+ *   nothing has changed
  */
 export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportResult> {
   const [first = ''] = files.keys();
   const title =
     files.size === 1
-      ? t('Reading {name}', { name: told(nameIn(first)) })
+      ? t('Reading {name}', { name: shortPath(nameIn(first)) })
       : t('Reading {count} files', { count: files.size });
   const problems: string[] = [];
   return withProgress(editor.dialogs, title, async (signal) => {
@@ -115,11 +125,11 @@ export function importFiles(editor: EditorApi, files: FileMap): Promise<ImportRe
   });
 }
 
-/** Takes files in as assets and places nothing: says which of them are there already, which would look as if nothing was done. */
+/** Imports files without placing them, and reports those that existed already, since nothing would seem to happen. */
 export async function importOnly(editor: EditorApi, files: FileMap): Promise<void> {
   const { known } = await importFiles(editor, files);
   if (known.length === 0) return;
-  const names = [...new Set(known)].slice(0, 4).map(told).join(', ');
+  const names = [...new Set(known)].slice(0, 4).map(shortPath).join(', ');
   editor.notices.show('info', t('There already, with the same content: {names}.', { names }));
 }
 
@@ -135,8 +145,8 @@ async function importAll(
   const names: string[] = [];
   const added: string[] = [];
   const knownOnes: string[] = [];
-  const there = new KnownFiles(assets);
-  /** By the name of files, the names for the next one of it. */
+  const existingFiles = new KnownFiles(assets);
+  /** Generator of numbered names for each file name. */
   const numbered = new Map<string, Generator<string, void>>();
   const freeName = (fileName: string): string => {
     const next = numbered.get(fileName) ?? numberedNames(fileName);
@@ -147,7 +157,7 @@ async function importAll(
     }
   };
   const take = async (path: string, blob: Blob, fileName: string): Promise<void> => {
-    const known = await there.find(blob);
+    const known = await existingFiles.find(blob);
     if (known) {
       names.push(known);
       knownOnes.push(known);
@@ -161,7 +171,7 @@ async function importAll(
       if (assets.typeOf(name) === 'sound') await assets.sound(name).decode();
       added.push(name);
       names.push(name);
-      there.add({ name, type: assets.typeOf(name)!, blob });
+      existingFiles.add({ name, type: assets.typeOf(name)!, blob });
     } catch (error) {
       assets.unregister(name);
       numbered.delete(fileName);
@@ -169,7 +179,7 @@ async function importAll(
       const { cause } = error as Error;
       problems.push(
         t('{path} cannot be imported: {reason}', {
-          path: told(path),
+          path: shortPath(path),
           reason: error instanceof AssetError && cause instanceof Error ? cause.message : (error as Error).message,
         }),
       );
@@ -178,7 +188,7 @@ async function importAll(
     }
   };
   const takeAll = async (): Promise<void> => {
-    // of the model first: what it names is a part of it
+    // models first: files that they name become part of them
     for (const path of files.keys()) {
       const ending = /\.(gltf|fbx|obj|stl)$/i.exec(path)?.[1].toLowerCase();
       if (ending === undefined) continue;
@@ -192,7 +202,7 @@ async function importAll(
         signal.throwIfAborted();
         problems.push(
           t('{path} cannot be imported: {reason}', {
-            path: told(path),
+            path: shortPath(path),
             reason: error instanceof Error ? error.message : String(error),
           }),
         );
@@ -207,7 +217,7 @@ async function importAll(
   try {
     await takeAll();
   } catch (error) {
-    // cancelled: all is as it was
+    // cancelled: everything is undone
     for (const name of added) {
       const asset = assets.get(name);
       assets.unregister(name);
@@ -226,22 +236,24 @@ async function importAll(
   }
   const scene = unknown.find((path) => /\.farol$/i.test(path));
   if (scene !== undefined) {
-    problems.push(t('{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.', { path: told(scene) }));
+    problems.push(
+      t('{path} is a scene within a ZIP: unpack the ZIP, and open it by itself.', { path: shortPath(scene) }),
+    );
   }
   if (unknown.length > 0 && names.length + problems.length === 0) {
     throw new Error(
       t('{names} cannot be imported: only {importable} can.', {
-        names: unknown.slice(0, 4).map(told).join(', '),
+        names: unknown.slice(0, 4).map(shortPath).join(', '),
         importable,
       }),
     );
   }
-  // what lies in folders beside models, licences and the like, is left out without a word
+  // unrelated files in folders, such as licences, are ignored silently
   const leftOut = unknown.filter((path) => path !== scene && !path.includes('/'));
   if (leftOut.length > 0)
     notes.push(
       t('{names} were left out: only {importable} can be imported.', {
-        names: leftOut.slice(0, 4).map(told).join(', '),
+        names: leftOut.slice(0, 4).map(shortPath).join(', '),
         importable,
       }),
     );

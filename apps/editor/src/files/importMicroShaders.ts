@@ -4,7 +4,7 @@ import { formatMicroShader, MicroShaderCompileError } from '@farol/renderer/micr
 import type { EditorApi } from '../api/EditorApi';
 import { checkMicroShaders } from '../microshaders/checkMicroShaders';
 
-/** What is wrong with a set, in a sentence: the first error of the compiler with its chunk and line. */
+/** Why microshaders are refused, as a sentence: the compiler's first error with microshader and line. */
 function refusal(file: string, error: unknown): Error {
   const [first] = error instanceof MicroShaderCompileError ? error.entries : [];
   const reason = first
@@ -23,10 +23,10 @@ function refusal(file: string, error: unknown): Error {
 }
 
 /**
- * Takes the microshaders of a file of XML into the scene, all or none: each must compile wherever it is drawn with, and the
- * user is asked before one takes the place of another.
- * @returns their names; null when the user turned back
- * @throws Error (as a rejection) naming the chunk and the line
+ * Imports microshaders from XML into the scene, all or none. Each must compile in every program that uses it; the user
+ * is asked before existing ones are replaced.
+ * @returns their names; null when the user cancelled
+ * @throws Error (as a rejection) naming the microshader and the line
  */
 export async function importMicroShaders(
   editor: EditorApi,

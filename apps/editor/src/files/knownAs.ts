@@ -1,7 +1,7 @@
 import type { AssetFile, AssetLibrary } from '@farol/engine';
 import type { AssetType } from '@farol/engine/fields';
 
-/** Bytes at either end of a file by which most are told apart. */
+/** Number of bytes at either end of a file that are compared first. */
 const END = 1024;
 
 const fingerprints = new WeakMap<Blob, Promise<string>>();
@@ -11,7 +11,7 @@ async function makeFingerprint(blob: Blob): Promise<string> {
   return String.fromCharCode(...new Uint8Array(ends));
 }
 
-/** The first and the last bytes of a file, which are read once. */
+/** Hash of the first and the last bytes of a file; cached. */
 function fingerprintOf(blob: Blob): Promise<string> {
   const known = fingerprints.get(blob) ?? makeFingerprint(blob);
   fingerprints.set(blob, known);
@@ -27,7 +27,7 @@ async function sameBytes(a: Blob, b: Blob): Promise<boolean> {
   return left.every((byte, i) => byte === right[i]);
 }
 
-/** The files of a library by their sizes, so that many others are looked for among them at once. */
+/** The files of a library by size, for fast comparison with many others. */
 export class KnownFiles {
   private readonly bySize = new Map<number, AssetFile[]>();
 
@@ -42,7 +42,7 @@ export class KnownFiles {
     else this.bySize.set(size, [file]);
   }
 
-  /** The asset that has these very bytes already, of one type when given; null when there is none. */
+  /** Name of the asset with identical bytes, optionally of one type; null when there is none. */
   async find(blob: Blob, type?: AssetType): Promise<string | null> {
     for (const file of this.bySize.get(blob.size) ?? []) {
       if ((type === undefined || file.type === type) && (await sameBytes(file.blob, blob))) return file.name;

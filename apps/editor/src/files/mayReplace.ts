@@ -3,18 +3,18 @@ import type { EditorApi } from '../api/EditorApi';
 import { stampOf } from './seenFile';
 
 /**
- * Asks before a save would take the place of what another tab or program has written since the document was read from the
- * file, or saved to it.
- * @returns the file, if it may be written over, or is gone; null where another one is to be chosen
- * @throws DOMException (AbortError) when the user turned back
+ * Asks before overwriting a file that another tab or program has changed since the document was read from it or saved
+ * to it.
+ * @returns the file, if it may be overwritten, or is gone; null to choose another one
+ * @throws DOMException (AbortError) when the user cancelled
  */
 export async function mayReplace(
   { dialogs, file }: EditorApi,
   handle: FileSystemFileHandle,
 ): Promise<FileSystemFileHandle | null> {
   for (let seen = file.seen; ;) {
-    const there = await handle.getFile().then(stampOf, () => undefined);
-    if (there === undefined || there === seen) return handle;
+    const stampOnDisk = await handle.getFile().then(stampOf, () => undefined);
+    if (stampOnDisk === undefined || stampOnDisk === seen) return handle;
     let savesAs = false;
     const replaces = await dialogs.show({
       kind: 'confirm',
@@ -33,7 +33,7 @@ export async function mayReplace(
     });
     if (savesAs) return null;
     if (!replaces) throw new DOMException('The user turned back.', 'AbortError');
-    // it may have changed once more while this was asked
-    seen = there;
+    // the file may change again while the user is being asked
+    seen = stampOnDisk;
   }
 }

@@ -4,15 +4,15 @@ import type { EditorApi } from '../api/EditorApi';
 import { addScript } from '../model/scriptEdits';
 
 /**
- * Makes a script, and shows it.
- * @param wanted - its name, its folder in it
- * @param users - objects that get its component
- * @returns its name
+ * Adds a script, and opens it.
+ * @param wanted - name with folder
+ * @param users - objects that get the script's component
+ * @returns the script's name
  */
 export function newScript(editor: EditorApi, wanted = t('Script'), users: readonly GameObject[] = []): string {
   const { command, name } = addScript(editor.document.scene, wanted, users);
   editor.commands.run(command);
-  // its first line has the focus: what is typed next is of it
+  // focuses the first line, so that the user can type at once
   editor.openScript(name, 1);
   return name;
 }

@@ -17,7 +17,7 @@ test('a sound that is dropped on an object is heard from it', async () => {
   await drop('creak.flac', box);
   expect([heard(), document.scene.roots.length, box.children.length]).toEqual([['creak.flac'], 1, 0]);
   expect(document.selection.ids).toEqual([box.id]);
-  // one that has no sound yet gets it, in one step
+  // an AudioSource without a sound gets it, in one step
   box.addComponent(AudioSource);
   await drop('steps.m4a', box);
   expect(heard()).toEqual(['creak.flac', 'steps.m4a']);

@@ -19,13 +19,16 @@ import { holdsNormals, isEnvironment } from './assetKinds';
 import type { DraggedAsset } from './dragAsset';
 import { landInPicture } from './landInPicture';
 
-/** Where something is dropped. */
+/** Place where something is dropped. */
 export interface DropPlace {
-  /** What it goes below; the scene when absent. */
+  /** Parent of the new object; the scene when absent. */
   readonly parent?: Container;
-  /** The point of the page (CSS pixels) that it lands at; the middle of the picture when absent. Below a parent it is at its origin. */
+  /**
+   * Page position (CSS pixels); the centre of the viewport when absent. Below a parent the object is at the parent's
+   * origin.
+   */
   readonly at?: { readonly x: number; readonly y: number };
-  /** The object under the pointer, for materials and textures. */
+  /** Object under the pointer, for assets that are assigned to objects. */
   readonly target?: GameObject | null;
 }
 
@@ -63,7 +66,7 @@ function makeObject(editor: EditorApi, { kind, name }: DraggedAsset): GameObject
   return object;
 }
 
-/** Lights the scene by a texture, and shows it behind. */
+/** Uses a texture as the scene's environment and background. */
 export function useAsEnvironment(editor: EditorApi, name: string): void {
   const { settings } = editor.document.scene;
   editor.commands.run(
@@ -74,7 +77,7 @@ export function useAsEnvironment(editor: EditorApi, name: string): void {
   );
 }
 
-/** Has the object under the pointer play a clip. */
+/** Makes an object play a clip. */
 function animate(editor: EditorApi, clip: string, target: GameObject): void {
   const { document, commands } = editor;
   const owner = target.getComponent(Animation);
@@ -84,7 +87,7 @@ function animate(editor: EditorApi, clip: string, target: GameObject): void {
   document.selection.set([target.id]);
 }
 
-/** Has the object under the pointer be heard: by an AudioSource without a sound, if it has one, else by one more. */
+/** Makes an object play a sound: by an AudioSource without one, else by a new AudioSource. */
 function sound(editor: EditorApi, name: string, target: GameObject): void {
   const { document, commands } = editor;
   const owner = target.getComponents(AudioSource).find((each) => each.getAuthored('sound') === null);
@@ -94,7 +97,7 @@ function sound(editor: EditorApi, name: string, target: GameObject): void {
   document.selection.set([target.id]);
 }
 
-/** Gives the object under the pointer a material, shader or texture. @returns whether it could */
+/** Assigns a material, shader or texture to an object. @returns whether it could be assigned */
 function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObject | null): boolean {
   const renderer = target?.getComponent(ObjectRenderer);
   if (!renderer) return false;
@@ -102,7 +105,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const map = kind === 'texture' && holdsNormals(assets, name) ? 'normalMap' : 'map';
   const shared = kind === 'texture' && renderer.material !== null ? assets.materialAsset(renderer.material) : null;
   if (shared) {
-    // a material that others may share keeps the rest of what it is
+    // only the map changes, since other objects may share the material
     const label = t('Gave {asset} to {object}', { object: shared.name, asset: name });
     editor.commands.run(new SetFields(label, [{ owner: shared, name: map, value: name }]));
     return true;
@@ -120,7 +123,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   return true;
 }
 
-/** Gives the point or spot light under the pointer a photometric profile. @returns whether there is one */
+/** Assigns a photometric profile to a point or spot light. @returns whether the object has such a light */
 function shape(editor: EditorApi, profile: string, target: GameObject | null): boolean {
   const owner = target?.getComponent(Light);
   if (!owner || (owner.type !== 'point' && owner.type !== 'spot')) return false;
@@ -130,7 +133,7 @@ function shape(editor: EditorApi, profile: string, target: GameObject | null): b
   return true;
 }
 
-/** Gives the object under the pointer a component of a script; without a place the script is shown. */
+/** Adds a component of a script to an object; without a drop target the script is opened. */
 async function useScript(editor: EditorApi, script: string, place: DropPlace): Promise<void> {
   if (place.target === undefined) return editor.openScript(script);
   if (place.target === null)
@@ -141,7 +144,7 @@ async function useScript(editor: EditorApi, script: string, place: DropPlace): P
   document.selection.set([place.target.id]);
 }
 
-/** Has the object under the pointer wear a surface; without a place its text is shown. */
+/** Makes an object use a surface; without a drop target the surface's text is opened. */
 async function useSurface(editor: EditorApi, surface: string, place: DropPlace): Promise<void> {
   if (place.target === undefined) return editor.openMicroShader(`surface:${surface}`);
   const { surfaceWearers, wearSurface } = await import('../model/surfaceEdits');
@@ -154,11 +157,10 @@ async function useSurface(editor: EditorApi, surface: string, place: DropPlace):
 }
 
 /**
- * Brings an asset into the scene: models, meshes and prefabs are placed; environments light the scene; materials, shaders
- * and textures go onto the object under the pointer, or else onto something new; a script becomes a component of the object
- * under the pointer, or else is shown; a photometric profile goes to the light under the pointer, or else to a new one; a
- * clip or a sound goes to the object under the pointer, or else to a new one.
- * @param then - part of the same step: what becomes of the object that was made
+ * Adds an asset to the scene. Models, meshes and prefabs are placed; environment maps light the scene; materials,
+ * shaders, textures, photometric profiles, clips and sounds are assigned to the object under the pointer, or else to a
+ * new one; scripts and surfaces to the object under the pointer, or else they are opened.
+ * @param then - makes further edits of the new object, as part of the same step
  * @throws Error when a prefab would be placed within itself
  */
 export async function placeAsset(
@@ -190,7 +192,7 @@ export async function placeAsset(
     return;
   }
   if (!document.assets.isBuiltin(asset.name) || asset.kind === 'model') await document.assets.load(asset.name);
-  // of a large mesh the normals take seconds
+  // computing normals of a large mesh takes seconds
   if (asset.kind === 'mesh' && document.assets.isReady('mesh', asset.name)) {
     await document.assets.prepareMesh(asset.name);
   }

@@ -3,7 +3,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { unpackModels, whatStaysLinked, whyNotUnpack } from '../model/unpackModels';
 import { placeAsset } from './placeAsset';
 
-/** Puts a model into the scene as a tree of objects, in one step. @throws Error where it stays one object */
+/** Adds a model to the scene as a tree of objects, in one step. @throws Error when it cannot be unpacked */
 export async function placeUnpacked(editor: EditorApi, name: string): Promise<void> {
   const { scene, assets } = editor.document;
   await assets.load(name);

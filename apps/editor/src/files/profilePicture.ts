@@ -1,14 +1,14 @@
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import { POLAR_RADIUS, polarCurve, shinesUp } from './polarCurve';
 
-/** Side of a picture (pixels). */
+/** Side of a thumbnail (pixels). */
 const SIZE = 192;
-/** Between the light and the dark theme's accents: seen on both. */
+/** Colour visible on light and dark backgrounds. */
 const CURVE = '#d98324';
 const CROSS = '#4b93d8';
 const GRID = '#8a93a3';
 
-/** An address of a picture of a photometric profile: its polar curves. */
+/** URL of a thumbnail of a photometric profile: its polar curves. */
 export function profilePicture(profile: PhotometricProfile): Promise<string | null> {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = SIZE;

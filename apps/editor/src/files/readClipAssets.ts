@@ -10,10 +10,10 @@ import { KnownFiles } from './knownAs';
 import { withProgress } from './withProgress';
 
 /**
- * Reads what copied objects need and the scene does not have: files of the clipboard and what is behind addresses, whose hosts
- * are asked about. Scripts that the user has never run have those of the scene wait until the user says whether they shall run.
- * What cannot be read is told by name.
- * @param list - each after those that it needs
+ * Reads assets of copied objects that the scene lacks: files of the clipboard, and URLs after asking about their hosts.
+ * Scripts that the user never ran switch off all of the scene's until the user decides. Unreadable assets are reported
+ * by name.
+ * @param list - each after the assets that it uses
  * @throws AbortError when the user cancelled, and then nothing has changed
  */
 export async function readClipAssets(
@@ -21,9 +21,9 @@ export async function readClipAssets(
   list: readonly FileAsset[],
 ): Promise<ReadonlyMap<string, ReadAsset>> {
   const { scene, assets, scripts } = editor.document;
-  const wanted = list.filter((each) => each.values === undefined && nameInScene(scene, each) === null);
-  const refused = await askAbout(editor, wanted);
-  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) => readAll(editor, wanted, refused, signal));
+  const missing = list.filter((each) => each.values === undefined && nameInScene(scene, each) === null);
+  const refused = await askAbout(editor, missing);
+  const read = await withProgress(editor.dialogs, t('Pasting'), (signal) => readAll(editor, missing, refused, signal));
   const texts = list.flatMap(({ name, type, values }) => {
     const source = type === 'script' && typeof values?.source === 'string' ? values.source : null;
     return source === null || assets.fieldAsset(name)?.get('source') === source ? [] : source;
@@ -32,7 +32,7 @@ export async function readClipAssets(
   return read;
 }
 
-/** The addresses that lead to hosts which nothing may be fetched from: those that the user says no to. */
+/** Asks about hosts. @returns URLs on hosts that the user refused */
 async function askAbout(editor: EditorApi, wanted: readonly FileAsset[]): Promise<ReadonlySet<string>> {
   const { assets } = editor.document;
   const { allowedOrigins } = assets;

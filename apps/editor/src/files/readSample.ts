@@ -3,7 +3,10 @@ import type { AssetLibrary, Scene } from '@farol/engine';
 import { deserialize, readSceneFile } from '@farol/engine/files';
 import type { EditorApi } from '../api/EditorApi';
 
-/** Reads a sample's file, which lies beside the page. @param assets - takes its assets @throws Error (as a rejection) when it cannot be read */
+/**
+ * Reads a sample's scene file from the editor's own site. @param assets - receives its assets @throws Error (as a
+ * rejection) when it cannot be read
+ */
 export async function readSample(editor: EditorApi, file: string, assets: AssetLibrary): Promise<Scene> {
   const response = await fetch(new URL(`scenes/${file}`, document.baseURI));
   if (!response.ok) {

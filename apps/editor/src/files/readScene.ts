@@ -1,3 +1,3 @@
-// What opening a scene needs: fetched by itself, after the first frame.
+// Code for opening scenes, fetched after the first frame.
 export { deserialize, readSceneFile } from '@farol/engine/files';
 export { seenFile } from './seenFile';

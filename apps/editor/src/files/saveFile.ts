@@ -2,26 +2,26 @@ import { t } from '@farol/editing';
 import { fileSave, type FirstFileSaveOptions } from 'browser-fs-access';
 import { browserReason } from './browserReason';
 
-// what a save needs is fetched together
+// imported together, to be fetched as one chunk
 export { mayReplace } from './mayReplace';
 export { seenFile } from './seenFile';
 
 export interface SaveRequest extends FirstFileSaveOptions {
-  /** Name that the picker proposes, or that a download gets. */
+  /** Name proposed by the picker, or used for a download. */
   readonly fileName: string;
 }
 
-/** What is said of a file that was not written, and by whose fault. */
+/** Error saying why a file was not written, with a remedy. */
 export function notSaved(fileName: string, error: unknown): Error {
   const { why, mend } = browserReason(error);
   return new Error(t('“{fileName}” was not saved: {why}. {mend}', { fileName, why, mend }), { cause: error });
 }
 
 /**
- * Writes a file where the user says, or to one that is open; a browser without a picker downloads.
+ * Writes a file to a place that the user chooses, or to an open file; downloads it in browsers without a file picker.
  * @param handle - the file to write to; null asks for one, as does a file that is gone
- * @returns the file, for the next time; null after a download
- * @throws DOMException (AbortError) when the user turned back from choosing; else Error: the name, why, and what to do
+ * @returns the handle, for the next save; null after a download
+ * @throws DOMException (AbortError) when the user cancelled the picker; else Error with name, reason and remedy
  */
 export async function saveFile(
   blob: Blob,

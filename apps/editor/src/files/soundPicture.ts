@@ -1,13 +1,13 @@
 import type { Sound } from '@farol/engine';
 
-/** Side of a picture (pixels). */
+/** Side of a thumbnail (pixels). */
 const SIZE = 192;
-/** From one stroke of the wave to the next (pixels). */
+/** Distance between two bars of the waveform (pixels). */
 const STEP = 4;
-/** Between the light and the dark theme's accents: seen on both. */
+/** Colour visible on light and dark backgrounds. */
 const COLOUR = '#4b93d8';
 
-/** The loudest sample of each of `count` equal parts, 0 to 1. */
+/** Peak amplitude of each of `count` equal parts, 0 to 1. */
 export function peaksOf(samples: Float32Array, count: number): Float32Array {
   const peaks = new Float32Array(count);
   for (let i = 0; i < count; i++) {
@@ -18,7 +18,7 @@ export function peaksOf(samples: Float32Array, count: number): Float32Array {
   return peaks;
 }
 
-/** An address of a picture of a sound's wave; null where it cannot be decoded. */
+/** URL of a thumbnail of a sound's waveform; null when it cannot be decoded. */
 export async function soundPicture(sound: Sound): Promise<string | null> {
   const buffer = await sound.decode();
   if (!buffer) return null;

@@ -2,23 +2,26 @@ import { Signal } from '@farol/editing';
 import type { Sound } from '@farol/engine';
 import { AudioContext as SharedContext } from 'three';
 
-/** Plays sounds of the library to the user, one at a time, apart from every scene. */
+/** Plays sounds of the library, one at a time, independent of the scene. */
 class SoundPreview {
-  /** Emits when another sound is heard, or none. */
+  /** Emits when playback starts, pauses or ends. */
   readonly changed = new Signal();
 
   private heard: Sound | null = null;
   private node: AudioBufferSourceNode | null = null;
-  /** What was held, and where (s). */
+  /** The paused sound and its position (s). */
   private held: { sound: Sound; at: number } | null = null;
   private beganAt = 0;
 
-  /** The sound that is heard; null for none. */
+  /** The sound that plays; null for none. */
   get playing(): Sound | null {
     return this.heard;
   }
 
-  /** Plays a sound, from where it was held or from its beginning; holds the one that is heard. @throws Error (as a rejection) when it cannot be decoded */
+  /**
+   * Plays a sound from its start or from where it was paused; pauses it if it plays. @throws Error (as a rejection)
+   * when it cannot be decoded
+   */
   async toggle(sound: Sound): Promise<void> {
     const isHeard = this.heard === sound;
     this.hold();
@@ -38,7 +41,7 @@ class SoundPreview {
     this.changed.emit();
   }
 
-  /** Holds what is heard. */
+  /** Pauses. */
   hold(): void {
     const { heard, node } = this;
     if (!heard || !node) return;
@@ -58,5 +61,5 @@ class SoundPreview {
   }
 }
 
-/** The page's one preview: two sounds at once are none. */
+/** Shared by the whole page, so that only one sound plays at a time. */
 export const soundPreview = new SoundPreview();

@@ -3,7 +3,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { makeEmptyScene } from '../model/makeEmptyScene';
 import { dropOn, sceneAmong } from './dropOn';
 
-/** Opens a scene among files; else begins an empty scene with what the files hold, in the middle of the picture. */
+/** Opens a scene among files; else starts an empty scene and places the files at the centre of the viewport. */
 export async function startWith(editor: EditorApi, files: FileMap): Promise<void> {
   const hasScene = (await sceneAmong(files)) !== null;
   if (!hasScene) {

@@ -3,7 +3,7 @@ import { ThumbnailMaker } from './ThumbnailMaker';
 
 const makers = new WeakMap<EditorApi, ThumbnailMaker>();
 
-/** What draws the small pictures of an editor's assets. */
+/** The thumbnail maker of an editor, created at the first call. */
 export function thumbnailsOf(editor: EditorApi): ThumbnailMaker {
   let maker = makers.get(editor);
   if (!maker) makers.set(editor, (maker = new ThumbnailMaker(editor.viewport)));

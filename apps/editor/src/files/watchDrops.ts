@@ -13,23 +13,23 @@ function targetOf(event: DragEvent): DropTarget {
   return { kind: 'elsewhere' };
 }
 
-/** Whether an event is a drag that the editor takes at this point of its way. */
+/** Whether a drag event is handled here, in its current phase. */
 function isOurs(event: DragEvent): event is DragEvent & { readonly dataTransfer: DataTransfer } {
   const { dataTransfer } = event;
   if (event.defaultPrevented || !dataTransfer || !(isFileDrag(dataTransfer) || isAssetDrag(dataTransfer))) return false;
-  // the tree has drags of its own, and would take these for such: it does not get to hear of them
+  // over the hierarchy's tree the event is captured, so that the tree's own drag and drop does not see it
   return (targetOf(event).kind === 'tree') === (event.eventPhase === Event.CAPTURING_PHASE);
 }
 
 /**
- * Takes what is dropped on the page, files from outside and assets of the editor's: into the picture, below an object of
- * the tree, or elsewhere, where files are imported only. What a field takes for itself is not heard of here.
+ * Handles drops of files and of assets on the page: into the viewport, below an object of the tree, or elsewhere, where
+ * files are only imported. Drops on fields are handled by these.
  */
 export function watchDrops(editor: EditorApi): void {
-  /** An open dialog is answered first: nothing is taken behind it, and the browser does not leave the editor for the file. */
+  /** While a dialog is open, file drops are ignored, and the browser is kept from navigating to the file. */
   const isRefused = (event: DragEvent): boolean => {
     if (!editor.dialogs.current || !event.dataTransfer || !isFileDrag(event.dataTransfer)) return false;
-    // the welcome takes files itself
+    // the welcome page accepts files itself
     if (event.target instanceof Element && event.target.closest('.welcome')) return false;
     event.preventDefault();
     event.stopPropagation();
@@ -47,12 +47,12 @@ export function watchDrops(editor: EditorApi): void {
   };
   const drop = (event: DragEvent): void => {
     if (isRefused(event) || !isOurs(event)) return;
-    // else the browser would leave the editor for the file
+    // else the browser would navigate to the file
     event.preventDefault();
     const target = targetOf(event);
     if (target.kind === 'tree') event.stopPropagation();
     const asset = draggedAsset(event.dataTransfer);
-    // what is dropped can be read during the event only
+    // dropped data can only be read during the event
     const files = asset ? new Map<string, File>() : collectFiles(event.dataTransfer);
     editor.attempt(async () => {
       const { dropOn } = await import('./dropOn');

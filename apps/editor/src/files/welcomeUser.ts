@@ -2,13 +2,13 @@ import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import type { RecoveryOffer } from '../model/Dialogs';
 
-/** How long the welcome waits for the browser's store (ms). */
+/** Longest wait for the browser's store before the welcome page is shown (ms). */
 const PATIENCE = 1500;
 
 /**
- * Shows, before the first click, the welcome if it is wanted, and what can be recovered; whoever has begun to work is told
- * of it without a dialog.
- * @returns to be called once it is known what can be recovered; null for nothing
+ * Shows the welcome page if wanted, with sessions to recover. A user who has begun to work gets a notice instead of a
+ * dialog.
+ * @returns to be called once the sessions are known; null for none
  */
 export function welcomeUser(editor: EditorApi, isWanted: boolean): (recovery: RecoveryOffer | null) => void {
   const { dialogs, notices } = editor;

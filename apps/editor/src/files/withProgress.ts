@@ -1,12 +1,12 @@
 import type { Dialogs } from '../model/Dialogs';
 
-/** How long work may take before a dialog tells of it (ms). */
+/** Duration of work after which a progress dialog opens (ms). */
 const LONG = 1000;
 
 /**
- * Runs work that may take long: after a second a dialog says what it is, and cancels it.
- * @param run - gets the signal that the user has cancelled it by
- * @throws AbortError (as a rejection) when cancelled, else what the work throws
+ * Runs work with a progress dialog that opens after a second and can cancel it.
+ * @param run - gets a signal that is aborted when the user cancels
+ * @throws AbortError (as a rejection) when cancelled, else whatever the work throws
  */
 export async function withProgress<T>(
   dialogs: Dialogs,
@@ -18,7 +18,7 @@ export async function withProgress<T>(
   let isDone = false;
   let timer: ReturnType<typeof setTimeout>;
   const tell = (): void => {
-    // a question that is open comes first
+    // another open dialog has precedence
     if (dialogs.current) {
       timer = setTimeout(tell, LONG);
       return;

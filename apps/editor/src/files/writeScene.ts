@@ -7,8 +7,8 @@ import { fileType } from './fileType';
 import { mayReplace, notSaved, saveFile, seenFile } from './saveFile';
 
 /**
- * The scene as a file: JSON with all assets inside where the name ends so, else a container.
- * @throws Error that names the file and says why it was not saved
+ * The scene as a file: JSON with assets inlined for a `.json` name, else a container.
+ * @throws Error naming the file and the reason
  */
 async function bytesFor(scene: Scene, name: string): Promise<Blob> {
   try {
@@ -21,11 +21,11 @@ async function bytesFor(scene: Scene, name: string): Promise<Blob> {
   }
 }
 
-/** The message of the last save that failed, which one that does not takes away. */
+/** Id of the notice of each editor's last failed save, removed by the next success. */
 const failures = new WeakMap<EditorApi, number>();
 
 /**
- * Saves the scene, and tells the user.
+ * Saves the scene, and shows the result.
  * @param handle - the file to write to; null asks for one
  */
 export async function writeScene(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<void> {
@@ -45,16 +45,16 @@ async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): 
   const { scene } = editor.document;
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;
   const step = editor.commands.last;
-  // the picker gives the file; a browser without one downloads, and gives none
+  // the picker returns the file; browsers without one download and return none
   let content = await bytesFor(scene, fileName);
   let saved = await saveFile(content, { ...fileType, fileName }, handle);
   if (saved && saved.name.endsWith('.json') !== fileName.endsWith('.json')) {
-    // another kind was chosen in the picker than the name stood for
+    // another extension was chosen in the picker: encodes the scene again
     content = await bytesFor(scene, saved.name);
     saved = await saveFile(content, { ...fileType, fileName: saved.name }, saved);
   }
   const name = saved?.name ?? fileName;
-  // another scene that was opened meanwhile is in no file yet, and would be written over this one
+  // not marked as saved if another scene was opened meanwhile: it would overwrite this file
   if (editor.document.scene !== scene) return name;
   editor.saved(await seenFile(content, { name, handle: saved }), step);
   const { noteRecent } = await import('./recent/noteRecent');

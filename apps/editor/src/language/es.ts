@@ -28,10 +28,10 @@ import { views } from './es/views';
 import { welcome } from './es/welcome';
 import { messageTranslator } from './messageTable';
 
-/** Messages of the engine in Spanish. */
+/** Translates messages of the engine to Spanish. */
 export const ofEngine = messageTranslator(engine);
 
-/** All texts of the editor in Spanish, by their English ones. */
+/** All texts of the editor in Spanish, keyed by the English ones. */
 export const es: Texts = {
   ...actions,
   ...animation,

@@ -1,4 +1,4 @@
-/** Languages of the editor, by what each calls itself. */
+/** Languages of the editor, each with its own name for itself. */
 export const languages = { en: 'English', es: 'Español' } as const;
 
 export type Language = keyof typeof languages;
@@ -6,10 +6,10 @@ export type Language = keyof typeof languages;
 const isLanguage = (name: unknown): name is Language => typeof name === 'string' && Object.hasOwn(languages, name);
 
 /**
- * The language to begin with.
- * @param chosen - what the user has chosen before; anything else counts as nothing
- * @param ofBrowser - tags of BCP 47, the most wanted first
- * @returns what was chosen, else the first of the browser's that there is, else English
+ * The language to start with.
+ * @param chosen - stored choice of the user; anything but a language is ignored
+ * @param ofBrowser - BCP 47 tags, the preferred first
+ * @returns the chosen language, else the browser's first supported one, else English
  */
 export function firstLanguage(chosen: unknown, ofBrowser: readonly string[]): Language {
   if (isLanguage(chosen)) return chosen;

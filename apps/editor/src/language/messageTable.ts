@@ -1,24 +1,24 @@
 /**
- * Messages of the engine, which has English ones alone, in a language: by the English text with `{name}` for what the
- * engine fills in. A test holds that the engine's sources have each of them.
+ * Translations of messages of the engine, which itself has only English ones, by the English text with `{name}` for
+ * parameters. A test checks that the engine's sources contain each text.
  */
 export type MessageTable = Readonly<Record<string, string>>;
 
 const escaped = (text: string): string => text.replaceAll(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
 
-/** The pattern of a message. What is filled in is as short as it can be; at the end it is all that follows. */
+/** Pattern of a message. Parameters match as little as possible; the last one matches all that follows. */
 function patternOf(english: string): RegExp {
   const parts = english.split(/\{\w+\}/);
   const last = parts.length - 1;
   const pattern = parts
     .map((part, i) => escaped(part) + (i === last ? '' : i === last - 1 && parts[last] === '' ? '([^]+)' : '([^]+?)'))
     .join('');
-  // a message begins where a sentence or a clause does
+  // matches only at the beginning of a word, where a sentence or clause starts
   return new RegExp(`(?<![\\p{L}\\p{N}])${pattern}`, 'gu');
 }
 
 /**
- * Puts the messages of a table that a text is, or holds, into another language: the rest stays as it is.
+ * Translates messages of a table, and texts that contain them; the rest of a text is unchanged.
  * @returns a function from text to text
  */
 export function messageTranslator(table: MessageTable): (text: string) => string {

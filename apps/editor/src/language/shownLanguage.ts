@@ -3,7 +3,7 @@ import type { Language } from './languages';
 
 interface LanguageTexts {
   readonly texts: Texts;
-  /** Puts what the engine says into the language. */
+  /** Translates messages of the engine. */
   readonly ofEngine: (message: string) => string;
 }
 
@@ -19,21 +19,21 @@ const loaders: Readonly<Record<Language, () => Promise<LanguageTexts>>> = {
 
 let shown: Language = 'en';
 let translate = asItIs;
-/** The language that was asked for last: its texts may come after those of one that was asked for later. */
+/** The language requested last; texts of one requested before may arrive later, and are ignored. */
 let asked: Language = 'en';
 
-/** Emits once another language is shown. One for all editors of the page, as the texts are. */
+/** Emits when the language changes, which is common to all editors of the page. */
 export const languageChanged = new Signal();
 
-/** The language that is shown. */
+/** The language of the page. */
 export const shownLanguage = (): Language => shown;
 
-/** A message in the language that is shown, where the engine said it or a part of it: the engine speaks English alone. */
+/** Translates a text that contains messages of the engine, which are English only. */
 export const inShownLanguage = (message: string): string => translate(message);
 
 /**
- * Shows the page in a language, once its texts are there.
- * @throws Error (as a rejection) when they cannot be fetched; the language before stays
+ * Switches the language of the page, once its texts are fetched.
+ * @throws Error (as a rejection) when they cannot be fetched; the language then stays
  */
 export async function showLanguage(language: Language): Promise<void> {
   asked = language;

@@ -1,8 +1,8 @@
 import { firstLanguage, type Language } from './languages';
 
 /**
- * The language to begin with, before there is an editor.
- * @param storage - where the editor's preferences are kept in the browser
+ * The language to start with, before an editor exists.
+ * @param storage - prefix of the editor's keys in localStorage
  */
 export function storedLanguage(storage: string): Language {
   let chosen: unknown = null;
@@ -10,7 +10,7 @@ export function storedLanguage(storage: string): Language {
     const kept = JSON.parse(localStorage.getItem(storage) ?? '{}') as { state?: { language?: unknown } };
     chosen = kept.state?.language;
   } catch {
-    // no storage, or not ours
+    // storage is missing, or its content malformed
   }
   return firstLanguage(chosen, navigator.languages);
 }

@@ -1,34 +1,31 @@
-/** Panels that share a place, one of them in front. */
+/** A group of panels in one place, one of them in front. */
 export interface PanelGroup {
   readonly kind: 'group';
-  /** Its own within a layout. */
+  /** Unique within a layout. */
   readonly id: string;
   /** Ids of panels, in the order of their tabs; at least one. */
   readonly panels: readonly string[];
-  /** The one in front. */
+  /** Id of the panel in front. */
   readonly active: string;
 }
 
-/** Places side by side ('row'), or one above the other ('column'). */
+/** Places side by side ('row') or stacked ('column'). */
 export interface LayoutSplit {
   readonly kind: 'split';
   readonly direction: 'row' | 'column';
-  /** At least two, none of them a split of the same direction. */
+  /** At least two, none of them a split in the same direction. */
   readonly children: readonly LayoutNode[];
-  /**
-   * Width or height that each child would like (CSS pixels). The child with the viewport takes what is left over, however
-   * large the window is.
-   */
+  /** Preferred width or height of each child (CSS pixels). The child with the viewport takes the rest. */
   readonly sizes: readonly number[];
 }
 
-/** How the panels share the window. */
+/** Arrangement of the panels in the window: a tree of splits and groups. */
 export type LayoutNode = PanelGroup | LayoutSplit;
 
-/** Where in a group a panel is put: into it, or beside it. */
+/** Side of a group where a panel is dropped: into the group, or beside it. */
 export type DropSide = 'centre' | 'left' | 'right' | 'top' | 'bottom';
 
-/** The panel that takes what the others leave. */
+/** Id of the panel that takes the space left by others. */
 export const MAIN_PANEL = 'viewport';
 
 /** All groups, from left to right and from top to bottom. */
@@ -36,6 +33,6 @@ export function groupsOf(node: LayoutNode): PanelGroup[] {
   return node.kind === 'group' ? [node] : node.children.flatMap(groupsOf);
 }
 
-/** The group that a panel is in. */
+/** The group that contains a panel. */
 export const groupWith = (node: LayoutNode, panel: string): PanelGroup | undefined =>
   groupsOf(node).find(({ panels }) => panels.includes(panel));

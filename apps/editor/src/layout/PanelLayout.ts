@@ -9,31 +9,31 @@ import type { PanelRegistry } from './PanelRegistry';
 import { repairLayout } from './repairLayout';
 
 interface LayoutState {
-  /** What was stored, by this or by another version; null for the layout at first. See `PanelLayout.current`. */
+  /** Layout from the browser's storage, maybe of another version; null for the default. See `PanelLayout.current`. */
   stored: LayoutNode | null;
-  /** Panels that have been there: what is new is opened. */
+  /** Ids of panels seen before; new ones are opened. */
   known: readonly string[];
-  /** The panel that has the whole window; null when all share it. Not stored. */
+  /** Id of the panel that fills the window; null for none. Not stored. */
   maximised: string | null;
-  /** Whether the window has room for one panel beside the picture only. Not stored. */
+  /** Whether the window is small, with space for only one panel beside the viewport. Not stored. */
   isSmall: boolean;
-  /** The panel beside the picture of a small window; null when there is none. Not stored. */
+  /** Id of the panel beside the viewport in a small window; null for none. Not stored. */
   sheet: string | null;
-  /** Part of a small window that this panel takes. */
+  /** Share of a small window that this panel takes. */
   share: number;
 }
 
-/** Least and largest part of a small window that a panel takes. */
+/** Limits of that share. */
 const LEAST_SHARE = 0.2;
 const LARGEST_SHARE = 0.8;
 
-/** How the panels of one editor share its window, and what can be done to that, by id of panel; kept in the browser. */
+/** Layout of one editor's panels, stored in the browser, with operations by panel id. */
 export class PanelLayout {
   private readonly store: StoreApi<LayoutState>;
   private shown: LayoutNode | null = null;
   private shownOf: { stored: LayoutNode | null; revision: number } | null = null;
 
-  /** @param storage - key in the browser's storage */
+  /** @param storage - key in localStorage */
   constructor(
     private readonly panels: PanelRegistry,
     storage: string,
@@ -50,10 +50,10 @@ export class PanelLayout {
     );
   }
 
-  /** Calls a listener after each change. @returns a function that ends it */
+  /** Calls a listener after each change. @returns a function that stops it */
   readonly subscribe = (listener: () => void): (() => void) => this.store.subscribe(listener);
 
-  /** The layout that is shown: the stored one with the panels that there are now. The same until something changes. */
+  /** The layout in use: the stored one, reduced to existing panels. The same object until something changes. */
   readonly current = (): LayoutNode => {
     const { panels } = this;
     const { stored, known } = this.store.getState();
@@ -67,7 +67,7 @@ export class PanelLayout {
         if (!isNew) continue;
         const front = groupsOf(layout).map(({ active }) => active);
         layout = openPanel(layout, panel, panels.list);
-        // it comes behind what is in front
+        // new panels are opened behind those in front
         for (const id of front) layout = activatePanel(layout, id);
       }
     }
@@ -76,29 +76,29 @@ export class PanelLayout {
     return layout;
   };
 
-  /** The panel that has the whole window; null when all share it. */
+  /** Id of the panel that fills the window; null for none. */
   readonly maximised = (): string | null => this.store.getState().maximised;
 
-  /** Whether the window has room for one panel beside the picture only: see `isSmallWindow`. */
+  /** Whether the window has space for only one panel beside the viewport, see `isSmallWindow`. */
   readonly isSmall = (): boolean => this.store.getState().isSmall;
 
-  /** The panel beside the picture of a small window; null when there is none. */
+  /** Id of the panel beside the viewport in a small window; null for none. */
   readonly sheet = (): string | null => this.store.getState().sheet;
 
-  /** Part of a small window that the panel beside the picture takes, from 0 to 1. */
+  /** Share of a small window that the panel beside the viewport takes, 0 to 1. */
   readonly share = (): number => this.store.getState().share;
 
-  /** Says whether the window is small. */
+  /** Sets whether the window is small. */
   setSmall(isSmall: boolean): void {
     if (isSmall !== this.isSmall()) this.store.setState({ isSmall });
   }
 
-  /** Gives the panel beside the picture of a small window its part. */
+  /** Sets the share of the panel beside the viewport in a small window. */
   shareSheet(share: number): void {
     this.store.setState({ share: Math.min(LARGEST_SHARE, Math.max(LEAST_SHARE, share)) });
   }
 
-  /** Whether a panel is there and no other one lies over it. */
+  /** Whether a panel is open and not behind another one. */
   isInFront(panel: string): boolean {
     if (this.isSmall()) return panel === MAIN_PANEL || this.sheet() === panel;
     return groupWith(this.current(), panel)?.active === panel;
@@ -109,7 +109,7 @@ export class PanelLayout {
     return groupWith(this.current(), panel) !== undefined;
   }
 
-  /** Brings a panel to the front, opened where it is not there. @throws Error naming the panels that there are */
+  /** Brings a panel to the front, opening it if needed. @throws Error naming the existing panels */
   open(id: string): void {
     const { panels } = this;
     const panel = panels.get(id);
@@ -121,7 +121,7 @@ export class PanelLayout {
     this.set(openPanel(this.current(), panel, panels.list));
   }
 
-  /** Takes a panel out of the window; the last one stays. */
+  /** Closes a panel; the last one stays. */
   close(panel: string): void {
     if (this.isSmall()) {
       if (this.sheet() === panel) this.store.setState({ sheet: null });
@@ -137,22 +137,25 @@ export class PanelLayout {
     this.set(movePanel(this.current(), panel, drop));
   }
 
-  /** @param path - indices of children from the root to the split @param sizes - one of each child (CSS pixels) */
+  /**
+   * Sets the sizes in a split. @param path - indices of children from the root to the split @param sizes - size of each
+   * child (CSS pixels)
+   */
   resize(path: readonly number[], sizes: readonly number[]): void {
     this.set(resizeSplit(this.current(), path, sizes));
   }
 
-  /** Gives a panel the whole window; null gives it back. */
+  /** Makes a panel fill the window; null ends that. */
   maximise(panel: string | null): void {
     this.store.setState({ maximised: panel });
   }
 
-  /** Panels are where they were at first. */
+  /** Restores the default layout. */
   reset(): void {
     this.store.setState({ stored: null, known: [], maximised: null });
   }
 
-  /** Treats a panel as one that has never been there: it opens when it comes again. */
+  /** Forgets that a panel existed, so that it is opened when it is added again. */
   forget(panel: string): void {
     const { known, maximised } = this.store.getState();
     if (maximised === panel) this.maximise(null);

@@ -3,22 +3,22 @@ import { Registry } from '../model/Registry';
 import type { IconName } from '../style/iconPaths';
 import type { PanelPlace } from './defaultLayout';
 
-/** A part of the editor's window, which the user can move, close and open. */
+/** A panel of the editor's window, which the user can move, close and open. */
 export interface Panel {
-  /** Lower-kebab; layouts are stored with it. */
+  /** Lower-kebab; used in stored layouts. */
   readonly id: string;
-  /** What its tab says. */
+  /** Title of its tab. */
   readonly title: string;
   readonly icon: IconName;
-  /** Where it is at first; panels of one place share a group of tabs, in the order of the registry. */
+  /** Default place; panels with the same place share a group, in the order of the registry. */
   readonly place: PanelPlace;
-  /** Whether it is there at first; true when absent. The Panels menu opens what is not. */
+  /** Whether it is open by default; true when absent. The Panels menu opens others. */
   readonly isOpen?: boolean;
-  /** Loads the component when the panel is first in front. While it is behind another, its effects are off. */
+  /** Fetches the component when the panel is first in front. Its effects are off while it is behind another panel. */
   load(): Promise<ComponentType>;
 }
 
-/** The panels of one editor: its own (`panels/index.ts`), and those of plugins. */
+/** The panels of one editor: built-in ones (`panels/index.ts`), and those of plugins. */
 export class PanelRegistry extends Registry<Panel> {
   private readonly components = new WeakMap<Panel, ComponentType>();
 
@@ -26,7 +26,7 @@ export class PanelRegistry extends Registry<Panel> {
     super('a panel', panels);
   }
 
-  /** The component of a panel, which loads itself when first rendered; the same for as long as the panel is there. */
+  /** Lazy component of a panel; the same object as long as the panel is registered. */
   componentOf(id: string): ComponentType | undefined {
     const panel = this.get(id);
     if (!panel) return undefined;

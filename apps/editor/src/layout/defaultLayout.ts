@@ -2,26 +2,26 @@ import type { LayoutNode, LayoutSplit, PanelGroup } from './LayoutNode';
 
 export type PanelPlace = 'left' | 'middle' | 'right' | 'bottom';
 
-/** What the layout needs to know of a panel. */
+/** The properties of a panel that the layout depends on. */
 export interface PlacedPanel {
   readonly id: string;
-  /** Where it is at first. */
+  /** Default place. */
   readonly place: PanelPlace;
-  /** Whether it is there at first. */
+  /** Whether the panel is open by default. */
   readonly isOpen?: boolean;
 }
 
-/** The group that a place is at first. */
+/** Id of the group at a default place. */
 export const groupOfPlace = (place: PanelPlace): string => place;
 
-/** Up to this width (CSS pixels) a window that is higher than wide, as of a tablet, has no room beside the picture. */
+/** Width (CSS pixels) up to which an upright window has no space beside the viewport. */
 const NARROW = 1000;
 
 /**
- * A layout of the panels that are open at first, each at its place. Panels of one place share a group. In a narrow upright
- * window the picture has all its width, and the others are below it.
- * @param height - of the window (CSS pixels): in a low one the bottom takes less, in a high one more
- * @param width - of the window (CSS pixels): in a wide one the panels beside the picture take more
+ * The default layout: open panels at their default places, those of one place in a group. In a narrow upright window
+ * the viewport has the full width, with the other panels below.
+ * @param height - height of the window (CSS pixels), which determines the height of the bottom
+ * @param width - width of the window (CSS pixels), which determines the width of the sides
  */
 export function defaultLayout(panels: readonly PlacedPanel[], height = 900, width = 1440): LayoutNode {
   const between = (least: number, size: number, most: number): number =>

@@ -1,11 +1,11 @@
 import { type DropSide, groupsOf, type LayoutNode, type LayoutSplit, type PanelGroup } from './LayoutNode';
 
-/** Parts of a group's extent that a panel put beside it takes. */
+/** Share of a group's extent that a panel put beside it takes. */
 const BESIDE = 0.35;
 
 type Direction = LayoutSplit['direction'];
 
-/** A split without splits of its own direction in it; its only child, if it has one; null for none. */
+/** Makes a split, merging nested splits of the same direction; a single child is returned as it is, null for none. */
 function split(direction: Direction, children: readonly LayoutNode[], sizes: readonly number[]): LayoutNode | null {
   if (children.length < 2) return children[0] ?? null;
   const flat: LayoutNode[] = [];
@@ -23,7 +23,7 @@ function split(direction: Direction, children: readonly LayoutNode[], sizes: rea
   return { kind: 'split', direction, children: flat, sizes: flatSizes };
 }
 
-/** The layout with each group replaced; null takes it out. */
+/** Replaces each group of a layout; null removes it. */
 function mapGroups(node: LayoutNode, change: (group: PanelGroup) => LayoutNode | null): LayoutNode | null {
   if (node.kind === 'group') return change(node);
   const kept = node.children.flatMap((child, i) => {
@@ -37,7 +37,7 @@ function mapGroups(node: LayoutNode, change: (group: PanelGroup) => LayoutNode |
   );
 }
 
-/** Takes a panel out; null when it was the last one. */
+/** Removes a panel; null when it was the last one. */
 export function removePanel(layout: LayoutNode, panel: string): LayoutNode | null {
   return mapGroups(layout, (group) => {
     const at = group.panels.indexOf(panel);
@@ -53,7 +53,7 @@ export function activatePanel(layout: LayoutNode, panel: string): LayoutNode {
   return mapGroups(layout, (group) => (group.panels.includes(panel) ? { ...group, active: panel } : group))!;
 }
 
-/** A group id that the layout does not have. */
+/** A group id that is free in a layout. */
 function freeId(layout: LayoutNode): string {
   const taken = new Set(groupsOf(layout).map(({ id }) => id));
   let n = 1;
@@ -61,18 +61,18 @@ function freeId(layout: LayoutNode): string {
   return `g${n}`;
 }
 
-/** What is put where. */
+/** Target of a dropped panel. */
 export interface PanelDrop {
-  /** Id of the group that it is put in, or beside. */
+  /** Id of the group that the panel is put into, or beside. */
   readonly group: string;
   readonly side: DropSide;
-  /** Among the tabs of the group; the end when absent. Only for 'centre'. */
+  /** Index among the group's tabs; the end when absent. Only for 'centre'. */
   readonly index?: number;
-  /** Width (left, right) or height of the group (CSS pixels), which a panel beside it shares. */
+  /** Width (left, right) or height of the group (CSS pixels), of which the panel takes a share. */
   readonly extent?: number;
 }
 
-/** Puts a panel, which the layout does not have, in front of a group or beside it. */
+/** Adds a panel, which is not in the layout yet, to a group or beside it. */
 export function insertPanel(layout: LayoutNode, panel: string, drop: PanelDrop): LayoutNode {
   const id = freeId(layout);
   return mapGroups(layout, (group) => {
@@ -84,7 +84,7 @@ export function insertPanel(layout: LayoutNode, panel: string, drop: PanelDrop):
   })!;
 }
 
-/** A node with another at a side of it. */
+/** Puts a node at a side of another one. */
 export function beside(
   node: LayoutNode,
   other: LayoutNode,
@@ -97,7 +97,7 @@ export function beside(
   return isFirst ? split(direction, [other, node], [small, large])! : split(direction, [node, other], [large, small])!;
 }
 
-/** Moves a panel, which the layout has. Dropped on the only place where it is, nothing changes. */
+/** Moves a panel of the layout. Nothing changes when it is dropped on the group that it alone forms. */
 export function movePanel(layout: LayoutNode, panel: string, drop: PanelDrop): LayoutNode {
   const from = groupsOf(layout).find(({ panels }) => panels.includes(panel));
   if (from?.id === drop.group) {

@@ -77,7 +77,7 @@ describe('the layout of panels', () => {
     const [picture] = placeLayout(layout, 820, 1060).groups;
     expect(picture.rectangle).toEqual({ x: 0, y: 0, width: 820, height: 1060 - 496 - EDGE });
     expect(groupsOf(defaultLayout(panels, 820, 1180))[0].panels).toEqual(['hierarchy']);
-    // what comes later joins its like
+    // a panel opened later joins those with the same place
     const opened = openPanel(layout, { id: 'microshaders', place: 'bottom' }, panels);
     expect(groupWith(opened, 'microshaders')!.panels).toContain('assets');
   });

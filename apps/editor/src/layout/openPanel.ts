@@ -2,7 +2,10 @@ import { activatePanel, beside, insertPanel } from './editLayout';
 import { groupOfPlace, type PlacedPanel } from './defaultLayout';
 import { groupsOf, groupWith, type LayoutNode, MAIN_PANEL } from './LayoutNode';
 
-/** Brings a panel to the front; one that is not there is put where its like are, or else at its side of the window. */
+/**
+ * Brings a panel to the front. A closed one is added to the group of panels with the same default place, else at its
+ * side of the window.
+ */
 export function openPanel(layout: LayoutNode, panel: PlacedPanel, panels: readonly PlacedPanel[]): LayoutNode {
   const { id, place } = panel;
   if (groupWith(layout, id)) return activatePanel(layout, id);

@@ -1,6 +1,6 @@
 import { groupWith, type LayoutNode, type LayoutSplit, MAIN_PANEL, type PanelGroup } from './LayoutNode';
 
-/** In CSS pixels, from the left top corner of the window's dock. */
+/** Rectangle in CSS pixels from the upper left corner of the dock. */
 export interface Rectangle {
   readonly x: number;
   readonly y: number;
@@ -13,39 +13,42 @@ export interface PlacedGroup {
   readonly rectangle: Rectangle;
 }
 
-/** The line between two children of a split, which can be dragged. */
+/** Divider between two children of a split. */
 export interface PlacedEdge {
-  /** Of the split: indices of children from the root. */
+  /** Path to the split: indices of children from the root. */
   readonly path: readonly number[];
-  /** Of the child before the line. */
+  /** Index of the child before the divider. */
   readonly index: number;
   readonly direction: LayoutSplit['direction'];
   readonly rectangle: Rectangle;
-  /** What the children of the split take now (CSS pixels). */
+  /** Present sizes of the split's children (CSS pixels). */
   readonly sizes: readonly number[];
 }
 
-/** Width of the lines between groups (CSS pixels). */
+/** Width of dividers between groups (CSS pixels). */
 export const EDGE = 1;
 
-/** Least width and height of a place (CSS pixels), as far as the window is large enough. */
+/** Least width and height of a place (CSS pixels), if the window is large enough. */
 export const SMALLEST = 120;
 
-/** What each child of a split takes of `extent`. The child with the viewport, or else the largest one, takes the rest. */
+/**
+ * Actual sizes of a split's children within `extent` (CSS pixels). The child with the viewport, or else the largest
+ * one, takes the rest.
+ */
 export function sizesOf(split: LayoutSplit, extent: number): number[] {
   const room = Math.max(0, extent - EDGE * (split.children.length - 1));
   const main = split.children.findIndex((child) => groupWith(child, MAIN_PANEL));
   const flexible = main >= 0 ? main : split.sizes.indexOf(Math.max(...split.sizes));
   const others = split.sizes.reduce((sum, size, i) => (i === flexible ? sum : sum + size), 0);
-  const least = Math.min(SMALLEST, room / split.children.length);
-  const scale = others > room - least ? (room - least) / others : 1;
+  const smallest = Math.min(SMALLEST, room / split.children.length);
+  const scale = others > room - smallest ? (room - smallest) / others : 1;
   const sizes = split.sizes.map((size) => Math.round(size * scale));
   sizes[flexible] = 0;
   sizes[flexible] = room - sizes.reduce((a, b) => a + b, 0);
   return sizes;
 }
 
-/** Where the groups of a layout are, and the lines between them. */
+/** Rectangles of a layout's groups, and the dividers between them. */
 export function placeLayout(
   layout: LayoutNode,
   width: number,
@@ -75,9 +78,9 @@ export function placeLayout(
   return { groups, edges };
 }
 
-/** The sizes of a split after the line behind child `index` was moved by some pixels. */
+/** Sizes of a split after a divider was moved. @param by - CSS pixels */
 export function moveEdge({ sizes, index }: PlacedEdge, by: number): number[] {
-  const least = (i: number): number => Math.min(SMALLEST, sizes[i]);
-  const moved = Math.max(least(index) - sizes[index], Math.min(by, sizes[index + 1] - least(index + 1)));
+  const smallestOf = (i: number): number => Math.min(SMALLEST, sizes[i]);
+  const moved = Math.max(smallestOf(index) - sizes[index], Math.min(by, sizes[index + 1] - smallestOf(index + 1)));
   return sizes.map((size, i) => (i === index ? size + moved : i === index + 1 ? size - moved : size));
 }

@@ -3,7 +3,7 @@ import { groupsOf, type LayoutNode } from './LayoutNode';
 
 const isObject = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
 
-/** Whether a stored value has the shape of a layout. */
+/** Whether a stored value has the structure of a layout. */
 function isLayout(value: unknown): value is LayoutNode {
   if (!isObject(value)) return false;
   if (value.kind === 'group') {
@@ -18,8 +18,8 @@ function isLayout(value: unknown): value is LayoutNode {
 }
 
 /**
- * A stored layout with the panels that there are now: unknown ones are left out.
- * @returns null when nothing can be made of it
+ * Removes unknown panels from a stored layout.
+ * @returns null when the value is malformed, or nothing is left
  */
 export function repairLayout(stored: unknown, known: (panel: string) => boolean): LayoutNode | null {
   if (!isLayout(stored)) return null;

@@ -3,28 +3,29 @@ import type { Rectangle } from './placeLayout';
 /** Height of the tabs at the bottom of a small window (CSS pixels). */
 export const SHEET_TABS = 46;
 
-/** Width or height of the line between the picture and a sheet (CSS pixels). */
+/** Width or height of the divider between viewport and panel (CSS pixels). */
 export const SHEET_EDGE = 12;
 
-/** Whether a window (CSS pixels) has room for one panel at a time beside the picture, as of a telephone or enlarged twice. */
+/** Whether a window (CSS pixels) has space for only one panel beside the viewport, as on a phone or at high zoom. */
 export const isSmallWindow = (width: number, height: number): boolean =>
   width < 700 || height < 400 || (width < 840 && height < 700);
 
 export interface PlacedSheet {
-  /** Of the picture. */
+  /** Rectangle of the viewport. */
   readonly main: Rectangle;
-  /** Of the panel beside or below it, and of the line between; null when there is none. */
+  /** Rectangle of the panel, and of the divider; null when there is no panel. */
   readonly sheet: Rectangle | null;
   readonly edge: Rectangle | null;
   readonly tabs: Rectangle;
-  /** Whether the sheet is below the picture, else at its right. */
+  /** Whether the panel is below the viewport, or else at its right. */
   readonly isBelow: boolean;
 }
 
 /**
- * Where the picture, one panel and the tabs are in a small window: below the picture in an upright one, else at its right.
- * @param width - of the dock (CSS pixels), as is `height`
- * @param share - part that the panel takes, from 0 to 1; null for no panel
+ * Places viewport, one panel and the tabs in a small window: the panel is below in an upright window, else at the
+ * right.
+ * @param width - width of the dock (CSS pixels) @param height - its height (CSS pixels)
+ * @param share - share that the panel takes, 0 to 1; null for no panel
  */
 export function placeSheet(width: number, height: number, share: number | null): PlacedSheet {
   const rest = Math.max(0, height - SHEET_TABS);

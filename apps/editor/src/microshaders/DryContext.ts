@@ -1,10 +1,10 @@
-/** A shader that was handed to a dry context. */
+/** Source of a shader passed to a dry context. */
 export interface DrySource {
   readonly stage: 'vertex' | 'fragment';
   readonly text: string;
 }
 
-/** What is asked of the device itself, and changes nothing. */
+/** Methods passed on to the real context, since they only query. */
 const QUESTIONS = [
   'getParameter',
   'getExtension',
@@ -14,8 +14,8 @@ const QUESTIONS = [
 ];
 
 /**
- * A WebGL 2 context that does nothing but note the shaders that it is given: what a renderer would compile on this device
- * is known without compiling it.
+ * A fake WebGL 2 context that records shader sources: finds what a renderer would compile on this device without
+ * compiling it.
  */
 export function makeDryContext(gl: WebGL2RenderingContext): { context: WebGL2RenderingContext; sources: DrySource[] } {
   const sources: DrySource[] = [];

@@ -11,12 +11,12 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
 import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
-/** Takes chunks out of a registry; one may have to wait for another that depends on it. @returns those that are needed */
+/** Removes microshaders from a registry, dependents before their dependencies. @returns those that are still needed */
 function takeOut(registry: MicroShaderRegistry, names: readonly string[]): string[] {
-  let left = names.filter((name) => registry.has(name));
-  for (let before = Infinity; left.length < before;) {
-    before = left.length;
-    left = left.filter((name) => {
+  let remaining = names.filter((name) => registry.has(name));
+  for (let countBefore = Infinity; remaining.length < countBefore;) {
+    countBefore = remaining.length;
+    remaining = remaining.filter((name) => {
       try {
         registry.remove(name);
         return false;
@@ -25,30 +25,30 @@ function takeOut(registry: MicroShaderRegistry, names: readonly string[]): strin
       }
     });
   }
-  return left;
+  return remaining;
 }
 
-/** Whether a chunk of a registry is of a surface. */
+/** Whether a microshader of a registry was generated from a surface. */
 export const isOfSurface = (name: string): boolean => /^surface\/\d+(\/vertex)?$/.test(name);
 
-/** What a new chunk begins with. */
+/** Text of a new microshader. */
 const TEMPLATE = `// What it is for.
 // Where it comes from.
 `;
 
 /**
- * The microshaders of the document as texts that are edited: what compiles is drawn with at once and becomes a step of
- * history; what does not stays a draft, and the picture keeps the last good text.
+ * Editing of the document's microshaders. A text that compiles is used at once and becomes a step of history; one that
+ * does not stays a draft, while the viewport keeps the last valid text.
  */
 export class MicroShaderEditing extends TextDrafts<string> {
-  /** Texts of the built-in chunks as they were written; what is drawn with may have lost its comments. */
+  /** Original texts of the built-in microshaders; those in the registry may lack comments. */
   sources: Readonly<Record<string, string>> = {};
 
-  /** Chunks of plugins. */
+  /** Microshaders of plugins. */
   private readonly added: Readonly<Record<string, string>>[] = [];
   private readonly overrides: MicroShaderOverrides[];
 
-  /** @param registry - of the renderer of the picture */
+  /** @param registry - registry of the viewport's renderer */
   constructor(
     private readonly document: EditorDocument,
     readonly registry: MicroShaderRegistry,
@@ -60,53 +60,56 @@ export class MicroShaderEditing extends TextDrafts<string> {
     document.opened.subscribe(() => this.forget());
   }
 
-  /** Names of all chunks: the built-in ones, then the scene's own. */
+  /** Names of all microshaders: built-in ones, then the scene's own. */
   get names(): string[] {
-    // surfaces are assets, see SurfaceEditing
+    // surfaces are assets, edited by SurfaceEditing
     const all = [...this.registry.names(), ...this.document.scene.microShaders.texts.keys()];
     return [...new Set(all)].filter((name) => !isOfSurface(name));
   }
 
-  /** Whether a chunk is the scene's own, not one that it replaces. */
+  /** Whether a microshader exists only in the scene, rather than replacing a built-in one. */
   isOwn(name: string): boolean {
     return this.overrides[0].originalOf(name) === undefined;
   }
 
-  /** Whether the scene has a text of its own for a chunk. */
+  /** Whether the scene has a text for a microshader. */
   isChanged(name: string): boolean {
     return this.document.scene.microShaders.get(name) !== undefined;
   }
 
-  /** Why the text of a chunk is not in use; null when it is. */
+  /** Why the text of a microshader is not in use; null when it is. */
   problem(name: string): MicroShaderProblemText | null {
     return this.problems.get(name) ?? null;
   }
 
-  /** The text of a chunk as it is being edited. */
+  /** The text of a microshader, as edited. */
   textOf(name: string): string {
     return this.drafts.get(name) ?? this.document.scene.microShaders.get(name) ?? this.originalOf(name);
   }
 
-  /** The text of a built-in chunk as it is without the scene's; '' for the scene's own. */
+  /** The built-in text of a microshader, which the scene may replace; '' for one of the scene. */
   originalOf(name: string): string {
     const original = this.overrides[0].originalOf(name);
     if (!original) return '';
     return this.sources[name] ?? formatMicroShader(original);
   }
 
-  /** A key was pressed: compiles the text once no more follow. */
+  /** Notes typed text, which is compiled once typing pauses. */
   edit(name: string, text: string): void {
     this.type(name, text);
   }
 
-  /** Drops a draft that does not compile. */
+  /** Discards a draft that does not compile. */
   discardDraft(name: string): void {
     this.flush();
     this.drop(name);
     this.changed.emit();
   }
 
-  /** Takes the scene's text of a chunk out: the built-in one is back; one of the scene's own is gone. @throws Error when it is needed */
+  /**
+   * Removes the scene's text of a microshader: a built-in one gets its original text, another one is deleted. @throws
+   * Error when it is needed
+   */
   revert(name: string): void {
     this.discardDraft(name);
     const users = this.isOwn(name) ? this.registry.usersOf(name).filter((other) => other !== name) : [];
@@ -118,25 +121,25 @@ export class MicroShaderEditing extends TextDrafts<string> {
     this.run(label, [{ name, text: null }]);
   }
 
-  /** Adds a chunk of the scene's own. @throws Error for a name that is taken or cannot be */
+  /** Adds a microshader to the scene. @throws Error for a name that is taken or invalid */
   create(name: string): void {
     if (this.names.includes(name))
       throw new Error(t('There is a microshader “{name}” already: choose another name.', { name }));
     this.run(t('New microshader {name}', { name }), [{ name, text: TEMPLATE }]);
   }
 
-  /** Takes texts into the scene as one step of history, in place of those of the same name. */
+  /** Sets texts of microshaders in the scene as one step of history. */
   takeOver(label: string, edits: readonly MicroShaderEdit[]): void {
     this.run(label, edits);
   }
 
-  /** The chunks of the scene, or all when it has none, as they are in use. */
+  /** The scene's microshaders as they are in use; all microshaders when it has none. */
   exported(): MicroShader[] {
-    const own = [...this.document.scene.microShaders.texts.keys()].toSorted();
-    return (own.length > 0 ? own : this.names).flatMap((name) => this.registry.get(name) ?? []);
+    const sceneNames = [...this.document.scene.microShaders.texts.keys()].toSorted();
+    return (sceneNames.length > 0 ? sceneNames : this.names).flatMap((name) => this.registry.get(name) ?? []);
   }
 
-  /** Has another renderer draw with the scene's microshaders too. @returns a function that ends it */
+  /** Uses the scene's microshaders in another renderer too. @returns a function that ends this */
   addRegistry(registry: MicroShaderRegistry): () => void {
     for (const texts of this.added) for (const name of Object.keys(texts)) registry.loadGLSL(name, texts[name]);
     const overrides = new MicroShaderOverrides(registry);
@@ -146,9 +149,9 @@ export class MicroShaderEditing extends TextDrafts<string> {
   }
 
   /**
-   * Adds chunks to every renderer of the editor, those of plugins.
-   * @param texts - in the form of a `.glsl` file, by name
-   * @returns a function that takes them out, and gives the names of those that stay, since something needs them
+   * Adds a plugin's microshaders to every renderer of the editor.
+   * @param texts - texts in the form of `.glsl` files, by name
+   * @returns a function that removes them, and returns the names of those that stay because they are needed
    */
   addChunks(texts: Readonly<Record<string, string>>): () => string[] {
     const names = Object.keys(texts);
@@ -166,7 +169,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
     };
   }
 
-  /** Changes each registry while it holds nothing of the scene's. */
+  /** Changes each registry while the scene's texts are removed from it. */
   private withoutScene(change: (registry: MicroShaderRegistry) => void): void {
     this.finish();
     for (const overrides of this.overrides) {
@@ -196,7 +199,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
     return chunk ?? name;
   }
 
-  /** Brings the scene's texts into the renderers: after an edit, an undo, or when another scene was opened. */
+  /** Updates the renderers to the scene's texts, after an edit, an undo, or when another scene was opened. */
   private apply(): void {
     const { texts } = this.document.scene.microShaders;
     for (const overrides of this.overrides.slice(1)) overrides.apply(texts);
@@ -204,7 +207,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
       this.problems.set(name, problemOf(error));
       this.log.add('error', 'shader', error.message, { chunk: name, line: 1 });
     }
-    // a draft of a text that came from elsewhere is out of date
+    // a draft is obsolete when the text was changed elsewhere
     for (const name of this.drafts.keys())
       if (!this.isWaiting(name) && !this.problems.has(name)) this.drafts.delete(name);
     for (const name of this.problems.keys())

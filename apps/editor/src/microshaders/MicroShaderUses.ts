@@ -5,7 +5,7 @@ import { chunksOf, dryRun } from './dryRun';
 import { isOfSurface } from './MicroShaderEditing';
 import { probeMicroShader } from './probeMicroShader';
 
-/** Views that draw with chunks of their own. */
+/** Debug views with microshaders of their own. */
 export const VIEWS: readonly View[] = ['grid', 'lighting', 'light-count', 'overdraw'];
 
 interface Program {
@@ -14,7 +14,7 @@ interface Program {
   readonly fragmentShader: WebGLShader;
 }
 
-/** Where each microshader is used: by which techniques and views, and in which programs that are on the device now. */
+/** Finds where each microshader is used: techniques, debug views, and compiled programs. */
 export class MicroShaderUses {
   /** Emits when more is known. */
   readonly changed = new Signal();
@@ -24,16 +24,16 @@ export class MicroShaderUses {
   private search: Promise<void> | null = null;
 
   /**
-   * @param farol - draws the picture
-   * @param getTexts - the microshaders of the scene
+   * @param farol - renderer of the viewport
+   * @param getTexts - gives the scene's microshaders
    */
   constructor(
     private readonly farol: FarolRenderer,
     private readonly getTexts: () => ReadonlyMap<string, string>,
   ) {
-    // a chunk that is in no program would be seen broken only when somebody draws with it
+    // microshaders outside all programs are compiled too, or errors would only appear once they are used
     farol.microshaders.addCheck((all) => {
-      // surfaces have a check of their own
+      // surfaces are checked elsewhere
       const names = all.filter((name) => !isOfSurface(name));
       if (names.length === 0) return;
       const live = this.liveChunks();
@@ -45,48 +45,48 @@ export class MicroShaderUses {
     return this.farol.webgl.getContext() as WebGL2RenderingContext;
   }
 
-  /** The techniques that can draw with something: all but 'auto', which draws by another one. */
+  /** Techniques that draw themselves: all but 'auto', which selects another one. */
   private get techniques(): TechniqueName[] {
     return (Object.keys(this.farol.techniques) as TechniqueName[]).filter((name) => name !== 'auto');
   }
 
   /**
-   * Finds what each technique and view draws with, one after the other, without holding up the page. What is known is not
-   * looked for again: a technique that was added since is.
+   * Finds the microshaders of each technique and debug view, one after the other, without blocking the page. Results
+   * are kept; techniques added since are searched.
    */
   find(): Promise<void> {
     if (this.isKnown) return Promise.resolve();
-    // whoever is told may ask for more at once: a plugin may have added a technique meanwhile
+    // continues if a plugin has added a technique meanwhile
     this.search ??= this.findAll()
       .finally(() => (this.search = null))
       .then(() => this.changed.emit());
     return this.search;
   }
 
-  /** Whether everything is known. */
+  /** Whether all techniques and views have been searched. */
   get isKnown(): boolean {
     return this.byView.size === VIEWS.length && this.techniques.every((name) => this.byTechnique.has(name));
   }
 
-  /** Techniques that draw with a chunk, 'auto' left out. */
+  /** Techniques that use a microshader, without 'auto'. */
   techniquesOf(name: string): TechniqueName[] {
     return this.drawn.filter(([, chunks]) => chunks.has(name)).map(([technique]) => technique);
   }
 
-  /** Views, besides the final picture, that draw with a chunk. */
+  /** Debug views that use a microshader, apart from the final image. */
   viewsOf(name: string): View[] {
     const common = this.techniquesOf(name).length === this.drawn.length;
     return common ? [] : [...this.byView].filter(([, chunks]) => chunks.has(name)).map(([view]) => view);
   }
 
-  /** Names of the programs on the device that hold a chunk. */
+  /** Names of compiled programs that contain a microshader. */
   programsOf(name: string): string[] {
     return this.programs()
       .filter(({ chunks }) => chunks.has(name))
       .map((program) => program.name);
   }
 
-  /** What each technique draws with, as far as that is known; those that were removed since are left out. */
+  /** Microshaders of each technique searched so far, without removed techniques. */
   private get drawn(): (readonly [TechniqueName, ReadonlySet<string>])[] {
     return [...this.byTechnique].filter(([name]) => Object.hasOwn(this.farol.techniques, name));
   }
@@ -105,8 +105,9 @@ export class MicroShaderUses {
   }
 
   /**
-   * @param names - a chunk whose text the registry has already, the scene not yet, and those that depend on it
-   * @throws MicroShaderCompileError when it does not compile where it is used, or alone where it is not
+   * Compiles microshaders that may be in no program.
+   * @param names - a microshader with a new text in the registry but not in the scene, and its dependents
+   * @throws MicroShaderCompileError when one does not compile where it is used, or alone when it is unused
    */
   private probe(names: readonly string[]): void {
     const { gl, farol } = this;
@@ -142,7 +143,7 @@ export class MicroShaderUses {
   }
 }
 
-/** Lets the page do what waits. */
+/** Yields to other tasks of the page. */
 export const idle = (): Promise<void> =>
   new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: 100 });

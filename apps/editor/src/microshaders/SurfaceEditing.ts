@@ -7,12 +7,12 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 import type { EditorDocument } from '../model/EditorDocument';
 import { type MicroShaderProblemText, problemOf, TextDrafts } from './TextDrafts';
 
-/** Before the name of a surface, where microshaders are named too. */
+/** Prefix of names of surfaces in places that also name microshaders. */
 export const SURFACE = 'surface:';
 
 /**
- * The surfaces of the document as texts that are edited: what compiles is drawn with at once and becomes a step of history;
- * what does not stays a draft, and the picture keeps the last good text.
+ * Editing of the document's surfaces. A text that compiles is used at once and becomes a step of history; one that does
+ * not stays a draft, while the viewport keeps the last valid text.
  */
 export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
   constructor(
@@ -41,19 +41,19 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
     return this.problems.get(asset) ?? (asset.problem ? problemOf(asset.problem) : null);
   }
 
-  /** The text of a surface as it is being edited. */
+  /** The text of a surface, as edited. */
   textOf(name: string): string {
     const asset = this.document.assets.surface(name);
     return asset ? (this.drafts.get(asset) ?? asset.source) : '';
   }
 
-  /** A key was pressed: compiles the text once no more follow. */
+  /** Notes typed text, which is compiled once typing pauses. */
   edit(name: string, text: string): void {
     const asset = this.document.assets.surface(name);
     if (asset) this.type(asset, text);
   }
 
-  /** Drops a draft that does not compile. */
+  /** Discards a draft that does not compile. */
   discardDraft(name: string): void {
     this.flush();
     const asset = this.document.assets.surface(name);
@@ -75,20 +75,20 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
     return chunk === null || chunk === name ? SURFACE + name : chunk;
   }
 
-  /** Tries a text on the device, before the document has it. @throws MicroShaderCompileError */
+  /** Compiles a text before the document gets it. @throws MicroShaderCompileError */
   private attempt(asset: SurfaceAsset, text: string): void {
     const { surface } = asset;
     if (!surface) return new Surface(asset.name, text).compile(this.farol);
     try {
-      // what is not drawn yet is to be tried too
+      // compiles the surface even if it is not drawn yet
       surface.compile(this.farol);
     } catch {
-      // the text before was broken
+      // the text before was broken too
     }
     surface.source = text;
   }
 
-  /** Drafts of what is gone are gone. */
+  /** Drops drafts of surfaces that were removed. */
   private follow(): void {
     for (const asset of [...this.drafts.keys(), ...this.problems.keys()])
       if (this.document.assets.surface(asset.name) !== asset) this.drop(asset);
@@ -96,7 +96,7 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
   }
 }
 
-/** What an editor has that surfaces are edited with. */
+/** The part of an editor that editing surfaces uses. */
 interface SurfaceHost {
   readonly document: EditorDocument;
   readonly viewport: { readonly farol: FarolRenderer };
@@ -105,7 +105,7 @@ interface SurfaceHost {
 
 const known = new WeakMap<SurfaceHost, SurfaceEditing>();
 
-/** The surfaces of an editor as texts, made when they are first asked for. */
+/** The surface editing of an editor, created at the first call. */
 export function surfaceEditingOf(editor: SurfaceHost): SurfaceEditing {
   let editing = known.get(editor);
   if (!editing) {

@@ -2,13 +2,13 @@ import { type Command, type CommandStack, type Gesture, Signal } from '@farol/ed
 import { type MicroShaderCompileEntry, MicroShaderCompileError } from '@farol/renderer/microshaders';
 import type { ConsoleLog } from '../model/ConsoleLog';
 
-/** How long after the last key a text is compiled (ms). */
+/** Delay between the last key press and compiling (ms). */
 const DELAY = 180;
 
 /** Why a text is not in use. */
 export interface MicroShaderProblemText {
   readonly message: string;
-  /** By chunk and line; none where the text cannot even be read. */
+  /** Compiler errors by microshader and line; empty when the text could not be parsed. */
   readonly entries: readonly MicroShaderCompileEntry[];
 }
 
@@ -18,8 +18,8 @@ export function problemOf(error: unknown): MicroShaderProblemText {
 }
 
 /**
- * GLSL texts that are typed, by what they are of: compiled once no key follows. What compiles is previewed in a gesture of the
- * history, which `finish` makes one step; what does not stays a draft with its problem.
+ * GLSL texts that are being typed, compiled once typing pauses. A text that compiles is previewed in a gesture of the
+ * history, which `finish` commits; one that does not stays a draft with its problem. `Key` identifies the edited text.
  */
 export abstract class TextDrafts<Key> {
   /** Emits when a text, a draft or a problem changes. */
@@ -30,25 +30,25 @@ export abstract class TextDrafts<Key> {
   private gesture: Gesture | null = null;
   private waiting: { readonly key: Key; readonly timer: ReturnType<typeof setTimeout> } | null = null;
 
-  /** @param log - is told, by `finish`, of what is broken */
+  /** @param log - broken texts are logged there by `finish` */
   constructor(
     private readonly commands: () => CommandStack,
     protected readonly log: ConsoleLog,
   ) {}
 
-  /** Compiles what waits to be. */
+  /** Compiles pending text at once. */
   flush(): void {
     if (!this.waiting) return;
     const { key, timer } = this.waiting;
     clearTimeout(timer);
     this.waiting = null;
     const text = this.drafts.get(key);
-    // what it was of may be gone
+    // the edited item may have been removed
     if (text !== undefined) this.attemptText(key, text);
     this.changed.emit();
   }
 
-  /** The user turned elsewhere: what was edited is one step of history, and what is broken is told. */
+  /** Ends editing: commits the preview as one step of history, and logs broken texts. */
   finish(): void {
     this.flush();
     this.gesture?.commit();
@@ -61,7 +61,7 @@ export abstract class TextDrafts<Key> {
     }
   }
 
-  /** A key was pressed: compiles the text once no more follow. */
+  /** Notes typed text, which is compiled once typing pauses. */
   protected type(key: Key, text: string): void {
     if (this.waiting && this.waiting.key !== key) this.flush();
     if (this.waiting) clearTimeout(this.waiting.timer);
@@ -70,19 +70,19 @@ export abstract class TextDrafts<Key> {
   }
 
   /**
-   * Tries a text on the device.
-   * @returns the edit of the document; null where it has the text
-   * @throws what is wrong with it
+   * Compiles a text.
+   * @returns the command that sets it in the document; null when the document has it already
+   * @throws the compiler's errors
    */
   protected abstract compile(key: Key, text: string): Command<unknown> | null;
 
-  /** What the console calls it. */
+  /** Name of the edited item for the console. */
   protected abstract chunkOf(key: Key): string;
 
-  /** What the console calls the chunk of an error. */
+  /** Name for the console of the microshader that has an error. */
   protected abstract chunkAt(key: Key, entry: MicroShaderCompileEntry): string;
 
-  /** Whether a text of it waits to be compiled. */
+  /** Whether a text is waiting to be compiled. */
   protected isWaiting(key: Key): boolean {
     return this.waiting?.key === key;
   }
@@ -92,7 +92,7 @@ export abstract class TextDrafts<Key> {
     this.problems.delete(key);
   }
 
-  /** Another scene came. */
+  /** Called when another scene was opened. */
   protected forget(): void {
     if (this.waiting) clearTimeout(this.waiting.timer);
     this.waiting = null;

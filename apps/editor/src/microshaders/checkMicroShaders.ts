@@ -5,12 +5,13 @@ import { idle, VIEWS } from './MicroShaderUses';
 import { compileAlone, compileStage } from './probeMicroShader';
 
 /**
- * Compiles microshaders that are on trial in every shader of every technique and view that holds one of them, and alone
- * where none does. Nothing is drawn and nothing changes; the page answers meanwhile.
- * @param farol - knows the techniques and the device
- * @param texts - the microshaders of the scene as they would be
- * @param names - of those on trial
- * @throws MicroShaderCompileError (as a rejection) with chunk and line; Error naming unknown chunks and circles
+ * Compiles changed microshaders in every shader of every technique and debug view that contains them, or alone when
+ * none does. Draws and changes nothing; yields to the page meanwhile.
+ * @param farol - provides the techniques and the device
+ * @param texts - microshaders of the scene with the changes
+ * @param names - names of the changed ones
+ * @throws MicroShaderCompileError (as a rejection) with microshader and line; Error naming unknown microshaders and
+ *   cycles
  */
 export async function checkMicroShaders(
   farol: FarolRenderer,
@@ -19,14 +20,14 @@ export async function checkMicroShaders(
 ): Promise<void> {
   const gl = farol.webgl.getContext() as WebGL2RenderingContext;
   const tried = new Set<string>();
-  const held = new Set<string>();
+  const compiledNames = new Set<string>();
   const run = (options: Parameters<typeof dryRun>[1], inspect: Parameters<typeof dryRun>[4]): void => {
     for (const { stage, text } of dryRun(gl, options, texts, farol.techniques, inspect)) {
       if (tried.has(text)) continue;
       tried.add(text);
       const chunks = chunksOf(text);
       const onTrial = names.filter((name) => chunks.has(name));
-      for (const name of onTrial) held.add(name);
+      for (const name of onTrial) compiledNames.add(name);
       if (onTrial.length > 0) compileStage(gl, onTrial[0], stage, text);
     }
   };
@@ -44,6 +45,6 @@ export async function checkMicroShaders(
   }
   await idle();
   run({ technique: 'forward' }, (registry) => {
-    for (const name of names) if (!held.has(name) && registry.has(name)) compileAlone(gl, registry, name);
+    for (const name of names) if (!compiledNames.has(name) && registry.has(name)) compileAlone(gl, registry, name);
   });
 }

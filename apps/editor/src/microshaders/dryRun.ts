@@ -6,10 +6,10 @@ import { type DrySource, makeDryContext } from './DryContext';
 import { makeDryScene } from './dryScene';
 
 /**
- * The shaders that a technique or a view draws with on this device, without drawing or compiling.
+ * Sources of the shaders that a technique or debug view uses on this device, without drawing or compiling.
  * @param texts - microshaders of the scene
- * @param techniques - those that the renderer may not know, by name
- * @param inspect - gets the registry that draws with the texts, and which of them it refused
+ * @param techniques - techniques by name, including ones that the renderer may not know
+ * @param inspect - called with the registry that has the texts, and names of texts that it refused
  */
 export function dryRun(
   gl: WebGL2RenderingContext,
@@ -42,7 +42,7 @@ export function dryRun(
 
 const FRAME = /^\/\/ <([^/>][^>]*)>/gm;
 
-/** The microshaders that a composed source holds, by its frames; three's own left out. */
+/** Names of the microshaders in a composed source, by their markers; without three's chunks. */
 export function chunksOf(source: string): Set<string> {
   return new Set([...source.matchAll(FRAME)].map(([, name]) => name).filter((name) => !name.startsWith('three/')));
 }

@@ -15,7 +15,7 @@ import {
   SpotLight,
 } from 'three';
 
-/** A scene with every kind of material and light that techniques tell apart. */
+/** A scene with every kind of material and light for which techniques use different shaders. */
 export function makeDryScene(): { scene: Scene; camera: PerspectiveCamera; dispose(): void } {
   const scene = new Scene();
   const geometry = new BoxGeometry();

@@ -4,12 +4,12 @@ import type { TechniqueName } from '@farol/renderer';
 import { chunksOf, dryRun } from './dryRun';
 
 /**
- * Compiles a microshader that no program on the device holds, and what depends on it, as a technique would, or alone.
- * @param registry - gives the new text already
+ * Compiles a microshader that no program contains, and its dependents, as a technique would, or alone.
+ * @param registry - registry with the new text
  * @param texts - microshaders of the scene
- * @param user - a technique that draws with it; null when none does
- * @param techniques - all there are, by name
- * @throws MicroShaderCompileError with chunk and line
+ * @param user - technique that uses it; null when none does
+ * @param techniques - all techniques, by name
+ * @throws MicroShaderCompileError with microshader and line
  */
 export function probeMicroShader(
   gl: WebGL2RenderingContext,
@@ -31,7 +31,7 @@ export function probeMicroShader(
   }
 }
 
-/** @throws MicroShaderCompileError with chunk and line @param name - of the chunk that is on trial */
+/** @throws MicroShaderCompileError with microshader and line @param name - name of the changed microshader */
 export function compileStage(
   gl: WebGL2RenderingContext,
   name: string,
@@ -48,7 +48,10 @@ export function compileStage(
   if (!isCompiled) throw new MicroShaderCompileError(name, stage, log, text);
 }
 
-/** Its header with all it depends on; what its main part needs of other chunks only a whole shader can tell. */
+/**
+ * Compiles a microshader's header and its dependencies. Its main part may need microshaders that only a whole shader
+ * has, and is left out.
+ */
 export function compileAlone(gl: WebGL2RenderingContext, registry: MicroShaderRegistry, name: string): void {
   const header = registry.header([name]);
   const stage = registry.get(name)?.stage === 'vertex' ? 'vertex' : 'fragment';

@@ -17,7 +17,7 @@ export class Clipboard {
   /** Emits when something was copied in this tab. */
   readonly changed = new Signal();
 
-  private own: string | null = null;
+  private copiedText: string | null = null;
   private files: ReadonlyMap<string, Blob> = NONE;
   /** Whether files are being stored; until then other tabs still have the copy before this one. */
   private isStoring = false;
@@ -25,11 +25,11 @@ export class Clipboard {
 
   /** Text of the last copy, of any tab; null when nothing was copied. */
   get text(): string | null {
-    if (this.isStoring) return this.own;
+    if (this.isStoring) return this.copiedText;
     try {
-      return localStorage.getItem(KEY) ?? this.own;
+      return localStorage.getItem(KEY) ?? this.copiedText;
     } catch {
-      return this.own;
+      return this.copiedText;
     }
   }
 
@@ -39,7 +39,7 @@ export class Clipboard {
 
   /** @param files - files that the text names, by the names it has for them */
   put(text: string | null, files: ReadonlyMap<string, Blob>): void {
-    this.own = text;
+    this.copiedText = text;
     this.files = files;
     this.isStoring = false;
     if (files.size > 0) void this.store(text, files);
@@ -49,8 +49,8 @@ export class Clipboard {
 
   /** A file that the copied text names, copied in this tab or another; null when it is gone. */
   async file(name: string): Promise<Blob | null> {
-    const own = this.files.get(name);
-    if (own) return own;
+    const copiedFile = this.files.get(name);
+    if (copiedFile) return copiedFile;
     try {
       return await (await loadFiles()).readFile(name);
     } catch {

@@ -100,7 +100,7 @@ export class EditorDocument {
    * @param runsScripts - whether its scripts run; those of a scene from elsewhere are off until the user allows them
    */
   open(scene: Scene, runsScripts = true): void {
-    const before = this.current;
+    const previous = this.current;
     this.scripts.close();
     this.commands.clear();
     this.unsubscribe();
@@ -111,8 +111,8 @@ export class EditorDocument {
     this.simulation.restart();
     this.selection.clear();
     this.assetSelection.clear();
-    const library = before.assets;
-    before.dispose();
+    const library = previous.assets;
+    previous.dispose();
     if (library !== scene.assets) library.dispose();
     this.watchAssets();
     this.opened.emit();

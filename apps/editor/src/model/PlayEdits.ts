@@ -167,7 +167,7 @@ function isOfScripts(command: Command): boolean {
     : (command instanceof AddAssets || command instanceof RemoveAsset) && command.isOfScripts;
 }
 
-/** The same edit, not done yet: scripts edited since may have changed the values to go back to. */
+/** A copy of an edit of values that is not done yet: scripts edited since may have changed the values to go back to. */
 const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 

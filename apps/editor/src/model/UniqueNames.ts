@@ -17,14 +17,14 @@ export class UniqueNames {
   }
 
   /** Reserves and returns a free name: the given one, or with the first free number. */
-  take(wanted: string): string {
-    const name = this.taken.has(wanted) ? this.numbered(wanted) : wanted;
+  take(base: string): string {
+    const name = this.taken.has(base) ? this.numbered(base) : base;
     this.taken.add(name);
     return name;
   }
 
-  private numbered(wanted: string): string {
-    const [, stem, digits] = /^(.*?)(?: (\d{1,9}))?$/s.exec(wanted)!;
+  private numbered(base: string): string {
+    const [, stem, digits] = /^(.*?)(?: (\d{1,9}))?$/s.exec(base)!;
     const passed: string[] = [];
     let number = Number(digits ?? 1) + 1;
     for (let name = `${stem} ${number}`; this.taken.has(name); name = `${stem} ${number}`) {

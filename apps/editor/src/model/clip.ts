@@ -81,7 +81,10 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): Copie
 export const isClip = (text: string | null): text is string =>
   text !== null && text.startsWith('{"format":"farol-objects"');
 
-/** Removes references to objects that were not copied. Each is returned as object, component, field and value. */
+/**
+ * Removes references to objects that were not copied. @returns those whose target is in the scene: object's id, index
+ * of the component, field and value
+ */
 function takeOuterReferences(
   objects: FileObject[],
   scene: Scene,

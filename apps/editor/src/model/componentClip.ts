@@ -11,7 +11,7 @@ export interface ComponentClip {
 export const copyComponent = (component: Component): string =>
   JSON.stringify({ format: 'farol-component', type: component.typeName, values: component.authoredValues() });
 
-/** What the clipboard holds of a component; null when it holds something else. */
+/** The component in a clipboard's text; null when the text is something else. */
 export function readComponentClip(text: string | null): ComponentClip | null {
   if (!text?.startsWith('{"format":"farol-component"')) return null;
   try {
@@ -22,7 +22,7 @@ export function readComponentClip(text: string | null): ComponentClip | null {
   }
 }
 
-/** The values of a copied component that a table of fields takes: those it has, of a kind and range that it allows. */
+/** Values of a copied component that a table of fields allows, by name, kind and range. */
 export function fittingValues(clip: ComponentClip, fields: FieldTable): Record<string, FieldValue> {
   return Object.fromEntries(
     Object.entries(clip.values).filter(

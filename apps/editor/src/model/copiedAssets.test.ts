@@ -27,7 +27,7 @@ const newDocument = (): EditorDocument => new EditorDocument(undefined, registry
 const namesOf = ({ assets }: EditorDocument, type: 'script' | 'material'): string[] =>
   assets.fieldAssets(type).map(({ name }) => name);
 
-/** A door that names another object, and a material with a file. */
+/** A scene with a door that names another object, and a material with a file. */
 async function doorScene(speed = 2): Promise<{ document: EditorDocument; objects: GameObject[] }> {
   const document = newDocument();
   const { assets, scene, scripts } = document;
@@ -46,7 +46,7 @@ async function doorScene(speed = 2): Promise<{ document: EditorDocument; objects
   return { document, objects: [frame, door] };
 }
 
-/** Pastes what was copied into another document, and takes it back and does it again. */
+/** Pastes copied objects into another document, then undoes and redoes it. */
 async function paste(to: EditorDocument, copied: ReturnType<typeof copyObjects>): Promise<void> {
   const before = JSON.stringify(serialize(to.scene));
   const read = new Map<string, ReadAsset>();
@@ -69,7 +69,7 @@ it('carries scripts, what they import, materials and files to another scene, whe
   const copied = copyObjects(document.scene, objects);
   expect([...assetsOfClip(copied.text)].map(({ name }) => name)).toEqual(['oak.png', 'Wood', 'tools/speed', 'Door']);
   expect(copied.files.size).toBe(1);
-  // the very same file keeps its name on the clipboard
+  // an unchanged file keeps its name on the clipboard
   expect([...copyObjects(document.scene, objects).files.keys()]).toEqual([...copied.files.keys()]);
 
   const other = newDocument();
@@ -183,7 +183,7 @@ it('carries prefabs, those within them and what they use; a scene that has them 
   const copy = other.scene.find('Corner')!;
   expect(copy.prefabLink?.prefab).toBe(outer.prefab.id);
   const [made] = instantiatePrefab(other.scene.prefabs.get(outer.prefab.id)!, other.scene.registry).children;
-  // another material of that name is there: prefab and copy name the one that came
+  // a different 'Wood' is there: prefab and instance name the pasted material
   expect(made.getComponent(ObjectRenderer)!.material).toBe('Wood 2');
   expect(copy.children[0].getComponent(ObjectRenderer)!.material).toBe('Wood 2');
 

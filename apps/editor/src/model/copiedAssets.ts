@@ -11,32 +11,32 @@ import {
 import { importsOf } from './scriptImports';
 import { scriptOfType } from './scriptNames';
 
-/** Which fields of a type of components name assets and objects, for a scene where the type is not known yet. */
+/** Fields of a component type that name assets and objects, for a scene that does not know the type yet. */
 export interface NamingFields {
   readonly assets: readonly string[];
   readonly objects: readonly string[];
 }
 
-/** What copied objects need besides themselves. */
+/** Assets that copied objects depend on. */
 export interface CopiedAssets {
-  /** Each after those that it needs. A file is named by its name in `files`. */
+  /** Each asset after those that it uses. File assets name entries of `files`. */
   readonly assets: readonly FileAsset[];
   readonly files: ReadonlyMap<string, Blob>;
-  /** By the type of components, of those that scripts make. */
+  /** Fields that name assets and objects, for each component type defined by a script. */
   readonly naming: Readonly<Record<string, NamingFields>>;
 }
 
-/** The name of each file of the clipboard: the same file keeps it, however often it is copied. */
+/** Clipboard name of each file; a file keeps its name however often it is copied. */
 const fileNames = new WeakMap<Blob, string>();
 
-/** What the clipboard calls a file. */
+/** Name of a file on the clipboard. */
 export function fileNameOf(blob: Blob): string {
   const name = fileNames.get(blob) ?? createId();
   fileNames.set(blob, name);
   return name;
 }
 
-/** The assets that objects use, and those that these use: all but what comes with Farol. */
+/** The assets that objects use, directly or through other assets; built-in ones are left out. */
 export function copiedAssets(scene: Scene, objects: readonly GameObject[], data: readonly FileObject[]): CopiedAssets {
   const list = new CopyList(scene);
   for (const { components } of data) {
@@ -69,7 +69,7 @@ class CopyList implements CopiedAssets {
     }
   }
 
-  /** The script that components of a type are of. */
+  /** Adds the script that defines a component type. */
   addScriptOf(type: string): void {
     if (this.seenTypes.has(type)) return;
     this.seenTypes.add(type);
@@ -85,7 +85,10 @@ class CopyList implements CopiedAssets {
     };
   }
 
-  /** Data of a component that does not run: each text that is the name of an asset, or the id of an object, counts as one. */
+  /**
+   * Adds the assets and objects that an unknown component may use: each text that equals the name of an asset or the id
+   * of an object.
+   */
   addKept(component: UnknownComponent): void {
     const { assets, objects } = this.naming[component.typeName] ?? { assets: [], objects: [] };
     const named = { assets: new Set(assets), objects: new Set(objects) };

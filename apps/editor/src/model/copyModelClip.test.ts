@@ -21,7 +21,7 @@ import { EditorDocument } from './EditorDocument';
 const euler = { kind: 'euler', default: [0, 0, 0], unit: 'rad', help: '' } as EulerField;
 const vector = { kind: 'vector3', default: [0, 0, 0], help: '' } as Vector3Field;
 
-/** Turns about axes that change: no line between angles follows them. */
+/** A track of rotations about changing axes, which linear angles cannot follow. */
 function turns(): { times: number[]; values: number[] } {
   const times = [0, 0.5, 1.2, 2];
   const values = [

@@ -16,17 +16,17 @@ import { splitName } from './assetNames';
 import { AddAssets } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
-/** A clip of a model with fields in place of nodes. */
+/** A model's clip converted from nodes to fields. */
 export interface CopiedClip {
   readonly data: ClipData;
-  /** What cannot be copied: names of tracks of the model. */
+  /** Names of the model's tracks that cannot be converted. */
   readonly lost: readonly string[];
 }
 
-/** How far the copy may be from the model's clip between two keys: rad of turns, and a share of the largest value of others. */
+/** Tolerance of the copy between two keys: rad for rotations, else relative to the largest value. */
 const ACCURACY = 1e-4;
 
-/** Places between two keys that are compared. */
+/** Samples compared between two keys. */
 const SAMPLES = 64;
 
 const fields = { position: 'position', quaternion: 'rotation', scale: 'scale' } as const;
@@ -35,7 +35,7 @@ const euler = new Euler();
 const quaternion = new Quaternion();
 const other = new Quaternion();
 
-/** Names from below the model's own top down, as `objectsOfModel` gives them. */
+/** Path of node names from below the model's root, as `objectsOfModel` makes them. */
 function pathOf(node: Object3D, top: Object3D): string {
   const names: string[] = [];
   for (let each: Object3D | null = node; each && each !== top; each = each.parent)
@@ -43,7 +43,7 @@ function pathOf(node: Object3D, top: Object3D): string {
   return names.join('/');
 }
 
-/** The angles of a turn that are nearest to others. */
+/** The Euler angles of a rotation that are closest to given angles. */
 function nearestAngles(turn: Quaternion, near: Vector3Tuple): Vector3Tuple {
   const { x, y, z } = euler.setFromQuaternion(turn, 'XYZ');
   const rounds = (angle: number, to: number): number => angle + Math.round((to - angle) / (2 * Math.PI)) * 2 * Math.PI;
@@ -61,7 +61,7 @@ const mix = (a: Vector3Tuple, b: Vector3Tuple, share: number): Vector3Tuple => [
   a[2] + (b[2] - a[2]) * share,
 ];
 
-/** A track of a model's clip as keys; between them as many more as straight lines need to follow it. */
+/** Converts a track to keys, adding keys until linear interpolation follows the original. */
 function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
   const create = (track as unknown as { createInterpolant(): Interpolant }).createInterpolant;
   const interpolant = create.call(track);
@@ -83,16 +83,16 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
   const add = (time: number, value: Vector3Tuple): void => {
     keys.push(isStep ? { time, value, easing: 'step' } : { time, value });
   };
-  /** Adds what a straight line between two samples is too far from, the farthest first. */
+  /** Adds keys where linear interpolation between two samples is too far off, largest error first. */
   const refine = (samples: readonly ClipKey[], first: number, last: number): void => {
     const from = samples[first].value as Vector3Tuple;
     const to = samples[last].value as Vector3Tuple;
     let farthest = first;
-    let most = ACCURACY;
+    let largestError = ACCURACY;
     for (let n = first + 1; n < last; n++) {
       const far = distance(samples[n].value as Vector3Tuple, mix(from, to, (n - first) / (last - first)));
-      if (far <= most) continue;
-      most = far;
+      if (far <= largestError) continue;
+      largestError = far;
       farthest = n;
     }
     if (farthest === first) return;
@@ -106,7 +106,7 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
       add(time, valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]));
       return;
     }
-    // step by step, so that angles go on from where they were
+    // one sample after another, so that angles continue from the angles before
     const samples: ClipKey[] = [last];
     for (let n = 1; n <= SAMPLES; n++) {
       const at = n === SAMPLES ? time : times[i - 1] + ((time - times[i - 1]) * n) / SAMPLES;
@@ -122,7 +122,9 @@ const isCubic = (track: KeyframeTrack): boolean =>
   (track as { createInterpolant?: { isInterpolantFactoryMethodGLTFCubicSpline?: boolean } }).createInterpolant
     ?.isInterpolantFactoryMethodGLTFCubicSpline === true;
 
-/** A clip of a model for the objects that the model is unpacked into: places, turns and sizes; no morph weights. */
+/**
+ * Converts a model's clip to a clip for its unpacked objects: position, rotation and scale; morph weights are dropped.
+ */
 export function copyModelClip(clip: ModelClip): CopiedClip {
   const tracks: ClipTrack[] = [];
   const lost: string[] = [];
@@ -139,15 +141,15 @@ export function copyModelClip(clip: ModelClip): CopiedClip {
   return { data: { tracks, events: [] }, lost };
 }
 
-/** Why a clip of a model has no copy that can be edited; null when it has. */
+/** Why a model's clip cannot be copied for editing; null when it can. */
 export const whyNotCopy = (clip: ModelClip): string | null =>
   whatKeepsTogether(clip.model) === null
     ? null
     : t('Clips of skeletons and morph targets play as they are: the model cannot be unpacked into objects.');
 
 /**
- * Makes a clip of one's own of a clip of a model, and has components play it in its place: one step.
- * @throws Error when it cannot be
+ * Adds an editable copy of a model's clip, and makes animations play it, as one step.
+ * @throws Error when the clip cannot be copied
  */
 export function makeEditableCopy(
   animations: readonly Animation[],
@@ -160,9 +162,9 @@ export function makeEditableCopy(
   if (problem !== null) throw new Error(problem);
   const { data, lost } = copyModelClip(clip);
   const { folder } = splitName(assets.modelOf(name) ?? '');
-  const own = clip.name.replaceAll('/', '-').trim() || t('Clip ## of an animation');
+  const baseName = clip.name.replaceAll('/', '-').trim() || t('Clip ## of an animation');
   const values = { data: clipText(data), duration: clip.duration };
-  const made = newFieldAsset(assets, 'clip', folder === '' ? own : `${folder}/${own}`, values);
+  const made = newFieldAsset(assets, 'clip', folder === '' ? baseName : `${folder}/${baseName}`, values);
   const label = t('Made clip {name}', { name: made.name });
   const edits = animations.map((owner) => ({ owner, name: 'clip', value: made.name }));
   const command = new Sequence(label, [() => new AddAssets(assets, [made]), () => new SetFields(label, edits)]);

@@ -19,21 +19,21 @@ import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** Something that can be added to a scene. */
+/** An entry of the Add menu. */
 export interface Creation {
   readonly label: string;
   readonly group: 'object' | 'building' | 'mesh' | 'light' | 'camera' | 'sound' | 'particles';
-  /** Of a mesh: the scene that it is a part of; null for others. */
+  /** Scene that a mesh belongs to; null for others. */
   readonly folder: string | null;
-  /** What its icon stands for: 'mesh', 'wall', 'room', 'camera', 'decal', 'sound', 'particles', or the type of a light. */
+  /** Icon: 'mesh', 'wall', 'room', 'camera', 'decal', 'sound', 'particles', or the type of a light. */
   readonly kind: string;
   make(): GameObject | Promise<GameObject>;
 }
 
-/** Sizes of meshes that would be too small at 1 m. */
+/** Scales of meshes that would be too small at 1 m. */
 const scales: Readonly<Record<string, Vector3Tuple>> = { plane: [10, 1, 10] };
 
-/** What new lights are like, so that they are seen at once among others. */
+/** Initial values of new lights, so that they are noticeable among others. */
 const lightValues: Readonly<Record<string, Values>> = {
   ambient: { intensity: 0.3 },
   hemisphere: { intensity: 0.6 },
@@ -57,7 +57,7 @@ const lightLabel = (type: string): string => t(`${capital(type)} light`);
 
 function makeLight(type: string): GameObject {
   const object = withComponent(lightLabel(type), Light, { type, ...lightValues[type] });
-  // along its front, -Z: down, and for a sun aslant
+  // lights shine along -Z: turned to point down; a sun slants
   if (type === 'spot' || type === 'rectangle' || type === 'disc') object.transform.rotation = [-Math.PI / 2, 0, 0];
   if (type === 'directional') object.transform.rotation = [-0.9, 0.6, 0];
   return object;
@@ -65,11 +65,11 @@ function makeLight(type: string): GameObject {
 
 function makeDecal(): GameObject {
   const object = withComponent(t('Decal'), Decal);
-  object.transform.rotation = [-Math.PI / 2, 0, 0]; // thrown down
+  object.transform.rotation = [-Math.PI / 2, 0, 0]; // decals project along -Z: turned to point down
   return object;
 }
 
-/** Particles to begin from; those of the renderer's presets are fetched when they are added. */
+/** Kinds of particles; the code of the renderer's presets is fetched when one is added. */
 const particleCreations = (): Creation[] => {
   const creation = (label: string, make: Creation['make']): Creation => ({
     ...{ label, group: 'particles', folder: t('Particles'), kind: 'particles', make },
@@ -85,7 +85,7 @@ const particleCreations = (): Creation[] => {
   ];
 };
 
-/** A wall or a room, whose measures are its fields. */
+/** An object with a wall or a room, whose size is in fields. */
 function makeBuilding(name: string, type: ComponentClass): GameObject {
   const object = withComponent(name, type);
   object.addComponent(ObjectRenderer, { mesh: null, ...meshShadows });
@@ -94,7 +94,7 @@ function makeBuilding(name: string, type: ComponentClass): GameObject {
 
 const words = (name: string): string => capital(name.replaceAll(/[-_]/g, ' '));
 
-/** A mesh of the library; those of a scene, such as 'temple/column', are in a folder. */
+/** Entry for a mesh of the library; a demo scene's mesh, such as 'temple/column', goes into a folder. */
 function meshCreation(mesh: string): Creation {
   const [label, folder = null] = mesh
     .split('/')
@@ -108,7 +108,7 @@ function meshCreation(mesh: string): Creation {
   return { label, group: 'mesh', folder, kind: 'mesh', make };
 }
 
-/** All that can be added, from the registries: a mesh or a type of light that is added there is here too. */
+/** All entries, from the registries: registered meshes and types of lights are included. */
 export function creations(scene: Scene): Creation[] {
   const lights = Light.fields.type.options.map((type): Creation => ({
     label: lightLabel(type),

@@ -12,19 +12,19 @@ import { SetProperty } from './commands/SetProperty';
 import { followTracks } from './timeline/followTracks';
 import { nameUniquely } from './UniqueNames';
 
-/** Commands for what a user does. Each captures what the scene is like when it is made, and is to be done then. */
+/** Commands for edits by the user. Each captures the scene as it is when made, and must be run before another edit. */
 
 const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
 
-/** A component and the objects that it is on, for labels. @param components - of one type */
+/** Names of a component and of its objects, for labels. @param components - of one type */
 const ofObjects = (components: readonly Component[]): { component: string; name: string } => ({
   component: componentName(components[0]?.typeName ?? ''),
   name: components.length === 0 ? '' : namesOf(components.map(({ gameObject }) => gameObject)),
 });
 
 /**
- * Adds a new object at the end of a parent, under a name that no other one has, and selects it.
- * @param selected - what is selected now
+ * Adds a new object at the end of a parent, with a unique name, and selects it.
+ * @param selected - ids selected now
  */
 export function addObject(scene: Scene, object: GameObject, parent: Container, selected: readonly string[]): Command {
   nameUniquely(scene, [object]);
@@ -35,7 +35,7 @@ export function addObject(scene: Scene, object: GameObject, parent: Container, s
   });
 }
 
-/** Deletes objects with all below them. */
+/** Deletes objects and everything below them. */
 export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const placements = tops.map((object) => placementOf(object, scene));
@@ -45,7 +45,7 @@ export function deleteObjects(scene: Scene, objects: readonly GameObject[]): Com
   });
 }
 
-/** Puts a copy of each object, with all below it, after it, under a name of its own, and selects the copies. */
+/** Copies each object and everything below it; the copy follows the original, has a unique name and is selected. */
 export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const tops = topmost(objects, scene);
   const shift = new Map<Container, number>();
@@ -63,7 +63,7 @@ export function duplicateObjects(scene: Scene, objects: readonly GameObject[]): 
   });
 }
 
-/** Whether objects may be put below a parent: not below themselves. */
+/** Whether objects may be put below a parent: it is none of them, nor below one. */
 export function canMoveTo(objects: readonly GameObject[], parent: Container): boolean {
   const moving = new Set(objects);
   for (let above = parent instanceof GameObject ? parent : null; above; above = above.parent) {
@@ -73,8 +73,8 @@ export function canMoveTo(objects: readonly GameObject[], parent: Container): bo
 }
 
 /**
- * Moves objects below a parent, to where they are in the world now. Tracks of clips follow them.
- * @param index - place among the children that stay there; at the end when absent
+ * Moves objects below a parent; their world poses stay, and tracks of clips follow them.
+ * @param index - index among the parent's other children; at the end when absent
  */
 export function moveObjects(scene: Scene, objects: readonly GameObject[], parent: Container, index?: number): Command {
   const tops = topmost(objects, scene);
@@ -95,17 +95,17 @@ export function renameObject(object: GameObject, name: string): Command {
   return object.scene ? followTracks(object.scene, command) : command;
 }
 
-/** Shows or hides objects, with all below them. */
+/** Shows or hides objects and everything below them. */
 export function setActive(objects: readonly GameObject[], active: boolean): Command {
   return new SetProperty(countLabel(active ? t('Showed') : t('Hid'), objects), objects, 'active', active);
 }
 
-/** Locks objects, with all below them, against being picked in the picture; or unlocks them. */
+/** Locks objects and everything below them, so that clicks in the viewport do not pick them; or unlocks them. */
 export function setLocked(objects: readonly GameObject[], locked: boolean): Command {
   return new SetProperty(countLabel(locked ? t('Locked') : t('Unlocked'), objects), objects, 'locked', locked);
 }
 
-/** Makes objects static or moving; what is below them stays what it is. */
+/** Marks objects as static or moving; their children are unchanged. */
 export function setStatic(objects: readonly GameObject[], isStatic: boolean): Command {
   const label = countLabel(isStatic ? t('Made static:') : t('Made moving:'), objects);
   return new SetProperty(label, objects, 'isStatic', isStatic);
@@ -120,8 +120,8 @@ export function setEnabled(components: readonly Component[], enabled: boolean): 
 }
 
 /**
- * Puts a new component on each object that can take one.
- * @param values - in place of the defaults
+ * Adds a component to each object that can take one.
+ * @param values - values other than the defaults
  * @throws FieldError for a value that is not allowed
  */
 export function addComponent(
@@ -145,7 +145,7 @@ export function addComponent(
   );
 }
 
-/** Takes components off their objects. */
+/** Removes components from their objects. */
 export function removeComponents(scene: Scene, components: readonly Component[]): Command {
   const places = components
     .map((component) => {
@@ -156,7 +156,7 @@ export function removeComponents(scene: Scene, components: readonly Component[])
   return new PlaceComponents(t('Removed {component} from {name}', ofObjects(components)), scene, 'remove', places);
 }
 
-/** Moves components among those of their objects. @param by - -1 for up, 1 for down */
+/** Moves components up or down among those of their objects. @param by - -1 for up, 1 for down */
 export function moveComponents(components: readonly Component[], by: number): Command {
   return new MoveComponents(
     by < 0
@@ -167,7 +167,7 @@ export function moveComponents(components: readonly Component[], by: number): Co
   );
 }
 
-/** Gives each owner the same values; fields that an owner does not have are left out. */
+/** Sets fields of all owners to equal values; an owner without a field skips it. */
 export function setValues(
   label: string,
   owners: readonly FieldOwner[],
@@ -181,7 +181,11 @@ export function setValues(
   return new SetFields(label, edits);
 }
 
-/** Gives fields their defaults: those named, or all; components of unknown classes, whose fields have none, keep their values. */
+/**
+ * Resets fields to their defaults. Components of unknown classes keep their values, since their fields have no
+ * defaults.
+ * @param names - names of the fields; all when absent
+ */
 export function resetFields(label: string, owners: readonly FieldOwner[], names?: readonly string[]): Command {
   const edits = owners.flatMap((owner) =>
     (names ?? Object.keys(owner.fields).filter((name) => owner.fields[name].viewOf === undefined))

@@ -10,7 +10,7 @@ import { UniqueNames } from './UniqueNames';
 
 const none = { done: [], undone: [] };
 
-/** The middle of where objects are, in the space of a parent. */
+/** Centroid of objects, in the space of a parent. */
 function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector3 {
   const middle = new Vector3();
   for (const { transform } of objects) middle.add(transform.worldPosition);
@@ -21,8 +21,7 @@ function middleOf(objects: readonly GameObject[], { parent }: Placement): Vector
 }
 
 /**
- * Puts objects below a new one in their middle, where the first of them is in the tree. They stay where they are in the
- * world.
+ * Puts objects below a new one at their centroid, at the first object's place in the tree. World poses stay.
  * @param objects - at least one
  */
 export function groupObjects(scene: Scene, objects: readonly GameObject[]): Command {
@@ -41,7 +40,7 @@ export function groupObjects(scene: Scene, objects: readonly GameObject[]): Comm
   return followTracks(scene, grouped);
 }
 
-/** Puts what is below objects in their place, and deletes them. It stays where it is in the world. */
+/** Replaces objects by their children, whose world poses stay. */
 export function ungroupObjects(scene: Scene, objects: readonly GameObject[]): Command {
   const groups = topmost(objects, scene).filter(({ children }) => children.length > 0);
   const freed = groups.flatMap(({ children }) => [...children]);

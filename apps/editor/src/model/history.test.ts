@@ -12,12 +12,12 @@ import { loadSurfaces } from './testing/randomSurfaceCommand';
 import { scriptsInNode } from './testing/scriptsInNode';
 import { randomKeep, randomSimulation } from './testing/randomSimulation';
 
-// what decals fetch is there, also after the last step
+// loaded beforehand, so that decals need not fetch it after the last step
 beforeAll(() => import('@farol/renderer/decals'));
 beforeAll(loadBakeCode);
 beforeAll(loadSurfaces);
 
-/** What a document is: its scene as in a file, the assets that it could use, and what baked light makes of it. */
+/** State of a document as text: the scene file, available assets, and lighting by baked light. */
 const stateOf = ({ scene, assets }: EditorDocument): string =>
   `${JSON.stringify(serialize(scene))} ${assets.list().toSorted().join()} ${litBy(scene)}`;
 
@@ -31,7 +31,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
     const document = new EditorDocument(undefined, registry, scriptsInNode());
     document.open(randomScene(random, document));
     const { commands } = document;
-    /** What the document was after each number of steps that the history still has. */
+    /** State after each number of steps that the history still holds. */
     const states = [stateOf(document)];
     let steps = 0;
     for (let i = 0; i < STEPS; i++) {
@@ -42,7 +42,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
       else if (act < 0.25) steps += commands.redo() ? 1 : 0;
       else if (act < 0.35) {
         randomSimulation(random, document);
-        // stopping takes the steps back that were done since it played
+        // stopping undoes the steps done since the scene began to play
         const taken = steps - commands.history.length;
         if (taken > 0) states.splice((steps -= taken) + 1);
       } else {
@@ -55,7 +55,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
       const state = stateOf(document);
       if (isEdit) {
         states.splice(++steps, Infinity, state);
-        // the history keeps so many steps, and forgets the oldest
+        // the history is limited: the oldest steps are forgotten
         while (steps > commands.history.length) {
           states.shift();
           steps--;
@@ -73,7 +73,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
     expect(steps).toBe(0);
     while (commands.redo()) if (!isAt(++steps)) expect.fail(`not what it was after '${commands.undoLabel}'`);
     expect(steps).toBe(states.length - 1);
-    // not all: stopping takes back what was done while it played
+    // fewer than were run: stopping undoes what was done while the scene played
     expect(steps).toBeGreaterThan(100);
     for (const id of document.selection.ids) expect(document.scene.findById(id)).not.toBeNull();
   },

@@ -14,5 +14,5 @@ const storage: StateStorage = {
   removeItem: (name) => void attempt(() => localStorage.removeItem(name)),
 };
 
-/** Keeps choices in the browser; where it has no storage, or no room, they hold until the page is left. */
+/** Stores settings in localStorage; without storage, or when it is full, they last until the page is left. */
 export const keptInBrowser = <S>(): PersistStorage<S> | undefined => createJSONStorage<S>(() => storage);

@@ -8,7 +8,7 @@ import { deleteObjects, duplicateObjects, moveObjects, setActive } from './edits
 import { groupObjects, ungroupObjects } from './groupObjects';
 import { UniqueNames } from './UniqueNames';
 
-/** Growth of work for four times as many objects, at most: it goes with their number. */
+/** Most growth of work for four times as many objects: linear, with some slack. */
 const LINEAR = 4.5;
 
 function sceneOf(count: number, name: (i: number) => string): Scene {

@@ -1,11 +1,13 @@
 import { t } from '@farol/editing';
 import { type AssetLibrary, Camera, GameObject, Light, lightShadows, Scene } from '@farol/engine';
 
-/** A scene to begin with: a camera, a sun and a sky; bright surfaces near lamps do not burn out. */
+/**
+ * The scene of a new document: a camera, a sun and a sky, with tone mapping so that surfaces near lamps do not clip.
+ */
 export function makeEmptyScene(assets: AssetLibrary): Scene {
   const scene = new Scene({ name: t('Untitled'), assets });
   scene.settings.toneMapping = 'neutral';
-  // seen as [0.02, 0.025, 0.036]: the tone mapping makes dark colours darker
+  // looks like [0.02, 0.025, 0.036], since tone mapping darkens dark colours
   scene.settings.backgroundColour = [0.057, 0.062, 0.072];
   const camera = new GameObject(t('Camera'));
   camera.addComponent(Camera);

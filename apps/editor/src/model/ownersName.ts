@@ -7,7 +7,7 @@ const objectOf = (owner: FieldOwner): GameObject | null => {
   return component.isAttached ? (component.gameObject ?? null) : null;
 };
 
-/** Whose a field is, for labels: the object's name, '3 objects', or 'Scene'. @param owners - at least one */
+/** Name of a field's owners for labels: the object's name, '3 objects', or 'Scene'. @param owners - at least one */
 export function ownersName(owners: readonly FieldOwner[]): string {
   const objects = owners.flatMap((owner) => objectOf(owner) ?? []);
   return objects.length > 0 ? namesOf(objects) : t(owners[0].ownerName);

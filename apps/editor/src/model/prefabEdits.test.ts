@@ -68,7 +68,7 @@ it.each([1, 2, 3, 4])('undoes and redoes random work with prefabs exactly, seed 
         const command = randomCommand(random, document);
         if (command) commands.run(command);
       } catch (error) {
-        // the one thing that is refused on the way
+        // the only error that random edits may cause
         expect(String(error)).toMatch(/would hold itself|is not there|already/);
       }
       if (commands.history.length > before) states.splice(++steps, Infinity, document.serialize());

@@ -25,11 +25,11 @@ import { SetProperty } from './commands/SetProperty';
 import { addObject, deleteObjects } from './edits';
 import { followTracks } from './timeline/followTracks';
 
-/** Commands for what a user does with prefabs. Each captures what the scene is like when it is made. */
+/** Commands for edits of prefabs. Each captures the scene as it is when the command is made. */
 
 const stay = { done: [], undone: [] };
 
-/** The command of one edit that the engine planned. */
+/** Command for one edit of a plan by the engine. */
 function commandOf(scene: Scene, edit: PrefabEdit): Command {
   switch (edit.kind) {
     case 'field':
@@ -68,7 +68,7 @@ function commandOf(scene: Scene, edit: PrefabEdit): Command {
   }
 }
 
-/** All of a plan as one step. @param selected - stays selected */
+/** Runs a whole plan as one step. @param selected - ids that stay selected */
 function planned(label: string, scene: Scene, plan: PrefabPlan, selected: readonly string[]): Command {
   const edits = new Sequence(
     label,
@@ -86,16 +86,22 @@ const fieldWords = (component: Component, field: string): { field: string; name:
   name: component.gameObject.name,
 });
 
-/** Makes a prefab of an object with all below it, which becomes its first instance. @throws PrefabError for a part of an instance */
+/**
+ * Makes a prefab from an object and everything below it; the object becomes the first instance. @throws PrefabError for
+ * a part of an instance
+ */
 export function createPrefab(scene: Scene, object: GameObject, selected: readonly string[]): Command {
   const { prefab: made, links } = makePrefab(object);
-  // a stroke would make a folder of the assets
+  // a slash would create a folder of assets
   const prefab = { ...made, name: made.name.replaceAll('/', '-') };
   const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
   return planned(t('Made prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
 }
 
-/** Adds an instance at the end of a parent, and selects it. @param position - in the parent (m); the prefab's own when absent */
+/**
+ * Adds an instance at the end of a parent, and selects it. @param position - local position (m); the prefab's own when
+ * absent
+ */
 export function placePrefab(
   scene: Scene,
   prefab: Prefab,
@@ -108,12 +114,12 @@ export function placePrefab(
   return addObject(scene, object, parent, selected);
 }
 
-/** Gives a prefab everything that an instance has of its own; all others follow. */
+/** Applies all overrides of an instance to its prefab; other instances follow. */
 export function applyInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(t('Applied {name} to its prefab', { name: root.name }), scene, planApplyAll(root), selected);
 }
 
-/** Gives a prefab one field of an instance; all others follow. */
+/** Applies one overridden field of an instance to its prefab; other instances follow. */
 export function applyField(scene: Scene, component: Component, field: string, selected: readonly string[]): Command {
   return planned(
     t('Applied {field} of {name} to its prefab', fieldWords(component, field)),
@@ -123,7 +129,7 @@ export function applyField(scene: Scene, component: Component, field: string, se
   );
 }
 
-/** Makes an instance as its prefab is. */
+/** Removes all overrides of an instance. */
 export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(
     t('Reverted {name} to its prefab', { name: root.name }),
@@ -133,7 +139,7 @@ export function revertInstance(scene: Scene, root: GameObject, selected: readonl
   );
 }
 
-/** Gives a field of an instance what the prefab has. */
+/** Restores the prefab's value of an instance's field. */
 export function revertField(scene: Scene, override: FieldOverride, selected: readonly string[]): Command {
   const { component, field, base } = override;
   const object = component.gameObject;
@@ -148,7 +154,7 @@ export function revertField(scene: Scene, override: FieldOverride, selected: rea
   );
 }
 
-/** Makes an instance an object of its own. */
+/** Turns an instance into plain objects. */
 export function unpackInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(t('Unpacked {name}', { name: root.name }), scene, { prefabs: [], edits: planUnpack(root) }, selected);
 }
@@ -159,7 +165,7 @@ export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Comman
   ]);
 }
 
-/** The roots of all instances of a prefab in a scene. */
+/** Roots of all instances of a prefab in a scene. */
 export function instancesOf(scene: Scene, id: string): GameObject[] {
   const roots: GameObject[] = [];
   scene.traverse((object) => {
@@ -168,7 +174,7 @@ export function instancesOf(scene: Scene, id: string): GameObject[] {
   return roots;
 }
 
-/** Deletes a prefab; its instances, in the scene and in other prefabs, become objects of their own. */
+/** Deletes a prefab; its instances, in the scene and in other prefabs, become plain objects. */
 export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly string[]): Command {
   const others = scene.prefabs.list.flatMap((other): Prefab[] => {
     if (!other.objects.some((object) => object.prefab?.prefab === prefab.id)) return [];
@@ -191,11 +197,11 @@ export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly st
   );
 }
 
-/** The instance that something selected belongs to; null when it is none. */
+/** Root of the instance that an object belongs to; null when it is in none. */
 export const instanceOf = (object: GameObject | undefined): GameObject | null =>
   object ? instanceRootOf(object) : null;
 
-/** Whether a prefab can be placed below a parent: not within an instance of itself. */
+/** Whether an instance of a prefab can be added below a parent: not within an instance of the same prefab. */
 export function canPlacePrefab(scene: Scene, prefab: Prefab, parent: Container): boolean {
   for (let above: Container | null = parent; above && 'prefabLink' in above; above = above.parent) {
     if (above.prefabLink && scene.prefabs.contains(prefab.id, above.prefabLink.prefab)) return false;

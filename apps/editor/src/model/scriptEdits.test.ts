@@ -10,7 +10,7 @@ import { addScript, addScriptComponent, duplicateScript, renameAnyAsset, renameS
 import { classNameOf, componentTypeOf, scriptOfType, sourceForName } from './scriptNames';
 import { scriptTemplate } from './scriptTemplate';
 
-/** A document whose scripts do not run: their components are data. */
+/** A document whose scripts do not run: their components are kept as data. */
 function quietDocument(): { document: EditorDocument; objects: GameObject[] } {
   const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
   const document = new EditorDocument(undefined, registry);
@@ -22,7 +22,7 @@ function quietDocument(): { document: EditorDocument; objects: GameObject[] } {
 
 const state = ({ scene }: EditorDocument): string => JSON.stringify(serialize(scene));
 
-/** Runs a command, and undoes and redoes it, which must lead to the very same. */
+/** Runs a command, then undoes and redoes it: the state must come back exactly. */
 function run(document: EditorDocument, command: Command): void {
   const before = state(document);
   const steps = document.commands.history.length;
@@ -121,7 +121,7 @@ it('renames a script with its class, its components and those of prefabs', () =>
   expect(typesOf(objects[0])).toEqual(['Transform', 'Turn']);
   expect(objects[0].components[1]).toBeInstanceOf(UnknownComponent);
   expect(scene.prefabs.get(prefab.id)!.objects[0].components.map(({ type }) => type)).toContain('Turn');
-  // only the folder
+  // only the folder changes
   run(document, renameAnyAsset(scene, 'Doors/Turn', 'Turn'));
   expect(typesOf(objects[0])).toEqual(['Transform', 'Turn']);
   expect(() => renameAnyAsset(scene, 'Turn', 'box')).toThrow('is there already');

@@ -15,7 +15,7 @@ import { componentTypeOf, scriptOfType, sourceForName } from './scriptNames';
 import { scriptTemplate } from './scriptTemplate';
 import { retypeTracks } from './timeline/followTracks';
 
-/** A command that makes a script, and the script's name, which is free. */
+/** A command that adds a script, and the script's name. */
 export interface MadeScript {
   readonly command: Command;
   readonly name: string;
@@ -29,8 +29,8 @@ function scriptOf(scene: Scene, name: string): FieldAsset {
 
 /**
  * Adds a script.
- * @param wanted - its name, its folder in it; it gets a number where that is taken
- * @param users - objects that get a component of it, in the same step
+ * @param wanted - name with folder; a number is added when it is taken
+ * @param users - objects that get a component of the script, in the same step
  */
 export function addScript(scene: Scene, wanted: string, users: readonly GameObject[] = []): MadeScript {
   const { assets } = scene;
@@ -45,7 +45,7 @@ export function addScript(scene: Scene, wanted: string, users: readonly GameObje
   return { name, command: new Sequence(label, [...make, () => addScriptComponent(scene, users, name)]) };
 }
 
-/** A name that no asset has, and no type of components either. */
+/** A name taken neither by an asset nor by a component type. */
 function freeScriptName(scene: Scene, wanted: string): string {
   const isTaken = (name: string): boolean => {
     const type = typeNameOf(name);
@@ -57,7 +57,7 @@ function freeScriptName(scene: Scene, wanted: string): string {
   return name;
 }
 
-/** A copy of a script in the same folder, its class called after it. @throws AssetError when it is no script */
+/** Copies a script in the same folder, and renames its class after it. @throws AssetError when it is no script */
 export function duplicateScript(scene: Scene, from: string): MadeScript {
   const { assets } = scene;
   const source = scriptOf(scene, from).get('source') as string;
@@ -70,9 +70,9 @@ export function duplicateScript(scene: Scene, from: string): MadeScript {
 }
 
 /**
- * Gives a script another name, its folder in it. Its class gets the name where it is called after the script, imports of it
- * and its own lead where they did, and its components follow in prefabs and where they are kept as data; those that run
- * follow by themselves. Triggers that call them and tracks of clips follow, too.
+ * Renames a script; the name includes its folder. A class named after the script is renamed too, imports of and by the
+ * script are adapted, and so are components in prefabs and those kept as data (running ones follow by themselves),
+ * triggers that call them, and tracks of clips.
  * @throws AssetError when the name is taken
  */
 export function renameScript(scene: Scene, from: string, to: string): Command {
@@ -92,15 +92,15 @@ export function renameScript(scene: Scene, from: string, to: string): Command {
   ]);
 }
 
-/** Gives an asset another name, whatever it is. @throws AssetError when the name is taken */
+/** Renames an asset of any type. @throws AssetError when the name is taken */
 export const renameAnyAsset = (scene: Scene, from: string, to: string): Command =>
   (scene.assets.fieldAsset(from)?.type === 'script' ? renameScript : renameAsset)(scene, from, to);
 
-/** What a trigger calls once a type has another name. @param method - 'Door.open' */
+/** Method called by a trigger after a component type was renamed. @param method - 'Door.open' */
 const retypedCall = (method: unknown, from: string, to: string): unknown =>
   typeof method === 'string' && method.startsWith(`${from}.`) ? to + method.slice(from.length) : method;
 
-/** Triggers of the scene that call components of a type, and tracks of clips, go over to another type. */
+/** Renames a component type in the scene's triggers and in tracks of clips. */
 function retypeUses(scene: Scene, label: string, from: string, to: string): (() => Command)[] {
   const calls = scene.componentsOf('EventTrigger').flatMap((owner) => {
     const before = owner.getAuthored('method');
@@ -112,7 +112,7 @@ function retypeUses(scene: Scene, label: string, from: string, to: string): (() 
   return commands.map((command) => () => command);
 }
 
-/** Makes data of components, in prefabs and in the scene, those of another type; and what names the type. */
+/** Renames a component type in prefabs, in components kept as data, and in what names the type. */
 function retype(scene: Scene, label: string, from: string, to: string): (() => Command)[] {
   const prefabs = scene.prefabs.list.flatMap((prefab) => renamedType(prefab, from, to) ?? []);
   const kept: Component[] = [];
@@ -140,7 +140,7 @@ function retype(scene: Scene, label: string, from: string, to: string): (() => C
   ];
 }
 
-/** A prefab with another name of a type of components; null where nothing in it names that type. */
+/** A prefab with a component type renamed; null where nothing in it has that type. */
 function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
   let isSame = true;
   const objects = prefab.objects.map((object) => ({
@@ -157,9 +157,9 @@ function renamedType(prefab: Prefab, from: string, to: string): Prefab | null {
 }
 
 /**
- * Puts a component of a script on each object. While the script does not run, that is data, which becomes the component once
- * it does.
- * @throws AssetError when the script is none of components
+ * Adds a component of a script to each object. While the script does not run, the component is kept as data, and
+ * becomes real once it runs.
+ * @throws AssetError when the script defines no component
  */
 export function addScriptComponent(scene: Scene, objects: readonly GameObject[], script: string): Command {
   const source = scriptOf(scene, script).get('source') as string;

@@ -3,10 +3,10 @@ import type { Scene } from '@farol/engine';
 import { resolveScript } from '@farol/engine/scripts';
 import { splitName } from './assetNames';
 
-/** The specifier of an import, an export or a call of `require` or `import` that leads to another script. */
+/** Matches the relative specifier of an import, an export or a call of `require` or `import`. */
 const IMPORT = /(\b(?:from|import|require)\s*\(?\s*)(['"])(\.{1,2}\/[^'"\n]+)\2/g;
 
-/** How a script in one folder imports another. @param folder - '' for the top */
+/** Specifier by which a script in a folder imports another. @param folder - '' for the top */
 function specifierOf(folder: string, target: string): string {
   const from = folder === '' ? [] : folder.split('/');
   const to = target.split('/');
@@ -17,10 +17,10 @@ function specifierOf(folder: string, target: string): string {
 }
 
 /**
- * The text of a script whose imports lead where they did once scripts have other names.
- * @param name - of the script, before
- * @param renames - names of before to names of after, that of the script too where it gets another one
- * @param isScript - whether there is a script of a name, before
+ * Text of a script with imports adapted to renamed scripts.
+ * @param name - name of the script before the renaming
+ * @param renames - old to new names, including the script's own when it is renamed
+ * @param isScript - whether a script of this name existed before the renaming
  */
 export function sourceWithImports(
   source: string,
@@ -39,15 +39,15 @@ export function sourceWithImports(
   });
 }
 
-/** The scripts that a script imports, of those that there are. */
+/** Names of existing scripts that a script imports. */
 export function importsOf(source: string, name: string, isScript: (name: string) => boolean): string[] {
   return [...source.matchAll(IMPORT)].flatMap(([, , , specifier]) => resolveScript(specifier, name, isScript) ?? []);
 }
 
 /**
- * The texts of scripts whose imports lead elsewhere once assets have other names, by the names of before.
- * @param renames - names of before to names of after; of assets of any kind
- * @param sources - texts that take the place of those in the scene. Default none
+ * Texts of scripts whose imports change when assets are renamed, by the scripts' old names.
+ * @param renames - old to new names of assets of any kind
+ * @param sources - texts used in place of those in the scene. Default none
  */
 export function sourcesAfterRename(
   scene: Scene,
@@ -66,7 +66,7 @@ export function sourcesAfterRename(
   return after;
 }
 
-/** Commands that give scripts the texts of `sourcesAfterRename`; made before anything is renamed. */
+/** Commands that set the texts of `sourcesAfterRename`; to be made before anything is renamed. */
 export function setSources(scene: Scene, label: string, sources: ReadonlyMap<string, string>): (() => Command)[] {
   return [...sources].flatMap(([name, value]) => {
     const owner = scene.assets.fieldAsset(name);

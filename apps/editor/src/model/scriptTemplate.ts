@@ -1,6 +1,6 @@
 import { classNameOf, isJavaScript } from './scriptNames';
 
-/** What a new script begins with: a class of components with one field. */
+/** Text of a new script: a component class with one field. */
 export function scriptTemplate(script: string): string {
   const typed = (text: string): string => (isJavaScript(script) ? '' : text);
   return `import { component, number } from '@farol/engine/fields';

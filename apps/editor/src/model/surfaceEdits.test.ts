@@ -49,7 +49,7 @@ describe('a surface on objects', () => {
     expect(one.get('surface.amount')).toBe(0.75);
     commands.run(new SetFields('Set', [{ owner: one, name: 'surface.amount', value: 0.5 }]));
     expect(steel.get('surface.amount')).toBe(0.75);
-    // all fields back, not only those that the surface has
+    // resets all fields, not only those of the surface
     commands.run(resetFields('Reset', [one]));
     expect(one.surface).toBe(null);
     commands.undo();

@@ -12,27 +12,28 @@ import { newFieldAsset } from './assetEdits';
 import { AddAssets } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
-/** A command that makes a surface, with the names of what it makes. */
+/** A command that adds a surface, with the names of what it adds. */
 export interface MadeSurface {
   readonly command: Command;
   readonly surface: string;
-  /** Of the material that wears it; null where no object does. */
+  /** Name of the material that uses the surface; null when no object got one. */
   readonly material: string | null;
 }
 
-/** What an object wears a surface by. */
+/** Component by which an object uses a surface. */
 export type SurfaceWearer = ObjectRenderer | ModelRenderer;
 
-/** What objects can wear surfaces by. */
+/** Components by which objects can use surfaces. */
 export const surfaceWearers = (objects: readonly GameObject[]): SurfaceWearer[] =>
   objects.flatMap((object) => object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer) ?? []);
 
 /**
- * Adds a surface, and a material that wears it to objects.
- * @param name - wanted; it gets a number where it is taken
- * @param values - of the new material
- * @param users - objects that get the material, in the same step; without any there is no material. Models wear it themselves
- * @param needsGrid - planes become grids, which have vertices to move
+ * Adds a surface, and a material with it for objects.
+ * @param name - a number is added when it is taken
+ * @param values - values of the new material
+ * @param users - objects that get the material, in the same step; no material is made without any. Models get the
+ *   surface directly
+ * @param needsGrid - replaces planes by grids, whose vertices the surface moves
  */
 export function addSurface(
   scene: Scene,
@@ -80,7 +81,9 @@ const editsOf = (users: readonly ObjectRenderer[], material: string): FieldEdit[
     { owner, name: 'material', value: material },
   ]);
 
-/** Has objects wear a surface by themselves, over what their materials wear; its values are each object's own. */
+/**
+ * Makes objects use a surface directly, in place of their material's; each object then has uniform values of its own.
+ */
 export function wearSurface(surface: string, users: readonly SurfaceWearer[]): Command {
   const label = t('Gave {asset} to {object}', {
     asset: surface,
@@ -91,14 +94,14 @@ export function wearSurface(surface: string, users: readonly SurfaceWearer[]): C
 
 const wearing = (users: readonly SurfaceWearer[], surface: string): FieldEdit[] =>
   users.flatMap((owner): FieldEdit[] => [
-    // a shader of one's own cannot wear it
+    // a custom shader takes no surface
     ...(owner instanceof ObjectRenderer ? [{ owner, name: 'shader', value: null }] : []),
     { owner, name: 'surface', value: surface },
   ]);
 
 /**
- * Has an object wear the surface of its material by itself, with the values that it has there, so that they can be its own.
- * @param material - of the library, which wears one
+ * Makes objects use the surface of their material directly, with the material's uniform values as a start.
+ * @param material - a library material that has a surface
  */
 export function ownSurfaceValues(users: readonly ObjectRenderer[], material: MaterialAsset): Command {
   const label = t('Own values of {surface} for {objects}', {

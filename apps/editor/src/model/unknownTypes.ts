@@ -1,7 +1,7 @@
 import type { Scene } from '@farol/engine';
 import { UnknownComponent } from '@farol/engine/files';
 
-/** Types of the components of a scene that are kept as data, since no class of theirs is known. */
+/** Component types of a scene whose class is unknown; their components are kept as data. */
 export function unknownTypes(scene: Scene): string[] {
   const types = new Set<string>();
   scene.traverse(({ components }) => {

@@ -29,9 +29,9 @@ const inWords = (found: string): string =>
   })[found] ?? found;
 
 /**
- * Why a model stays one object; null when it can be unpacked.
- * @param parts - of a ModelRenderer, which draws only these
- * @throws AssetError when it is not loaded
+ * Why a model must stay one object; null when it can be unpacked.
+ * @param parts - names of the parts that a ModelRenderer draws; '' for all
+ * @throws AssetError when the model is not loaded
  */
 export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): string | null {
   const model = assets.model(name);
@@ -44,7 +44,7 @@ export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): st
   return t('{name} stays one object: it has {what}, which only a whole model keeps.', { name, what });
 }
 
-/** What of unpacked models is still drawn by a ModelRenderer, in one sentence; null for nothing. */
+/** A sentence naming the parts of unpacked models that a ModelRenderer still draws; null for none. */
 export function whatStaysLinked(assets: AssetLibrary, names: readonly string[]): string | null {
   const kept = [...new Set(names)].flatMap((name) => keptTogether(assets.model(name)));
   if (kept.length === 0) return null;
@@ -57,7 +57,7 @@ export function whatStaysLinked(assets: AssetLibrary, names: readonly string[]):
   });
 }
 
-/** The folder of the materials of a model: 'Props/robot/' of 'Props/robot.glb'. */
+/** Folder for the materials of a model: 'Props/robot/' for 'Props/robot.glb'. */
 function materialFolder(name: string): string {
   const { folder, leaf } = splitName(name);
   const stem = leaf.slice(0, leaf.length - endingOf(leaf).length) || leaf;
@@ -65,9 +65,9 @@ function materialFolder(name: string): string {
 }
 
 /**
- * Makes each model that is drawn whole a tree of objects below its own: meshes, lights, cameras, materials as assets, and
- * an Animation where it has clips. What a skeleton or morph targets hold together becomes one object each, which draws
- * these parts of the model. The objects of the ModelRenderers stay where they are, with all else that they hold.
+ * Replaces each whole model by a tree of objects below its own: meshes, lights, cameras, materials as assets, and an
+ * Animation when it has clips. Parts joined by a skeleton or morph targets become one object with a ModelRenderer. The
+ * objects of the ModelRenderers keep their poses and other components.
  * @param renderers - with models that are loaded
  * @throws Error when one cannot be unpacked; see `whyNotUnpack`
  */
@@ -117,7 +117,7 @@ function unpackOne(scene: Scene, renderer: ModelRenderer): Command {
   );
 }
 
-/** What its parts wear. */
+/** Surface and its values that the unpacked parts get. */
 function surfaceOf(renderer: ModelRenderer): UnpackOptions['wears'] {
   if (renderer.surface === null) return undefined;
   const names = ['surface', ...Object.keys(surfaceValueFields)];

@@ -7,14 +7,14 @@ import { StatusBar } from './status/StatusBar';
 import './dialogs/dialogs.css';
 import './toolbar/toolbar.css';
 
-// the picture does not wait for the library of menus and dialogs
+// the viewport does not wait for the library of menus and dialogs
 const Toolbar = lazy(async () => ({ default: (await import('./toolbar/Toolbar')).Toolbar }));
 const DialogHost = lazy(async () => ({ default: (await import('./dialogs/DialogHost')).DialogHost }));
 const PlayTint = lazy(async () => ({ default: (await import('./play/PlayTint')).PlayTint }));
 const Tour = lazy(async () => ({ default: (await import('./tour/Tour')).Tour }));
 const PlayChanges = lazy(async () => ({ default: (await import('./play/PlayChanges')).PlayChanges }));
 
-/** The editor's window: bar, panels, status. */
+/** The editor's window: toolbar, panels, status bar. */
 export function Layout(): ReactNode {
   const theme = usePreferences((preferences) => preferences.theme);
   useLayoutEffect(() => {
@@ -43,7 +43,7 @@ export function Layout(): ReactNode {
   );
 }
 
-/** Loads the list of edits made while playing once there are any. */
+/** Fetches the list of edits made while playing, once there are any. */
 function PlayEditsPlace(): ReactNode {
   const { playEdits } = useEditor().document;
   const revision = useSignal(playEdits.changed);

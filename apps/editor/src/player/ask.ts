@@ -1,7 +1,7 @@
 import { shortText, t } from '@farol/editing';
 import type { ForeignAddress } from '@farol/engine/files';
 
-/** Asks something over the page. @param answers - what each button stands for, by its label */
+/** Shows a question over the page. @param answers - answers by the labels of their buttons */
 function ask<T>(label: string, text: string, answers: ReadonlyMap<string, T>): Promise<T> {
   const place = document.createElement('div');
   place.setAttribute('role', 'dialog');
@@ -24,7 +24,7 @@ function ask<T>(label: string, text: string, answers: ReadonlyMap<string, T>): P
   });
 }
 
-/** Asks whether the scene of a link may load from other hosts. @returns the hosts: all of them, or none */
+/** Asks whether a linked scene may load from other hosts. @returns the allowed hosts: all of them, or none */
 export function askForHosts(addresses: readonly ForeignAddress[]): Promise<readonly string[]> {
   const hosts = [...new Set(addresses.map(({ origin }) => origin))];
   const listed =
@@ -43,7 +43,7 @@ export function askForHosts(addresses: readonly ForeignAddress[]): Promise<reado
   );
 }
 
-/** Asks whether the scripts of a link shall run. */
+/** Asks whether scripts of a linked scene may run. */
 export const askForScripts = (): Promise<boolean> =>
   ask(
     t('Scripts of the scene'),

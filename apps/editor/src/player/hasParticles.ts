@@ -1,2 +1,2 @@
-/** Whether this player has the renderer's particles; the build says no for that of scenes without any. */
+/** Whether this player contains the renderer's particles; set to false in the build for scenes without any. */
 export const hasParticles: boolean = true;

@@ -1,9 +1,9 @@
 import { t } from '@farol/editing';
 
-/** The element that the player came by: known only while it runs first. */
+/** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript as HTMLScriptElement | null;
 
-/** In the player it stands for the engine's file of this name: Rapier is in the page, packed, or in a script beside the player. */
+/** Replaces the engine's function in the player. Rapier is compressed in the page, or in a script beside the player. */
 export function loadRapier(): Promise<object> {
   loading ??= load();
   return loading;
@@ -19,12 +19,12 @@ async function load(): Promise<object> {
   return farolLoadRapier();
 }
 
-/** @param base64 - of a script, packed by gzip */
+/** Runs a script. @param base64 - gzip-compressed source */
 async function runPacked(base64: string): Promise<void> {
   const bytes = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   const script = document.createElement('script');
-  // the page's policy allows its own scripts alone
+  // required by the page's content policy
   script.nonce = ownScript?.nonce ?? '';
   script.textContent = await new Response(stream).text();
   document.head.append(script);

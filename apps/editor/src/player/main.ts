@@ -1,4 +1,4 @@
 import { play } from './play';
 
-/** Fulfilled when the scene of the page is drawn as it stays: `FarolPlayer.ready` for other scripts of the page. */
+/** Available to scripts of the page as `FarolPlayer.ready`; fulfilled when the scene is completely drawn. */
 export const ready = play(null);

@@ -1,4 +1,4 @@
 import { loadRapier } from '@farol/engine/physics';
 
-/** Gives Rapier to the player, which calls this global. */
+/** The global that the player calls to get Rapier. */
 (globalThis as { farolLoadRapier?: typeof loadRapier }).farolLoadRapier = loadRapier;

@@ -24,40 +24,40 @@ import { hasScripts, isSandboxed, showSandboxed, tellReady } from './sandbox';
 import { playWithParticles } from './withParticles';
 
 /**
- * Shows a scene on a page of its own: what standalone pages and embedded frames hold. The scene is in the element
- * `farol-scene` (base64 of a `.farol` file), or in the address (`#scene=…`).
+ * Plays a scene on a page of its own: an exported page, or an embedded frame. The scene is in the element `farol-scene`
+ * (base64 of a `.farol` file), or in the URL's hash (`#scene=…`).
  */
 
-/** The element that this script came by: known only while it runs first. */
+/** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript;
 
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-/** What plugins of the editor brought is not here, nor are scripts that do not run: the rest of the scene plays. */
+/** Components of plugins, and of scripts that do not run, are kept as data; the rest of the scene plays. */
 const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
 
-/** Runs the scripts of a scene; fulfilled when its components are of their classes. */
+/** Runs the scripts of a scene; fulfilled when its components are instances of their classes. */
 export type RunScripts = (scene: Scene, registry: ComponentRegistry) => Promise<void>;
 
-/** A scene, and how its scripts run; null for not at all. */
+/** A scene, and the function that runs its scripts; null when they do not run. */
 interface Opened {
   readonly scene: Scene;
   readonly runScripts: RunScripts | null;
 }
 
-/** Another frame or player that shows the scene. */
+/** Stands for a frame or another player that shows the scene. */
 interface Elsewhere {
   readonly ready: Promise<void>;
 }
 
-/** @param runScripts - null for the player without */
+/** @param runScripts - null in the player without scripts */
 async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null): Promise<Opened | Elsewhere> {
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
-    // the page's own policy names the hosts that its author was content with
+    // the author of an exported page has allowed its hosts, as its content policy says
     return { scene: await deserialize(text, { assets, registry, fileOf, mayFetch: () => true }), runScripts };
   }
   let hosts: readonly string[] = [];
@@ -68,7 +68,7 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   };
   assets.onChange((change) => change.error && say(change.error.message));
   const text = await decodeLink(location.hash);
-  // whoever wrote the link wrote the scripts: they run where they reach nothing of this host
+  // scripts from a link are untrusted: they run in a sandboxed frame
   if (hasScripts(text) && (!runScripts || !isSandboxed())) {
     return { ready: showSandboxed() };
   }
@@ -77,12 +77,12 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   }
   const runs = hasScripts(text) && (await askForScripts());
   const scene = await deserialize(text, { assets, registry, mayFetch });
-  // also where nothing was asked for: what comes later is kept to the answer
+  // also without a question, so that nothing fetched later leaves the allowed hosts
   keepToHosts(hosts);
   return { scene, runScripts: runs ? runScripts : null };
 }
 
-/** Shows a message over the picture, below those that are there. */
+/** Shows a message over the scene, below earlier ones. */
 function say(text: string): void {
   let place = document.querySelector('[role=alert]');
   if (!place) {
@@ -93,7 +93,7 @@ function say(text: string): void {
   place.textContent = [place.textContent, text].filter(Boolean).join('\n');
 }
 
-/** Says that there would be sound, until the user has pressed something. */
+/** Shows that sound is blocked until the user interacts with the page, as browsers require. */
 function sayWhenMuted(): void {
   const line = document.createElement('p');
   line.setAttribute('role', 'status');
@@ -106,7 +106,7 @@ function sayWhenMuted(): void {
   document.body.append(line);
 }
 
-/** A camera of the viewer's own, where the scene's cannot be moved by the user. */
+/** Adds an orbiting camera for the viewer, when the scene's camera cannot be moved by the user. */
 function orbit(app: App, scene: Scene): (width: number, height: number) => void {
   const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
   const controls = new OrbitControls(camera, app.canvas);
@@ -118,7 +118,7 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     active.updateWorldMatrix(true, false);
     active.matrixWorld.decompose(camera.position, camera.quaternion, new Vector3());
     if (active instanceof PerspectiveCamera) camera.fov = active.fov;
-    // what it looks at is as far ahead as the middle of the scene
+    // orbits the point straight ahead, as far away as the centre of the scene
     const ahead = new Vector3(0, 0, -1).applyQuaternion(camera.quaternion);
     const distance = Math.max(1, middle.clone().sub(camera.position).dot(ahead));
     controls.target.copy(camera.position).addScaledVector(ahead, distance);
@@ -152,7 +152,7 @@ function listens(scene: Scene): boolean {
   return found;
 }
 
-/** Shows and plays the scene of the page. @param playerScripts - null for the player without @returns what draws it */
+/** Loads and plays the scene of the page. @param playerScripts - null in the player without scripts */
 async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere> {
   if (firstLanguage(null, navigator.languages) === 'es') {
     setTexts(player, 'es');
@@ -165,12 +165,12 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
     return opened;
   }
   const { scene, runScripts } = opened;
-  const told = new Set<string>();
+  const loggedErrors = new Set<string>();
   scene.onComponentError = (component, error) => {
     const owner = component.isAttached ? component.gameObject.name : '';
     const text = `${component.typeName} of ${owner}: ${error instanceof Error ? error.message : String(error)}`;
-    if (!told.has(text)) console.error(text, error);
-    told.add(text);
+    if (!loggedErrors.has(text)) console.error(text, error);
+    loggedErrors.add(text);
   };
   const scripted = scene.assets.fieldAssets('script').length > 0 && runScripts !== null;
   if (scripted) await runScripts(scene, registry);
@@ -194,10 +194,10 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
 }
 
 /**
- * Shows and plays the scene of the page, and says what goes wrong.
- * @param runScripts - null for the player without
- * @returns fulfilled when the scene is there, its assets are decoded and it is drawn as it stays: `App.ready`. A page around this
- *   one is told by a message then, `{ farol: 'ready' }`
+ * Loads and plays the scene of the page, showing errors.
+ * @param runScripts - null in the player without scripts
+ * @returns fulfilled when the scene is loaded and completely drawn, see `App.ready`. The embedding page, if any, then
+ *   gets the message `{ farol: 'ready' }`
  */
 export function play(runScripts: RunScripts | null): Promise<void> {
   const started = start(runScripts);
@@ -207,7 +207,7 @@ export function play(runScripts: RunScripts | null): Promise<void> {
     throw error;
   });
   const ready = started.then((shown) => shown.ready);
-  // a failure is told above, and to who waits
+  // errors are shown by `start`, and reach those who await `ready`
   ready.then(tellReady, () => {});
   return ready;
 }

@@ -13,7 +13,7 @@ import type { RunScripts } from './play';
 
 type Compile = (name: string, source: string) => CompiledScript | ScriptError;
 
-/** The compiler's file, for scenes that come in a link: it puts itself into `globalThis.farolCompile`. */
+/** URL of the script compiler, for linked scenes; it sets `globalThis.farolCompile`. */
 const COMPILER = './farol-script-compiler.js';
 
 function loadCompiler(): Promise<Compile> {
@@ -28,9 +28,9 @@ function loadCompiler(): Promise<Compile> {
   });
 }
 
-/** Runs the scripts of a scene: those that the page holds compiled, or by the compiler where the scene came in a link. */
+/** Runs the scripts of a scene: an exported page has them compiled, those of a linked scene are compiled here. */
 export const runScripts: RunScripts = async (scene, registry) => {
-  // scripts of an exported page have run before this
+  // compiled scripts of an exported page have run before this one
   const isCompiled = document.getElementById('farol-scene') !== null;
   const compile = isCompiled ? null : await loadCompiler();
   const scripts = new SceneScripts(scene, registry, {

@@ -1,7 +1,7 @@
-/** The page that plays scenes with scripts. */
+/** URL of the page that plays scenes with scripts. */
 const PAGE = './player-scripts.html';
 
-/** Whether the page is of an origin of its own, which nothing else belongs to: its scripts reach no stored data. */
+/** Whether the page has an opaque origin, so that its scripts have no access to stored data. */
 export const isSandboxed = (): boolean => self.origin === 'null';
 
 /** Whether a scene file has scripts. */
@@ -10,24 +10,24 @@ export function hasScripts(text: string): boolean {
     const { assets } = JSON.parse(text) as { assets?: readonly { readonly type?: unknown }[] };
     return Array.isArray(assets) && assets.some((asset) => asset?.type === 'script');
   } catch {
-    // whoever opens it tells what is wrong
+    // errors are reported when the file is opened
     return false;
   }
 }
 
-/** What a player in a frame tells the page around it when its scene is drawn as it stays. */
+/** Message to the embedding page when the scene is completely drawn. */
 interface ReadyMessage {
   readonly farol: 'ready';
 }
 
-/** Tells the page around this one, if there is one, that the scene is drawn as it stays. */
+/** Tells the embedding page, if any, that the scene is completely drawn. */
 export function tellReady(): void {
   const message: ReadyMessage = { farol: 'ready' };
-  // whoever frames the page sees that it is there anyway
+  // any origin: the message reveals nothing
   if (parent !== self) parent.postMessage(message, '*');
 }
 
-/** Has a sandboxed frame, as large as the page, show the scene of the address. @returns fulfilled when the frame is ready */
+/** Shows the scene of the URL in a sandboxed frame that fills the page. @returns fulfilled when the frame is ready */
 export function showSandboxed(): Promise<void> {
   const frame = document.createElement('iframe');
   frame.setAttribute('sandbox', 'allow-scripts allow-pointer-lock');

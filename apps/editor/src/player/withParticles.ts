@@ -1,13 +1,13 @@
-/** The element that the player came by: known only while it runs first. */
+/** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript as HTMLScriptElement | null;
 
-/** What a player's script leaves on its page. */
+/** Global variable of a player's script. */
 interface PlayerGlobal {
   readonly FarolPlayer: { readonly ready: Promise<void> };
 }
 
 /**
- * Has the player with particles, which lies beside this one, show the scene of the address.
+ * Loads the player with particles, which is beside this one, to show the scene of the URL.
  * @returns fulfilled when that player is ready
  */
 export function playWithParticles(): Promise<void> {

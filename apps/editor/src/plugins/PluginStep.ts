@@ -1,12 +1,13 @@
 import type { Command } from '@farol/editing';
 
-/** An edit of components that goes with a plugin which comes or goes. */
+/** A command that changes components when a plugin is added or removed. */
 export class PluginStep implements Command {
   readonly label: string;
 
   /**
-   * @param step - the edit
-   * @param plugin - `do`: called before the edit is done, so that redo has the plugin as it was; `undo`: before it is undone
+   * @param step - the edit of components
+   * @param plugin - `do` is called before the edit is done, so that redo adds or removes the plugin again; `undo`
+   *   before it is undone
    */
   constructor(
     private readonly step: Command,

@@ -8,14 +8,14 @@ import { installPlugin } from './installPlugin';
 import { PluginStep } from './PluginStep';
 import { takenNames } from './takenNames';
 
-/** '3 Flicker, 1 Beacon'. */
+/** Numbers of components by type, such as '3 Flicker, 1 Beacon'. */
 function countsOf(components: readonly Component[]): string {
   const counts = new Map<string, number>();
   for (const { typeName } of components) counts.set(typeName, (counts.get(typeName) ?? 0) + 1);
   return [...counts].map(([type, count]) => `${count} ${type}`).join(', ');
 }
 
-/** A component of the scene as the data that its file holds. */
+/** A component as the data that its file would hold. */
 function asUnknown(component: Component): UnknownComponent {
   const { components } = serializeObject(component.gameObject);
   return makeUnknownComponent(components.find(({ id }) => id === component.id)!);
@@ -23,22 +23,22 @@ function asUnknown(component: Component): UnknownComponent {
 
 /** The plugins of one editor. */
 export class Plugins {
-  /** Emits when a plugin comes or goes, by a step of the history too. */
+  /** Emits when a plugin is added or removed, by undo and redo too. */
   readonly changed = new Signal();
 
   private readonly installed = new Map<EditorPlugin, () => void>();
 
   constructor(private readonly editor: EditorApi) {}
 
-  /** In the order in which they came. */
+  /** Plugins in the order they were added. */
   get list(): readonly EditorPlugin[] {
     return [...this.installed.keys()];
   }
 
   /**
-   * Adds all of a plugin, or nothing. Components of the scene that were kept as data, since their class was not there, are
-   * themselves again: a step of the history.
-   * @throws Error naming what there is already
+   * Adds everything that a plugin contains, or nothing. Components of the scene that were kept as data, since their
+   * class was unknown, become real: a step of history.
+   * @throws Error naming what exists already
    */
   add(plugin: EditorPlugin): void {
     const { document, log } = this.editor;
@@ -62,8 +62,8 @@ export class Plugins {
   }
 
   /**
-   * Takes all of a plugin out. Its components stay in the scene as data that are kept and saved: a step of the history,
-   * which brings the plugin back when it is undone. A scene that plays is stopped.
+   * Removes everything that a plugin added. Its components stay in the scene as data, which are saved: a step of
+   * history, and undoing it adds the plugin again. A playing scene is stopped.
    * @throws Error when there is no plugin of that name
    */
   remove(name: string): void {
@@ -74,7 +74,7 @@ export class Plugins {
     document.simulation.stop();
     const components = this.inScene((component) => hasType(plugin, component));
     const isInHistory = commands.history.length > 0 || commands.future.length > 0;
-    // steps of the history may hold components of the plugin: they are undone only where the plugin is
+    // a step is also needed when earlier ones contain components of the plugin: undoing those needs the plugin
     if (components.length > 0 || (isInHistory && (plugin.components?.length ?? 0) > 0)) {
       const swaps = components.map((before) => ({ before, after: asUnknown(before) }));
       const step = new SwapComponents(t('Removed plugin {name}', { name }), document.scene, swaps);
@@ -117,7 +117,7 @@ export class Plugins {
     return found;
   }
 
-  /** Components of the scene that are data, with what they become by the plugin's classes; data that cannot be read stay. */
+  /** Swaps of components kept as data for ones of the plugin's classes; data that cannot be read stay. */
   private restored(plugin: EditorPlugin): ComponentSwap[] {
     const { components, notices } = this.editor;
     const types = new Set(plugin.components?.map(({ typeName }) => typeName));

@@ -2,11 +2,11 @@ import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import type { EditorPlugin } from '../api/EditorPlugin';
 
-/** Puts all parts of a plugin, whose names are free, into the editor. @returns a function that takes all of them out */
+/** Adds all parts of a plugin, whose names must be free. @returns a function that removes them */
 export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => void {
   const { actions, panels, layout, components, fieldEditors, microShaders, viewport, notices } = editor;
   const { farol } = viewport;
-  /** What takes each part out; called from the last one on. */
+  /** Functions that remove each part, called in reverse order. */
   const endings: (() => void)[] = [];
   if (plugin.microshaders) {
     const takeOut = microShaders.addChunks(plugin.microshaders);
@@ -33,7 +33,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
     farol.addTechnique(name, technique);
     viewport.picture.retakeTechnique();
     endings.push(() => {
-      // what compares techniques has renderers of its own, which know this one
+      // first, since the renderers of a comparison also know the technique
       viewport.painter = null;
       farol.removeTechnique(name);
     });
@@ -44,7 +44,7 @@ export function installPlugin(editor: EditorApi, plugin: EditorPlugin): () => vo
   for (const panel of plugin.panels ?? []) {
     const takeOut = panels.add(panel);
     endings.push(() => {
-      // a panel that is open opens again when it comes back
+      // an open panel opens again when the plugin returns
       if (layout.isOpen(panel.id)) layout.forget(panel.id);
       takeOut();
     });

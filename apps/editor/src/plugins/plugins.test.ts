@@ -45,7 +45,7 @@ class Beacon extends component({
 
 const chunks = new Map<string, string>();
 
-/** All of an editor but its canvas and its device. */
+/** An editor without canvas and WebGL. */
 function makeEditor(): EditorApi & { plugins: Plugins } {
   const components = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
   const registry = new Registry('an action', actions);
@@ -100,7 +100,7 @@ const plugin: EditorPlugin = {
   panels: [{ id: 'beacons', title: 'Beacons', icon: 'lamp', place: 'right', load: () => Promise.reject(new Error()) }],
 };
 
-/** All that a plugin may add to. */
+/** Everything that a plugin may add to. */
 const partsOf = ({ actions: all, panels: shown, components, fieldEditors, viewport }: EditorApi): unknown => ({
   actions: all.list.map(({ id }) => id),
   panels: shown.list.map(({ id }) => id),

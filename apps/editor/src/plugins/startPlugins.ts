@@ -5,8 +5,8 @@ import type { EditorPlugin } from '../api/EditorPlugin';
 import { knownPlugins } from '.';
 
 /**
- * Loads the plugins that the user has chosen, and makes a command of each that there is, which adds it or removes it.
- * @param storage - key under which the names of those chosen are kept in the browser
+ * Loads the plugins that the user has switched on, and adds an action for each known plugin, which switches it.
+ * @param storage - key in localStorage with the names of the plugins that are on
  */
 export async function startPlugins(editor: EditorApi, storage = 'farol-editor-plugins'): Promise<void> {
   const store = createStore<{ chosen: readonly string[] }>()(
@@ -35,7 +35,7 @@ export async function startPlugins(editor: EditorApi, storage = 'farol-editor-pl
   }
   const { chosen } = store.getState();
   for (const name of chosen) if (Object.hasOwn(knownPlugins, name)) await add(name);
-  // undo adds and removes too
+  // undo and redo add and remove plugins too
   editor.plugins.changed.subscribe(() => {
     store.setState({ chosen: Object.keys(knownPlugins).filter((name) => added(name) !== undefined) });
   });

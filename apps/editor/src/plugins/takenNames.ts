@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { EditorApi } from '../api/EditorApi';
 import type { EditorPlugin } from '../api/EditorPlugin';
 
-/** What of a plugin has a name that something else in the editor has, or another part of the plugin: 'the panel 'notes''. */
+/** Names in a plugin that are taken by the editor, another plugin, or twice in the plugin: "the panel 'notes'". */
 export function takenNames(editor: EditorApi, plugins: readonly EditorPlugin[], plugin: EditorPlugin): string[] {
   const { actions, panels, components, fieldEditors, microShaders, viewport } = editor;
   const { techniques } = viewport.farol;

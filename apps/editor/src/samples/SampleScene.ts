@@ -14,25 +14,25 @@ import type { Prefab } from '@farol/engine/prefabs';
 export type ReadPublic = (path: string) => Promise<Uint8Array<ArrayBuffer>>;
 
 export type Values = Readonly<Record<string, FieldValue>>;
-/** A component: its type and the fields that are not the default. */
+/** A component: type, and fields that differ from the default. */
 export type Part = readonly [type: string, values?: Values];
 
 export interface Place {
-  /** Metres. */
+  /** Position (m). */
   readonly position?: Vector3Tuple;
-  /** Radians. */
+  /** Euler angles (rad). */
   readonly rotation?: Vector3Tuple;
   readonly scale?: Vector3Tuple;
-  /** What its front looks at, in the space of its parent; in place of `rotation`. */
+  /** Point that the object's front faces, in its parent's space (m); replaces `rotation`. */
   readonly target?: Vector3Tuple;
   readonly tags?: readonly string[];
-  /** Whether it stays where it is, and light is baked on it. */
+  /** Whether the object is static, for baked light. */
   readonly static?: boolean;
-  /** Id of the object above; at the top when absent. */
+  /** Id of the parent; the top of the tree when absent. */
   readonly parent?: string;
 }
 
-/** Fields of an object of an instance that are not the prefab's: 'Lamp/Light.intensity' by its value. */
+/** Overridden fields of an instance, by path: 'Lamp/Light.intensity'. */
 export type Overrides = Readonly<Record<string, FieldValue>>;
 
 const placer = new GameObject();
@@ -43,7 +43,7 @@ function transformOf({ position, rotation, scale, target }: Place): Record<strin
   return { ...(position && { position }), ...(turned && { rotation: turned }), ...(scale && { scale }) };
 }
 
-/** Puts the file of a sample together, with ids that depend on names and order alone: the same sample is the same file. */
+/** Builds the file of a sample. Ids depend only on names and order, so that the file is reproducible. */
 export class SampleScene {
   readonly settings: Record<string, FieldValue> = {};
   readonly microShaders: Record<string, string> = {};
@@ -56,7 +56,7 @@ export class SampleScene {
 
   constructor(readonly name: string) {}
 
-  /** An object. @returns its id */
+  /** Adds an object. @returns its id */
   object(name: string, place: Place, ...parts: readonly Part[]): string {
     const id = this.idOf(name);
     const components = [['Transform', transformOf(place)] as Part, ...parts].map(([type, values = {}], n) =>
@@ -68,13 +68,13 @@ export class SampleScene {
     return id;
   }
 
-  /** An asset that is made of fields: a material, script or clip. @returns its name */
+  /** Adds an asset made of fields. @returns its name */
   asset(type: 'material' | 'script' | 'clip' | 'surface', name: string, values: Record<string, FieldValue>): string {
     this.assets.push({ name, type, values });
     return name;
   }
 
-  /** An asset that is a file. @returns its name */
+  /** Adds an asset that is a file. @returns its name */
   file(type: FileAsset['type'], name: string, bytes: Uint8Array<ArrayBuffer>): string {
     const path = `assets/${encodeURIComponent(name)}`;
     this.assets.push({ name, type, file: path });
@@ -83,41 +83,42 @@ export class SampleScene {
   }
 
   /**
-   * A prefab of what `build` adds: one object, with all below it.
-   * @returns its id
+   * Adds a prefab.
+   * @param build - adds one object with its children, and returns its id
+   * @returns the prefab's id
    */
   prefab(name: string, build: () => string): string {
-    const before = this.objects;
+    const outerObjects = this.objects;
     this.objects = [];
     const root = build();
     const { objects } = this;
-    this.objects = before;
-    // the id of a prefab is that of its root
+    this.objects = outerObjects;
+    // the root's id is the prefab's
     this.prefabs.push({ id: root, name, objects });
     return root;
   }
 
-  /** A copy of a prefab. @returns the id of its root */
+  /** Adds an instance of a prefab. @returns the id of its root */
   instance(prefabId: string, place: Place, overrides: Overrides = {}, name?: string): string {
     const prefab = this.prefabs.find(({ id }) => id === prefabId);
     if (!prefab) throw new Error(`There is no prefab '${prefabId}'.`);
     const rootId = this.idOf(name ?? prefab.name);
     const ids = new Map(prefab.objects.map(({ id }) => [id, id === prefabId ? rootId : `${rootId}-${id}`]));
-    const left = new Set(Object.keys(overrides));
+    const unusedPaths = new Set(Object.keys(overrides));
     for (const source of prefab.objects) {
       const id = ids.get(source.id)!;
       const isRoot = source.id === prefabId;
       const components = source.components.map(({ type, values }, i) => {
-        const own: Record<string, FieldValue> = { ...values };
+        const instanceValues: Record<string, FieldValue> = { ...values };
         const fields = builtinComponents.types.get(type)?.fields ?? {};
         for (const field of Object.keys(fields)) {
-          if (fields[field].kind === 'object' && ids.has(own[field] as string))
-            own[field] = ids.get(own[field] as string)!;
+          if (fields[field].kind === 'object' && ids.has(instanceValues[field] as string))
+            instanceValues[field] = ids.get(instanceValues[field] as string)!;
           const path = `${source.name}/${type}.${field}`;
-          if (left.delete(path)) own[field] = overrides[path];
+          if (unusedPaths.delete(path)) instanceValues[field] = overrides[path];
         }
-        if (isRoot && type === 'Transform') Object.assign(own, transformOf(place));
-        return component(`${id}-${i}`, type, own);
+        if (isRoot && type === 'Transform') Object.assign(instanceValues, transformOf(place));
+        return component(`${id}-${i}`, type, instanceValues);
       });
       this.objects.push({
         id,
@@ -127,11 +128,11 @@ export class SampleScene {
         components,
       });
     }
-    if (left.size > 0) throw new Error(`The prefab '${prefab.name}' has no ${[...left].join(', ')}.`);
+    if (unusedPaths.size > 0) throw new Error(`The prefab '${prefab.name}' has no ${[...unusedPaths].join(', ')}.`);
     return rootId;
   }
 
-  /** The scene, checked as every file is. @throws FileError (as a rejection) naming what is wrong */
+  /** Builds the scene, with the checks for every file. @throws FileError (as a rejection) naming the faults */
   async build(): Promise<Scene> {
     const file: FarolFile = {
       ...{ format: 'farol-scene', version: FILE_VERSION, name: this.name, settings: this.settings },

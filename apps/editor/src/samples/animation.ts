@@ -7,7 +7,7 @@ const paint = (colour: Vector3Tuple) => ({ colour, roughness: 0.4 });
 const red = paint([0.7, 0.12, 0.08]);
 const white = paint([0.85, 0.83, 0.78]);
 
-/** Horses go up and down while all turn: two clips on two levels of the tree. */
+/** A carousel: horses go up and down while all turn, by two clips at two levels of the tree. */
 function addCarousel(scene: SampleScene): void {
   const spin = addClip(scene, 'Carousel turns', 12, [track('', 'Transform.rotation', turn(12))]);
   const hop = addClip(scene, 'Horse hops', 1.6, [
@@ -22,7 +22,7 @@ function addCarousel(scene: SampleScene): void {
     const place = { position: [Math.cos(angle) * 1.8, 0, Math.sin(angle) * 1.8], rotation: [0, -angle, 0] } as const;
     const seat = scene.object(`Seat ${i + 1}`, { ...place, parent: root });
     scene.object('Pole', { position: [0, 1.7, 0], scale: [0.07, 3, 0.07], parent: seat }, mesh('cylinder', white));
-    // the same clip on each, begun at another time
+    // every horse plays the same clip with another offset
     const horse = scene.object('Horse', { position: [0, 0.75, 0], parent: seat }, [
       'Animation',
       { clip: hop, startTime: (i * 1.6) / 6 },
@@ -44,7 +44,7 @@ function addCarousel(scene: SampleScene): void {
   }
 }
 
-/** Joints that bend with eased keys: a track for each object of the tree, by its path. */
+/** A robot arm with eased keys: one clip with a track for each joint. */
 function addArm(scene: SampleScene): void {
   const bend = (...keys: readonly (readonly [number, Vector3Tuple])[]) => eased(...keys);
   const clip = addClip(scene, 'Arm reaches', 6, [
@@ -89,7 +89,7 @@ function addArm(scene: SampleScene): void {
   );
 }
 
-/** A ball that is squashed where it lands. */
+/** A bouncing ball with squash and stretch. */
 function addBall(scene: SampleScene): void {
   const clip = addClip(scene, 'Ball bounces', 1.1, [
     track('', 'Transform.position', [
@@ -109,7 +109,7 @@ function addBall(scene: SampleScene): void {
   scene.object('Rubber', { parent: ball }, mesh('sphere', paint([0.16, 0.4, 0.75])));
 }
 
-/** Lamps that switch: keys that step. */
+/** A signal whose lamps switch by stepped keys. */
 function addSignal(scene: SampleScene): void {
   const looks = [
     [
@@ -168,7 +168,7 @@ function addSignal(scene: SampleScene): void {
   }
 }
 
-/** A fairground of what clips can do: turns, eased joints, squash, switches and colours. */
+/** A fairground that shows clips: rotations, eased joints, squash, switches and colours. */
 export async function animation(): Promise<SampleScene> {
   const scene = new SampleScene('Animation');
   Object.assign(scene.settings, {

@@ -4,17 +4,17 @@ import { addClip, eased, track, turn } from './clips';
 import { addCamera, light, mesh } from './parts';
 import { type Place, type ReadPublic, SampleScene, type Values } from './SampleScene';
 
-/** Metres: half the width and depth of the room, and its height. */
+/** Half the width and depth of the room (m); HEIGHT is its height (m). */
 const HALF = 2;
 const HEIGHT = 3;
-/** Name of the baked light. */
+/** Asset name of the baked light. */
 export const BAKED = 'Baked light.bake';
 
 const paint = (colour: Vector3Tuple, more: Values = {}): Values => ({ colour, roughness: 0.9, ...more });
 const white = paint([0.76, 0.75, 0.71]);
 
 function addRoom(scene: SampleScene): void {
-  // a plane faces +Y
+  // planes face +Y
   const wall = (name: string, place: Place, values: Values): void => {
     scene.object(name, { ...place, static: true }, mesh('plane', values));
   };
@@ -48,7 +48,7 @@ function addRoom(scene: SampleScene): void {
   );
 }
 
-/** A ball and a knot on their way round the room, without a light of their own. */
+/** A ball and a knot that move round the room, without lights of their own. */
 function addMoving(scene: SampleScene): void {
   const way = addClip(scene, 'Round the room', 12, [
     track(
@@ -95,7 +95,10 @@ function addMoving(scene: SampleScene): void {
   }
 }
 
-/** What bakeSample.mjs has just baked, else the baked light that the sample's file has already; null where there is neither. */
+/**
+ * Baked light that bakeSample.mjs has just written, else the one in the sample's present file; null when there is
+ * neither.
+ */
 async function bakedLight(readPublic: ReadPublic): Promise<Uint8Array<ArrayBuffer> | null> {
   const fresh = await readPublic('scenes/baked-room.bake').catch(() => null);
   if (fresh) return fresh;
@@ -105,8 +108,8 @@ async function bakedLight(readPublic: ReadPublic): Promise<Uint8Array<ArrayBuffe
 }
 
 /**
- * A room whose light is baked, after the Cornell box: a panel that glows, a lamp, coloured walls, and things that move
- * through the light. Rays need a GPU: `packages/tools/bakeSample.mjs` bakes it in a browser, and this keeps what it baked.
+ * A room with baked light, after the Cornell box: a glowing panel, a lamp, coloured walls, and moving objects. Baking
+ * needs a GPU: `packages/tools/bakeSample.mjs` does it in a browser, and its result is kept here.
  */
 export async function bakedRoom(readPublic: ReadPublic): Promise<SampleScene> {
   const scene = new SampleScene('Baked room');

@@ -9,28 +9,28 @@ export interface Key {
 }
 
 export interface Track {
-  /** Names from below the animated object down; '' for that object. */
+  /** Object names from below the animated object down; '' for that object. */
   readonly path: string;
   readonly component: string;
   readonly field: string;
   readonly keys: readonly Key[];
 }
 
-/** Slow at both ends. */
+/** Bézier control points: slow at both ends. */
 export const EASE = [0.42, 0, 0.58, 1] as const;
-/** As what falls: slow, then fast; and as what was thrown up. */
+/** Bézier control points of a fall: slow, then fast; RISE is the reverse. */
 export const FALL = [0.5, 0, 0.9, 0.7] as const;
 export const RISE = [0.1, 0.3, 0.5, 1] as const;
 
-/** Keys with eased ways between. */
+/** Keys with eased interpolation. */
 export const eased = (...keys: readonly (readonly [time: number, value: FieldValue])[]): Key[] =>
   keys.map(([time, value]) => ({ time, value, easing: 'bezier', control: EASE }));
 
-/** Keys of values that stay until the next one. */
+/** Keys whose values stay until the next one. */
 export const steps = (...keys: readonly (readonly [time: number, value: FieldValue])[]): Key[] =>
   keys.map(([time, value]) => ({ time, value, easing: 'step' }));
 
-/** A whole turn about an axis. */
+/** Keys of a full turn about an axis. */
 export const turn = (seconds: number, axis: 0 | 1 | 2 = 1): Key[] =>
   [0, 1, 2, 3, 4].map((quarter) => {
     const value: [number, number, number] = [0, 0, 0];
@@ -38,13 +38,13 @@ export const turn = (seconds: number, axis: 0 | 1 | 2 = 1): Key[] =>
     return { time: (quarter * seconds) / 4, value: value as Vector3Tuple };
   });
 
-/** A track of the animated object, or of one below. */
+/** A track of the animated object, or of one below it. @param field - 'Component.field' */
 export const track = (path: string, field: string, keys: readonly Key[]): Track => {
   const [component, name] = field.split('.');
   return { path, component, field: name, keys };
 };
 
-/** A clip of the scene. @returns its name */
+/** Adds a clip. @returns its name */
 export function addClip(scene: SampleScene, name: string, duration: number, tracks: readonly Track[]): string {
   return scene.asset('clip', name, { data: JSON.stringify({ tracks, events: [] }), duration });
 }

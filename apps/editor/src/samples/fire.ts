@@ -9,7 +9,7 @@ const emitter = (values: Values): Part => ['ParticleEmitter', values];
 const bark = { colour: [0.17, 0.1, 0.06], normalMap: 'stone-normal', roughness: 0.95, repeat: 1 } as const;
 const leaf = { colour: [0.05, 0.11, 0.06], roughness: 0.95 } as const;
 
-/** The flames: few and large ones are lights, so that the light on the ground flickers with them. */
+/** Particles of flames: few large ones with lights, so that the light on the ground flickers. */
 const flames: Values = {
   ...{ rate: 240, capacity: 600, prewarm: 2, shape: 'cone', radius: 0.26, angle: 0.1 },
   ...{ lifeFrom: 0.7, lifeTo: 1.5, speedFrom: 0.5, speedTo: 1.1, gravity: [0, 0.9, 0], drag: 0.6 },
@@ -30,7 +30,7 @@ const flames: Values = {
   ...{ shine: true, lightEvery: 20, lightIntensity: 1.6, lightRange: 4.5 },
 };
 
-/** Sparks that rise with the heat, fall, bounce off the ground and light it. */
+/** Particles of sparks, which rise, fall, bounce off the ground and light it. */
 const sparks: Values = {
   ...{ rate: 26, burstCount: 70, burstTime: 0.2, duration: 2.4, capacity: 600, prewarm: 2, seed: 4 },
   ...{ shape: 'cone', radius: 0.16, angle: 0.55, lifeFrom: 0.9, lifeTo: 2.8, speedFrom: 1.6, speedTo: 4.6 },
@@ -101,7 +101,7 @@ function addFire(scene: SampleScene): void {
     };
     scene.object('Stone', place, mesh('sphere', rock));
   }
-  // logs that lean on one another, charred above
+  // logs that lean against each other, charred at the top
   for (let i = 0; i < 6; i++) {
     const angle = (i / 6) * 2 * Math.PI + 0.3;
     const lean = 0.85 + 0.1 * random();
@@ -122,7 +122,7 @@ function addFire(scene: SampleScene): void {
   scene.object('Flames', { position: [0, 0.14, 0], parent: fire }, emitter(flames));
   scene.object('Sparks', { position: [0, 0.4, 0], parent: fire }, emitter(sparks));
   scene.object('Smoke', { position: [0, 1.5, 0], parent: fire }, emitter(smoke));
-  // what throws the shadows: the light of all flames, which sways with them
+  // one light that casts the shadows of all flames, and sways with them
   const flicker = addClip(scene, 'Fire flickers', 1.5, [
     track(
       '',

@@ -11,7 +11,7 @@ import { shading } from './shading';
 import { surfaces } from './surfaces';
 import type { ReadPublic, SampleScene } from './SampleScene';
 
-/** What makes each sample, by the name of its file in `public/scenes`. */
+/** Function that builds each sample, by file name in `public/scenes`. */
 export const sampleMakers: Readonly<Record<string, (readPublic: ReadPublic) => Promise<SampleScene>>> = {
   'night-in-the-temple.farol': nightInTheTemple,
   'fire.json': fire,
@@ -26,9 +26,9 @@ export const sampleMakers: Readonly<Record<string, (readPublic: ReadPublic) => P
 };
 
 /**
- * The bytes of a sample's file, the same in every run: a container where the name ends in '.farol', JSON else.
+ * The bytes of a sample's file, reproducible: a container for '.farol', else JSON.
  * @param readPublic - reads a file below `public`
- * @throws FileError (as a rejection) naming what is wrong with it
+ * @throws FileError (as a rejection) naming the faults
  */
 export async function makeSample(file: string, readPublic: ReadPublic): Promise<Uint8Array> {
   const scene = await (await sampleMakers[file](readPublic)).build();

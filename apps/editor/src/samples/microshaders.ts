@@ -2,7 +2,7 @@ import type { Vector3Tuple } from '@farol/engine/fields';
 import { addCamera, mesh } from './parts';
 import { SampleScene } from './SampleScene';
 
-/** In place of the renderer's: light falls off in rings. */
+/** Replaces the renderer's attenuation: light falls off in rings. */
 const lightAttenuation = `// Light that falls off in rings, in place of a smooth slope. Try another number of rings, or softer edges.
 // Falloff of three.js; the rings are of this sample
 const float RINGS = 6.0;
@@ -44,7 +44,7 @@ float farol_polynomialAttenuation(const in float lightDistance, const in vec3 fa
 }
 `;
 
-/** In place of the renderer's: highlights with a hard edge. */
+/** Replaces the renderer's GGX: highlights with a hard edge. */
 const ggx = `// Highlights as of a drawing: a flat spot with a hard edge, in place of a smooth lobe.
 // Lake, Marshall, Harris and Blackstein 2000, Stylized Rendering Techniques for Scalable Real-Time 3D Animation
 float farol_smithLambda(const in float alphaSquared, const in float cosine) {
@@ -75,7 +75,7 @@ const hues: readonly Vector3Tuple[] = [
   [1, 0.35, 0.85],
 ];
 
-/** Solids on a white floor among 24 lights that wander, drawn by two microshaders of the scene's own. */
+/** Solids on a white floor among 24 moving lights, drawn with two microshaders of the scene. */
 export async function microshaders(): Promise<SampleScene> {
   const scene = new SampleScene('Microshaders');
   Object.assign(scene.microShaders, { ggx, lightAttenuation });

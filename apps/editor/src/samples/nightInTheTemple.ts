@@ -13,10 +13,10 @@ const sources: Readonly<Record<string, string>> = import.meta.glob('./night/scri
   import: 'default',
 });
 
-/** Height of the temple's floor, and of the undersides of its beams (m): see the engine's `templePlan`. */
+/** Heights of the temple's floor, and of the undersides of its beams (m), from the engine's `templePlan`. */
 const FLOOR = 0.96;
 const BEAMS = 7.16;
-/** Middles of the gaps between the columns of the front (m). */
+/** Centres of the gaps between the front columns (x, m). */
 const GAPS = [-5.4, -2.7, 2.7, 5.4] as const;
 
 function addGround(scene: SampleScene): void {
@@ -47,7 +47,7 @@ function addGround(scene: SampleScene): void {
   }
 }
 
-/** The engine's temple, with shapes to walk and bump against. */
+/** The engine's temple, with colliders. */
 function addTemple(scene: SampleScene): string {
   const temple = scene.object('Temple', {});
   const stones = { ...marble, repeat: 0.5 } as const;
@@ -73,7 +73,7 @@ function addTemple(scene: SampleScene): string {
   return temple;
 }
 
-/** What stands in the inner room: an altar with a fire that flickers. */
+/** An altar with a flickering fire, in the inner room. */
 function addAltar(scene: SampleScene, temple: string): void {
   const altar = scene.object('Altar', { position: [0, FLOOR, -4.2], parent: temple });
   const blocks = [
@@ -145,11 +145,11 @@ function addAltar(scene: SampleScene, temple: string): void {
   }
 }
 
-/** Lanterns between the columns: four of the front throw shadows. */
+/** Lanterns between the columns; four at the front cast shadows. */
 function addLanterns(scene: SampleScene): void {
   const lantern = lanternPrefab(scene);
   const lanterns = scene.object('Lanterns', {});
-  // no two swing alike
+  // random pushes, so that no two swing alike
   const random = createRandom(3);
   const push = (): Overrides => ({
     'Body/RigidBody.initialVelocity': [1.5 * (random() - 0.5), 0, 1.1 * (random() - 0.5)],
@@ -171,14 +171,14 @@ const insects: readonly Vector3Tuple[] = [
   [0.5, 1, 0.4],
 ];
 
-/** Many small lights that wander over the grass and among the columns. */
+/** Fireflies: many small lights that move over the grass and among the columns. */
 function addFireflies(scene: SampleScene, count: number): void {
   const random = createRandom(11);
   const fireflies = scene.object('Fireflies', {});
   for (let i = 0; i < count; i++) {
     const diffuse = insects[i % insects.length];
     const angle = random() * 2 * Math.PI;
-    // most of them before the temple
+    // most of them are in front of the temple
     const front = random() < 0.6;
     const position: Vector3Tuple = front
       ? [22 * (random() - 0.5), 0.35 + 1.5 * random() ** 2, 12.5 + 13 * random()]
@@ -193,7 +193,7 @@ function addFireflies(scene: SampleScene, count: number): void {
   }
 }
 
-/** Crates before the steps and urns at the door: they fall when one walks into them. */
+/** Crates in front of the steps, and urns at the door, which fall when the player walks into them. */
 function addThings(scene: SampleScene, thud: string): void {
   const crate = scene.prefab('Crate', () => {
     const box = { ...wood, repeat: 1 } as const;
@@ -273,8 +273,8 @@ function addTrees(scene: SampleScene): void {
 }
 
 /**
- * A walk by night: lanterns swing on their chains and throw shadows, fireflies wander, the door opens when one comes near, and
- * crates and urns fall when they are pushed.
+ * A walk by night: swinging lanterns with shadows, fireflies, a door that opens when one comes near, and crates and
+ * urns that fall when pushed.
  */
 export async function nightInTheTemple(readPublic: ReadPublic): Promise<SampleScene> {
   const scene = new SampleScene('Night in the temple');

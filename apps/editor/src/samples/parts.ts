@@ -2,19 +2,19 @@ import { lightShadows, meshShadows } from '@farol/engine';
 import type { FieldValue, Vector3Tuple } from '@farol/engine/fields';
 import type { Part, SampleScene, Values } from './SampleScene';
 
-/** A mesh that throws and receives shadows. */
+/** A mesh that casts and receives shadows. */
 export const mesh = (name: string, values: Values = {}): Part => [
   'ObjectRenderer',
   { mesh: name, ...meshShadows, ...values },
 ];
 
-/** A light with the shadows that new ones have. */
+/** A light with the default shadow settings of new lights. */
 export const light = (type: 'directional' | 'point' | 'spot', values: Values): Part => [
   'Light',
   { type, ...lightShadows[type], ...values },
 ];
 
-/** Surfaces of the textures that the engine makes. */
+/** Material values for one of the engine's generated textures. */
 const textured = (name: string, values: Values): Record<string, FieldValue> => ({
   ...{ map: name, normalMap: `${name}-normal` },
   ...values,
@@ -25,7 +25,7 @@ export const marble = textured('marble', { colour: [0.86, 0.83, 0.78], roughness
 export const wood = textured('wood', { colour: [0.8, 0.66, 0.5], roughness: 0.75 });
 export const iron: Values = { colour: [0.09, 0.09, 0.1], roughness: 0.5, metalness: 0.8 };
 
-/** A camera that is looked through, and flown by keys and dragging. @returns its id */
+/** The scene's camera, moved by keys and dragging. @returns its id */
 export function addCamera(
   scene: SampleScene,
   position: Vector3Tuple,

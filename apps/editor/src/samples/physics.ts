@@ -9,7 +9,7 @@ const hues: readonly Vector3Tuple[] = [
   [0.16, 0.36, 0.65],
 ];
 
-/** A wall of bricks that a heavy ball on a chain knocks down. */
+/** A wall of bricks, to be knocked down by the wrecking ball. */
 function addWall(scene: SampleScene): void {
   const brick = scene.prefab('Brick', () =>
     scene.object(
@@ -30,7 +30,7 @@ function addWall(scene: SampleScene): void {
   }
 }
 
-/** A ball on a chain, held up beside the wall: it swings into it. */
+/** A heavy ball on a chain, which starts raised beside the wall and swings into it. */
 function addWreckingBall(scene: SampleScene): void {
   const crane = scene.object('Crane', { position: [0, 0, -0.5] });
   for (const x of [-3.1, 3.1]) {
@@ -57,7 +57,7 @@ function addWreckingBall(scene: SampleScene): void {
   scene.object('Chain', chain, mesh('cylinder', steel));
 }
 
-/** A lamp that dances on a spring, and a gate on hinges that balls push open. */
+/** A lamp on a spring, and a gate on hinges that balls push open. */
 function addSpringAndGate(scene: SampleScene): void {
   const stand = scene.object('Stand', { position: [4.1, 0, -2.6] });
   scene.object('Post', { position: [0, 1.7, 0], scale: [0.12, 3.4, 0.12], parent: stand }, mesh('box', iron));
@@ -98,7 +98,7 @@ function addSpringAndGate(scene: SampleScene): void {
   scene.object('Leaf', { scale: [0.08, 1.1, 1.1], parent: gate }, mesh('box', wood), ['Collider']);
 }
 
-/** Dominoes in an arc: the first one leans. */
+/** Dominoes in an arc; the first one leans. */
 function addDominoes(scene: SampleScene): void {
   const domino = scene.prefab('Domino', () =>
     scene.object(
@@ -167,7 +167,7 @@ function addRamp(scene: SampleScene): void {
   }
 }
 
-/** Low walls that keep what rolls on the page. */
+/** Low walls that keep rolling objects on the ground plane. */
 function addKerb(scene: SampleScene): void {
   const kerb = scene.object('Kerb', {});
   const stone = {
@@ -188,7 +188,10 @@ function addKerb(scene: SampleScene): void {
   }
 }
 
-/** A page of what bodies do: a wall that is knocked down, dominoes, balls on a ramp, a ball on a chain, a door on hinges. */
+/**
+ * Examples of rigid bodies: a wall that is knocked down, dominoes, balls on a ramp, a ball on a chain, a gate on
+ * hinges.
+ */
 export async function physics(): Promise<SampleScene> {
   const scene = new SampleScene('Physics');
   Object.assign(scene.settings, {

@@ -54,7 +54,7 @@ function treePrefab(scene: SampleScene): string {
   });
 }
 
-/** A prefab within a prefab: a lamp beside a bench. */
+/** A prefab made of two others: a lamp beside a bench. */
 function placePrefab(scene: SampleScene, lamp: string, bench: string): string {
   return scene.prefab('Resting place', () => {
     const place = scene.object('Resting place', {});
@@ -64,7 +64,7 @@ function placePrefab(scene: SampleScene, lamp: string, bench: string): string {
   });
 }
 
-/** A street at dusk of four prefabs, one of them made of two others. */
+/** A street at dusk made of four prefabs, one of them containing two others. */
 export async function prefabs(): Promise<SampleScene> {
   const scene = new SampleScene('Prefabs');
   Object.assign(scene.settings, {
@@ -114,7 +114,7 @@ export async function prefabs(): Promise<SampleScene> {
     scene.instance(rest, { position: [-2.6, 0, z], rotation: [0, Math.PI / 2, 0], parent: street });
     scene.instance(lamp, { position: [2.3, 0, z - 3], parent: street });
   }
-  // one of them is not like the others: what differs is shown bold in the inspector
+  // an instance with overrides, which the inspector shows in bold
   const violet = { 'Bulb/Light.diffuse': [0.75, 0.45, 1], 'Glass/ObjectRenderer.emissive': [0.75, 0.45, 1] } as const;
   scene.instance(lamp, { position: [2.3, 0, 5], parent: street }, violet, 'Violet lamp');
   const wood3 = scene.object('Trees', {});

@@ -23,7 +23,7 @@ import { makeSample, sampleMakers } from './makeSamples';
 const readPublic = async (path: string): Promise<Uint8Array<ArrayBuffer>> =>
   new Uint8Array(await readFile(join(root, 'public', path)));
 
-/** As the editor opens it, and with its scripts running. */
+/** Opens a sample as the editor does, and runs its scripts. */
 async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts }> {
   const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
   const { text, fileOf } = await readSceneFile(await readPublic(`scenes/${file}`));
@@ -32,7 +32,7 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run: ({ name, code }) => {
-      // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it
+      // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
       (0, eval)(code);
       return takeGiven(name);
     },
@@ -43,7 +43,7 @@ async function open(file: string): Promise<{ scene: Scene; scripts: SceneScripts
 
 const none = { repeat: false, shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
 
-/** Where everything is that is drawn. */
+/** World matrices of all drawn objects. */
 const places = (scene: Scene): number[] => {
   const numbers: number[] = [];
   scene.three.updateMatrixWorld();
@@ -92,7 +92,7 @@ describe.each(Object.keys(sampleMakers))('%s', (file) => {
     for (let i = 0; i < 120; i++) scene.update(1 / 60);
     if (file !== 'prefabs.json') expect(places(scene)).not.toEqual(at);
     scene.reset();
-    // compared as a whole: what differs would fill the page
+    // not by toEqual, whose difference would be huge
     expect(JSON.stringify(serialize(scene)) === before).toBe(true);
     expect(places(scene)).toEqual(at);
     expect(faults).toEqual([]);
@@ -127,7 +127,7 @@ test('Night in the temple: one walks up the steps, the door opens, lanterns swin
   expect(player.z).toBeLessThan(4);
   key('up', 'KeyW');
   expect(crates()).toBe(pile);
-  // beside the pile, and into it
+  // beside the pile of crates, then into it
   const walker = object('Player').getComponent(CharacterController)!;
   walker.teleport([5.2, 0, 18]);
   run(0.2);

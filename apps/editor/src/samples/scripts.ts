@@ -3,14 +3,16 @@ import { Color } from 'three';
 import { addCamera, light, mesh, stone } from './parts';
 import { SampleScene } from './SampleScene';
 
-/** The texts in the folder `scripts`: they are checked as the rest of the editor is. */
+/** Texts of the scripts in the folder `scripts`, which are linted and type-checked with the editor. */
 const sources: Readonly<Record<string, string>> = import.meta.glob('./scripts/*.ts', {
   eager: true,
   query: '?raw',
   import: 'default',
 });
 
-/** Four scripts, one of which another imports: a wave through 121 columns, lights that circle and change, a fountain. */
+/**
+ * Four scripts, one imported by another: a wave through 121 columns, circling lights that change colour, a fountain.
+ */
 export async function scripts(): Promise<SampleScene> {
   const scene = new SampleScene('Scripts');
   for (const [path, source] of Object.entries(sources))

@@ -8,7 +8,7 @@ const models = [
   ['Phong', 'smooth'],
 ] as const;
 
-/** Flat, Gouraud and Phong shading side by side, on balls of 80 triangles: thesis 2.2.1.2. */
+/** Flat, Gouraud and Phong shading side by side, on spheres of 80 triangles; thesis 2.2.1.2. */
 export function shading(): Promise<SampleScene> {
   const scene = new SampleScene('Shading models');
   Object.assign(scene.settings, { background: 'colour', backgroundColour: [0.012, 0.015, 0.022] });

@@ -2,7 +2,7 @@ import { dissolveText, hologramText, rustText, wavesText } from './surfaceTexts'
 import { addCamera, light, mesh } from './parts';
 import { SampleScene } from './SampleScene';
 
-/** Four objects that wear surfaces made of microshaders, among a few lights. */
+/** Four objects with surfaces made of microshaders, among a few lights. */
 export async function surfaces(): Promise<SampleScene> {
   const scene = new SampleScene('Surfaces');
   Object.assign(scene.settings, {

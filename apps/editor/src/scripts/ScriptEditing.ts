@@ -4,24 +4,24 @@ import type { EditorDocument } from '../model/EditorDocument';
 import { isJavaScript } from '../model/scriptNames';
 import { hasSyntaxErrors } from './hasSyntaxErrors';
 
-/** How long after the last key a text is taken over (ms). */
+/** Delay between the last key press and setting the text (ms). */
 const DELAY = 180;
 
-/** A text that is being typed. */
+/** Text of a script that is being typed. */
 interface Draft {
   readonly asset: FieldAsset;
   text: string;
   isBroken: boolean;
-  /** The text that the asset has got. */
+  /** Text that the asset has at present. */
   shown: string;
 }
 
 const sourceOf = (asset: FieldAsset): string => asset.get('source') as string;
 
 /**
- * The scripts of the document as texts that are edited. A text that can be read is taken over once no more keys follow,
- * as a preview, so that the running scene has it; one that cannot stays a draft as long as it is being typed. What was
- * typed until the user turns elsewhere is one step of history, whatever it is: no text is lost.
+ * Editing of the document's scripts. Once typing pauses, a text without syntax errors is previewed, so that the running
+ * scene uses it; one with errors stays a draft while it is being typed. When the user leaves the script, its text
+ * becomes one step of history, valid or not, so that no text is lost.
  */
 export class ScriptEditing {
   /** Emits when a text or a draft changes. */
@@ -46,19 +46,19 @@ export class ScriptEditing {
       .toSorted((a, b) => a.localeCompare(b));
   }
 
-  /** The text of a script as it is being edited; '' where there is none of that name. */
+  /** The text of a script, as edited; '' when there is no such script. */
   textOf(name: string): string {
     const asset = this.assetOf(name);
     if (!asset) return '';
     return this.draft?.asset === asset ? this.draft.text : sourceOf(asset);
   }
 
-  /** All texts as they are being edited, by name. */
+  /** All texts as edited, by name. */
   get texts(): ReadonlyMap<string, string> {
     return new Map(this.names.map((name) => [name, this.textOf(name)]));
   }
 
-  /** Whether the text of a script cannot be read, as it was when it was last taken over or left. */
+  /** Whether the text of a script has syntax errors, when it was last set or left. */
   isBroken(name: string): boolean {
     const asset = this.assetOf(name);
     if (!asset) return false;
@@ -71,7 +71,7 @@ export class ScriptEditing {
     return isBroken;
   }
 
-  /** A key was pressed: takes the text over once no more follow. */
+  /** Notes typed text, which is set once typing pauses. */
   edit(name: string, text: string): void {
     const asset = this.assetOf(name);
     if (!asset) return;
@@ -83,7 +83,7 @@ export class ScriptEditing {
     this.changed.emit();
   }
 
-  /** Takes over what is typed, where it can be read. */
+  /** Sets typed text at once, if it has no syntax errors. */
   flush(): void {
     clearTimeout(this.timer);
     const { draft } = this;
@@ -93,7 +93,7 @@ export class ScriptEditing {
     this.changed.emit();
   }
 
-  /** The user turned elsewhere: what was typed is one step of history. */
+  /** Ends editing: commits the typed text as one step of history. */
   finish(): void {
     clearTimeout(this.timer);
     const { draft } = this;
@@ -118,7 +118,7 @@ export class ScriptEditing {
     this.gesture.preview(new SetFields(label, [{ owner: asset, name: 'source', value: text }]));
   }
 
-  /** Something of the library was edited: a draft of a text that got another one elsewhere is out of date. */
+  /** Called when an asset was edited: drops a draft whose text was changed elsewhere. */
   private edited(): void {
     const { draft } = this;
     if (draft && (this.assetOf(draft.asset.name) !== draft.asset || sourceOf(draft.asset) !== draft.shown))

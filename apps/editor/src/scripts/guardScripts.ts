@@ -1,15 +1,15 @@
 import type { EditorDocument } from '../model/EditorDocument';
 
-/** Where a tab notes that scripts run. */
+/** Key of sessionStorage that marks a tab in which scripts run. */
 const KEY = 'farol-scripts-run';
 
-/** How long scripts have been as they are before they are remembered (ms). */
+/** Time without changes after which scripts are remembered (ms). */
 const DELAY = 500;
 
 /**
- * Notes in the tab while scripts run, so that a page that hung, and was reloaded, opens with scripts off; `?scripts=off` in the
- * address has them off too, as a frame of another page does. Scripts that run are remembered: a file with the same ones runs
- * them without a question.
+ * Marks the tab while scripts run, so that a page that hung and was reloaded opens with scripts off; `?scripts=off` in
+ * the URL, or a frame of another page, switch them off too. Scripts that have run are remembered, so that files with
+ * the same ones run without a question.
  */
 export function guardScripts(document: EditorDocument): void {
   const { scripts } = document;
@@ -28,18 +28,18 @@ export function guardScripts(document: EditorDocument): void {
   else if (new URLSearchParams(location.search).get('scripts') === 'off') scripts.hold('address');
   else if (hung) scripts.hold('hung');
   scripts.changed.subscribe(note);
-  // a page that hangs, and is ended, does not come here
+  // not reached when a hanging page is killed
   addEventListener('pagehide', () => ofTab((store) => store.removeItem(KEY)));
   addEventListener('pageshow', note);
 }
 
 async function remember({ scene }: EditorDocument): Promise<void> {
-  // without a network it is asked again
+  // offline the code may be missing: the question is asked again next time
   const code = await import('./knownScripts').catch(() => null);
   await code?.rememberScripts(scene);
 }
 
-/** Reads or writes the tab's storage; null where the browser gives none, or has no room. */
+/** Accesses sessionStorage; null when it is missing or full. */
 function ofTab<T>(use: (store: Storage) => T): T | null {
   try {
     return use(sessionStorage);

@@ -1,10 +1,10 @@
 import type { Scene, ScriptAsset } from '@farol/engine';
 
-/** Where the browser keeps which scripts may run: hashes of all texts of a scene, and of each, the last ones. */
+/** Key of localStorage with the last scripts that may run: hashes of all texts of a scene, and of each text. */
 const KEY = 'farol-known-scripts';
 const MOST = 400;
 
-/** A hash of data; null where the browser cannot make one. */
+/** Hash of data; null when the browser cannot compute one. */
 async function hashOf(data: unknown): Promise<string | null> {
   if (!globalThis.crypto?.subtle) return null;
   const bytes = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(JSON.stringify(data)));
@@ -13,7 +13,7 @@ async function hashOf(data: unknown): Promise<string | null> {
 
 const scriptsOf = ({ assets }: Scene): ScriptAsset[] => assets.fieldAssets('script') as ScriptAsset[];
 
-/** A hash of the texts of all scripts of a scene, with their names. */
+/** Hash of names and texts of all scripts of a scene. */
 function hashOfAll(scene: Scene): Promise<string | null> {
   const texts = scriptsOf(scene).map(({ name, source }) => [name, source]);
   return hashOf(texts.toSorted((a, b) => (a[0] < b[0] ? -1 : 1)));
@@ -28,21 +28,21 @@ function known(): string[] {
   }
 }
 
-/** Whether the scripts of a scene that was opened may run: it has none, or the user has run or written the same ones before. */
+/** Whether the scripts of an opened scene may run: it has none, or the user has run or written exactly these before. */
 export async function mayRunScripts(scene: Scene): Promise<boolean> {
   if (scriptsOf(scene).length === 0) return true;
   const hash = await hashOfAll(scene);
   return hash !== null && known().includes(hash);
 }
 
-/** Whether texts of scripts may run: the user has run or written each of them before, in whatever scene. */
+/** Whether scripts may run: the user has run or written each of these texts before, in any scene. */
 export async function mayRunTexts(texts: readonly string[]): Promise<boolean> {
   const hashes = await Promise.all(texts.map(hashOf));
   const list = new Set(known());
   return hashes.every((hash) => hash !== null && list.has(hash));
 }
 
-/** Remembers that scripts as those of a scene may run. */
+/** Remembers that the scripts of a scene may run. */
 export async function rememberScripts(scene: Scene): Promise<void> {
   const scripts = scriptsOf(scene);
   if (scripts.length === 0) return;
@@ -54,6 +54,6 @@ export async function rememberScripts(scene: Scene): Promise<void> {
     const others = known().filter((each) => !found.has(each));
     localStorage.setItem(KEY, JSON.stringify([...found, ...others].slice(0, MOST)));
   } catch {
-    // without storage it is asked again
+    // without storage the question is asked again
   }
 }

@@ -1,6 +1,6 @@
 import { sharedIcons } from '@farol/editing';
 
-/** Icons as strokes of SVG paths in a square of 16 by 16. The viewport draws some of them too. */
+/** Icons as stroked SVG paths in a square of 16 by 16; the viewport draws some of them too. */
 export const iconPaths = {
   ...sharedIcons,
   prefab: 'M8 1.8l5.4 3v6.4L8 14.2l-5.4-3V4.8zM8 5.2L10.6 8 8 10.8 5.4 8z',

@@ -8,13 +8,13 @@ import { useKeyBindings } from './useKeyBindings';
 
 interface ActionButtonProps {
   readonly action: Action;
-  /** In place of the action's own. */
+  /** Replaces the action's own icon. */
   readonly icon?: IconName;
-  /** Says the label beside the icon. */
+  /** Whether the label is shown beside the icon. */
   readonly withLabel?: boolean;
 }
 
-/** A button that does an action; pressed while the action is on. Whoever renders it listens to what changes the action. */
+/** A button for an action, pressed while the action is on. The parent must render again when the action changes. */
 export function ActionButton({ action, icon = action.icon, withLabel = false }: ActionButtonProps): ReactNode {
   const editor = useEditor();
   const label = labelOf(action, editor);

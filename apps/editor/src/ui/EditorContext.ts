@@ -4,17 +4,17 @@ import type { EditorApi } from '../api/EditorApi';
 
 const Context = createContext<EditorApi | null>(null);
 
-/** Gives the editor to all components below. */
+/** Provides the editor to the components below. */
 export const EditorProvider = Context.Provider;
 
-/** The editor. */
+/** The editor of the page. @throws Error outside of an EditorProvider */
 export function useEditor(): EditorApi {
   const editor = useContext(Context);
   if (!editor) throw new Error('No editor: render the component below EditorProvider.');
   return editor;
 }
 
-/** Renders again after each change of a signal. @returns its revision */
+/** Renders again each time a signal emits. @returns its revision */
 export function useSignal(signal: Signal): number {
   return useSyncExternalStore(signal.subscribe, () => signal.revision);
 }

@@ -2,7 +2,7 @@ import { type ComponentType, type ReactNode, useEffect, useState } from 'react';
 
 type Curve = ComponentType<{ name: string }>;
 
-/** A `PolarCurve` whose code comes once there is a profile to see. */
+/** A `PolarCurve` whose code is fetched when first needed. */
 export function LatePolarCurve({ name }: { name: string }): ReactNode {
   const [PolarCurve, setCurve] = useState<Curve | null>(null);
   useEffect(() => {
@@ -11,7 +11,7 @@ export function LatePolarCurve({ name }: { name: string }): ReactNode {
       ({ PolarCurve: loaded }) => {
         if (isShown) setCurve(() => loaded);
       },
-      // without the connection there is no curve; the next light with a profile asks again
+      // offline there is no curve; the next light with a profile tries again
       () => {},
     );
     return () => {

@@ -4,7 +4,10 @@ import type { SelectBoxProps } from './SelectBox';
 
 const SelectBox = lazy(async () => ({ default: (await import('./SelectBox')).SelectBox }));
 
-/** A `SelectBox` in what is there at the first frame: its code comes after that, and a box of its looks stands there until then. */
+/**
+ * A `SelectBox` for the first frame: its code is fetched afterwards, and a placeholder that looks alike is shown until
+ * then.
+ */
 export function LateSelectBox<T extends string>(props: SelectBoxProps<T>): ReactNode {
   const { value, options, label } = props;
   const waiting = (

@@ -8,11 +8,11 @@ import { MenuItems } from './MenuItems';
 interface MenuButtonProps {
   readonly label: string;
   readonly icon?: IconName;
-  /** Shows the icon alone; the label is its name. */
+  /** Whether only the icon is shown; the label is then the accessible name. */
   readonly iconOnly?: boolean;
   readonly className?: string;
   readonly disabled?: boolean;
-  /** Asked when the menu opens. */
+  /** Called when the menu opens. */
   entries(): readonly MenuEntry[];
 }
 
@@ -42,7 +42,7 @@ export function MenuButton(props: MenuButtonProps): ReactNode {
   );
 }
 
-/** Asks for the lines only while the menu is open. */
+/** Calls `entries` only while the menu is open. */
 export function LateItems({ entries }: { entries(): readonly MenuEntry[] }): ReactNode {
   return <MenuItems entries={entries()} />;
 }

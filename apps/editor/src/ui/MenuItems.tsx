@@ -7,10 +7,10 @@ import type { IconName } from '../style/iconPaths';
 
 type MenuLine = Extract<MenuEntry, { run(): void }>;
 
-/** The lines of a menu; submenus open beside it. */
+/** The entries of a menu; submenus open beside it. */
 export function MenuItems({ entries }: { entries: readonly MenuEntry[] }): ReactNode {
   return entries.map((entry, i) => {
-    // oxlint-disable-next-line react/no-array-index-key -- lines between groups have nothing of their own
+    // oxlint-disable-next-line react/no-array-index-key -- separators are identified by their place
     if (entry === 'separator') return <Menu.Separator key={i} className="menu-line" />;
     if ('entries' in entry) return <Submenu key={entry.label} {...entry} />;
     const { label, checked, disabled, run } = entry;

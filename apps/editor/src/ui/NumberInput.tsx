@@ -5,61 +5,61 @@ import { Slider } from './Slider';
 import { useScrub } from './useScrub';
 
 export interface NumberInputProps {
-  /** Null where several values differ. */
+  /** Null when several values differ. */
   readonly value: number | null;
   readonly min?: number;
   readonly max?: number;
-  /** What an arrow key, or a pixel of a scrub, adds; ten times that with Shift, a tenth with Alt. */
+  /** Increment of an arrow key, or of a pixel while scrubbing; ten times with Shift, a tenth with Alt. */
   readonly step: number;
-  /** Shown after the number; numbers that are typed without a unit are in it. */
+  /** Unit shown after the number, and assumed for numbers typed without one. */
   readonly unit?: string;
-  /** How many decimals are shown: five, or three where there is little room. */
+  /** Number of decimals: five for 'long', three for 'short'. */
   readonly digits?: 'long' | 'short';
   /** Accessible name. */
   readonly label: string;
   readonly description?: string;
-  /** What can be dragged to change the number. */
+  /** Element that can be dragged to change the number. */
   readonly handle?: ReactNode;
-  /** Whether the label of the field that the number is in can be dragged as well. */
+  /** Whether the label of the surrounding field can be dragged too. */
   readonly scrubsLabel?: boolean;
-  /** Whether a slider stands beside it; it needs `min` and `max`. */
+  /** Whether a slider is shown beside the number; requires `min` and `max`. */
   readonly slider?: boolean;
   readonly disabled?: boolean;
   onPreview(value: number): void;
-  /** A change of each value by its own, such as '+=0.5'; `onPreview` is called where this is absent. */
+  /** Previews a relative change of each value, such as '+=0.5'; `onPreview` is used when absent. */
   onPreviewEach?(update: (before: number) => number): void;
   onCommit(): void;
   onDiscard(): void;
 }
 
-/** What is being typed. */
+/** Text that is being typed. */
 interface Draft {
   readonly text: string;
-  /** The value from before. */
+  /** Value before typing. */
   readonly start: number | null;
-  /** Why it is no number; '' while it is one or may become one. */
+  /** Why the text is not a number; '' while it is one, or may become one. */
   readonly problem: string;
 }
 
 /**
- * A number that can be typed, stepped by arrow keys, and scrubbed by dragging its handle, its label or its slider: many
- * previews, one commit. Enter takes what was typed, Escape goes back; both leave the field, so that keys are hot keys again.
- * What is no number stays, marked, with the reason below it.
+ * A number that can be typed, stepped by arrow keys, or scrubbed by dragging its handle, label or slider: previews,
+ * then one commit. Enter commits, Escape discards; both leave the field, so that shortcuts work again. Text that is not
+ * a number stays, with the reason below it.
  */
 export function NumberInput(props: NumberInputProps): ReactNode {
   const { value, min, max, step, unit, label, description, handle, disabled, digits = 'long', slider } = props;
   const [draft, showDraft] = useState<Draft | null>(null);
-  /** The draft as it is at once: leaving the field comes before the next rendering. */
+  /** Latest draft, needed when the field is left before the next rendering. */
   const current = useRef<Draft | null>(null);
   const [hasFocus, setHasFocus] = useState(false);
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
   const grip = useRef<HTMLSpanElement>(null);
-  /** The value when an edit began, while one is under way. */
+  /** Value at the beginning of the current edit; null when there is none. */
   const start = useRef<{ value: number | null } | null>(null);
   const scrubbed = useRef(0);
 
-  // what is no number gives way to a value that came from elsewhere, such as an undo
+  // invalid text is replaced when the value changes elsewhere, as by an undo
   if (draft?.problem && value !== draft.start && !hasFocus) showDraft(null);
 
   const setDraft = (next: Draft | null): void => {
@@ -94,7 +94,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     if (read.problem === null) preview(read.valueFor, read.isRelative);
     else if (isWrong || text.trim() === '') discard();
   };
-  /** @returns whether nothing is left that is no number */
+  /** Commits the typed text. @returns whether no invalid text is left */
   const takeOver = (): boolean => {
     const { current: typed } = current;
     if (!typed) {
@@ -135,7 +135,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
     }
   };
   const keyUp = ({ key }: KeyboardEvent): void => {
-    // macOS tells of no arrow that goes up while Command is down
+    // macOS sends no keyup for arrow keys while Command is held
     const isEnd = key === 'Meta' ? scrubbed.current !== 0 : key === 'ArrowUp' || key === 'ArrowDown';
     if (!isEnd) return;
     scrubbed.current = 0;

@@ -5,7 +5,7 @@ interface State {
   readonly error: Error | null;
 }
 
-/** Keeps a fault in a panel within that panel: the others, the picture and the scene go on. */
+/** Error boundary: an error in a panel replaces only that panel. */
 export class PanelBoundary extends Component<{ readonly children: ReactNode }, State> {
   override state: State = { error: null };
 

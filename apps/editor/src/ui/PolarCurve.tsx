@@ -10,16 +10,20 @@ const RADIANS = Math.PI / 180;
 const pathOf = (points: readonly (readonly [number, number])[]): string =>
   `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`;
 
-/** Intensity in few digits. */
+/** Intensity (cd) with few digits. */
 const candelas = (value: number): string =>
   value >= 100 ? Math.round(value).toString() : Number(value.toPrecision(2)).toString();
 
-/** The circles and rays of the drawing, with what the rings stand for. @param top - smallest y */
+/**
+ * Rings and rays of a polar diagram, with the rings' intensities.
+ * @param scale - intensity (cd) of the outer ring
+ * @param isWhole - whether the upper half is shown too
+ */
 function Grid({ scale, isWhole }: { scale: number; isWhole: boolean }): ReactNode {
   const rings = Array.from({ length: RINGS }, (_, i) => ((i + 1) * R) / RINGS);
-  const most = isWhole ? 180 : 90;
+  const maximumAngle = isWhole ? 180 : 90;
   const rays: number[] = [];
-  for (let angle = -most; angle <= most; angle += RAY_DEGREES) if (angle > -180) rays.push(angle);
+  for (let angle = -maximumAngle; angle <= maximumAngle; angle += RAY_DEGREES) if (angle > -180) rays.push(angle);
   return (
     <>
       {rings.map((radius) => (
@@ -53,8 +57,8 @@ const arc = (radius: number, isWhole: boolean): string =>
     : `M${-radius} 0A${radius} ${radius} 0 0 0 ${radius} 0`;
 
 /**
- * The polar curves of a photometric profile of the library, as catalogues of luminaires draw them: the planes C0 to C180 and
- * C90 to C270 about the vertical axis, with the intensities (cd) that the rings stand for.
+ * Polar diagram of a photometric profile, as in catalogues of luminaires: planes C0 to C180 and C90 to C270 about the
+ * vertical axis, with rings of intensity (cd).
  */
 export function PolarCurve({ name }: { name: string }): ReactNode {
   const { document } = useEditor();
@@ -63,7 +67,7 @@ export function PolarCurve({ name }: { name: string }): ReactNode {
   const isReady = assets.isReady('profile', name);
   const isMissing = !isReady && assets.typeOf(name) === 'profile';
   useEffect(() => {
-    // the library tells of what cannot be loaded
+    // failures are reported by the library
     if (isMissing) void assets.load(name).catch(() => {});
   }, [assets, name, isMissing]);
   const profile = isReady ? assets.profile(name) : null;

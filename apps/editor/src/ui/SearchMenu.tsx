@@ -16,12 +16,12 @@ interface SearchMenuProps {
   readonly label: string;
   readonly icon: IconName;
   readonly className?: string;
-  /** Asked while it is open. */
+  /** Called while the menu is open. */
   items(): readonly SearchMenuItem[];
   onChoose(value: string): void;
 }
 
-/** A button that opens a list of things to do, found by typing a part of a name or of a help text. */
+/** A button that opens a list of commands, searched by name or help text. */
 export function SearchMenu(props: SearchMenuProps): ReactNode {
   const { label, icon, className = 'button', items, onChoose } = props;
   const [isOpen, setIsOpen] = useState(false);

@@ -11,18 +11,18 @@ export interface SearchOption {
 interface SearchSelectProps {
   readonly value: string | null;
   readonly options: readonly SearchOption[];
-  /** What is shown where nothing is chosen. */
+  /** Text shown when nothing is chosen. */
   readonly placeholder: string;
   /** Accessible name. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;
-  /** A small picture before the name of an option. */
+  /** Thumbnail before an option's name. */
   pictureOf?(option: SearchOption): ReactNode;
   onChange(value: string | null): void;
 }
 
-/** One of many values, found by typing a part of its name; or none. */
+/** Chooses one of many values, or none, by typing a part of its name. */
 export function SearchSelect(props: SearchSelectProps): ReactNode {
   const { value, options, placeholder, label, description, disabled, pictureOf, onChange } = props;
   const current = value === null ? null : (options.find((option) => option.value === value) ?? { value, label: value });

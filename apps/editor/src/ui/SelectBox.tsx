@@ -5,12 +5,12 @@ import { Icon } from './Icon';
 export interface SelectOption<T extends string> {
   readonly value: T;
   readonly label: string;
-  /** One line, shown below the label. */
+  /** Short description below the label. */
   readonly help?: string;
 }
 
 export interface SelectBoxProps<T extends string> {
-  /** Null where several values differ. */
+  /** Null when several values differ. */
   readonly value: T | null;
   readonly options: readonly SelectOption<T>[];
   /** Accessible name. */
@@ -20,7 +20,7 @@ export interface SelectBoxProps<T extends string> {
   onChange(value: T): void;
 }
 
-/** One of several values, chosen from a list. */
+/** Chooses one of several values from a list. */
 export function SelectBox<T extends string>(props: SelectBoxProps<T>): ReactNode {
   const { value, options, label, description, disabled, onChange } = props;
   const current = options.find((option) => option.value === value);

@@ -2,19 +2,19 @@ import { valueOnSlider } from '@farol/editing';
 import { type PointerEvent, type ReactNode, useRef } from 'react';
 
 interface SliderProps {
-  /** Null where several values differ. */
+  /** Null when several values differ. */
   readonly value: number | null;
   readonly min: number;
   readonly max: number;
-  /** What it goes by; a tenth of it with Alt. */
+  /** Increment; a tenth with Alt. */
   readonly step: number;
   readonly disabled?: boolean;
   onSlide(value: number): void;
-  /** @param keeps - whether what it led to shall stay */
+  /** Called at the end of a drag. @param keeps - whether its result is kept */
   onEnd(keeps: boolean): void;
 }
 
-/** A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. */
+/** A slider for pointers only; the number beside it handles keys. */
 export function Slider({ value, min, max, step, disabled, onSlide, onEnd }: SliderProps): ReactNode {
   const isDown = useRef(false);
   const part = value === null ? null : (Math.min(Math.max(value, min), max) - min) / (max - min);

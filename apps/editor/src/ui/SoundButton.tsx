@@ -5,13 +5,13 @@ import { soundPreview } from '../files/soundPreview';
 import { useEditor, useSignal } from './EditorContext';
 import { Icon } from './Icon';
 
-/** The length of a sound as it is shown: '0.7 s', '3:05'. */
+/** Duration as text: '0.7 s', '3:05'. */
 export const lengthText = (seconds: number): string =>
   seconds < 60
     ? `${seconds.toFixed(1)} s`
     : `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, '0')}`;
 
-/** Plays a sound of the library, and holds it; says how long it is. */
+/** Plays and pauses a sound of the library, and shows its duration. */
 export function SoundButton({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { assets } = editor.document;
@@ -20,7 +20,7 @@ export function SoundButton({ name }: { name: string }): ReactNode {
   const sound: Sound | null = assets.isReady('sound', name) ? assets.sound(name) : null;
   useEffect(() => {
     let isCurrent = true;
-    // one that cannot be decoded says so when it is played
+    // decoding errors are shown when the sound is played
     sound?.decode().then(
       (buffer) => isCurrent && setSeconds(buffer?.duration ?? null),
       () => {},

@@ -3,7 +3,7 @@ import { leaveField } from './leaveField';
 import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 
 interface TextInputProps {
-  /** Null where several values differ. */
+  /** Null when several values differ. */
   readonly value: string | null;
   /** Accessible name. */
   readonly label: string;
@@ -12,11 +12,11 @@ interface TextInputProps {
   onCommit(value: string): void;
 }
 
-/** Text that counts once Enter is pressed or the field is left; Escape goes back. Both leave the field. */
+/** A text field that commits on Enter or when it is left; Escape discards. Both keys leave the field. */
 export function TextInput({ value, label, description, disabled, onCommit }: TextInputProps): ReactNode {
-  /** What is being typed; null while nothing is. */
+  /** Text that is being typed; null when there is none. */
   const [draft, showDraft] = useState<string | null>(null);
-  /** The draft as it is at once: leaving the field comes before the next rendering. */
+  /** Latest draft, needed when the field is left before the next rendering. */
   const current = useRef<string | null>(null);
   const setDraft = (next: string | null): void => {
     current.current = next;

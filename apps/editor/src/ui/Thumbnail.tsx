@@ -4,7 +4,7 @@ import type { IconName } from '../style/iconPaths';
 import { Icon } from './Icon';
 import { useThumbnail } from './useThumbnail';
 
-/** The icon of each kind of asset. */
+/** Icon for each kind of asset. */
 export const assetIcons: Readonly<Record<AssetKind, IconName>> = {
   prefab: 'prefab',
   model: 'mesh',
@@ -20,13 +20,13 @@ export const assetIcons: Readonly<Record<AssetKind, IconName>> = {
   bake: 'lamp',
 };
 
-/** A small picture of an asset, drawn once it comes into sight; an icon until then. */
+/** Thumbnail of an asset, rendered once visible; an icon until then. */
 export function Thumbnail({ entry, size = 28 }: { entry: AssetEntry; size?: number }): ReactNode {
   const place = useRef<HTMLSpanElement>(null);
   const [inSight, setInSight] = useState(false);
   useEffect(() => {
     const observer = new IntersectionObserver(([first]) => first.isIntersecting && setInSight(true));
-    // the card, since what is within it may be left out of the layout as long as it is out of sight
+    // observes the card: content inside may be skipped by the layout while it is off-screen
     observer.observe(place.current!.parentElement!);
     return () => observer.disconnect();
   }, []);

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { Icon } from './Icon';
 
 interface ToggleProps {
-  /** Null where several values differ. */
+  /** Null when several values differ. */
   readonly value: boolean | null;
   /** Accessible name. */
   readonly label: string;
@@ -12,7 +12,7 @@ interface ToggleProps {
   onChange(value: boolean): void;
 }
 
-/** A box that is checked or not. */
+/** A checkbox. */
 export function Toggle({ value, label, description, disabled, onChange }: ToggleProps): ReactNode {
   return (
     <Checkbox.Root

@@ -3,10 +3,10 @@ import { type KeyboardEvent, type PointerEvent, type ReactNode, useEffect, useRe
 import type { Material } from 'three';
 import { useEditor, useSignal } from './EditorContext';
 
-/** CSS pixels. */
+/** Side of the canvas (CSS pixels). */
 const SIZE = 112;
 
-/** Radians of a press of an arrow key. */
+/** Rotation per press of an arrow key (rad). */
 const KEY_TURN = Math.PI / 12;
 
 const turns: Readonly<Record<string, readonly [number, number]>> = {
@@ -17,15 +17,15 @@ const turns: Readonly<Record<string, readonly [number, number]>> = {
 };
 
 interface TurningBallProps {
-  /** The material as it is drawn now; null for none. */
+  /** The material to show; null for none. */
   materialOf(): Material | null;
-  /** Another number each time the material may look otherwise. */
+  /** Changes each time the material may look different. */
   readonly revision: number;
   /** Accessible name. */
   readonly label: string;
 }
 
-/** A ball of a material, drawn anew whenever it changes, and turned by a drag or the arrow keys. */
+/** Preview sphere of a material, updated when the material changes, and rotated by dragging or arrow keys. */
 export function TurningBall({ materialOf, revision, label }: TurningBallProps): ReactNode {
   const { viewport, document } = useEditor();
   const assets = useSignal(document.assetsChanged);
@@ -36,13 +36,13 @@ export function TurningBall({ materialOf, revision, label }: TurningBallProps): 
     material.current = materialOf;
   });
   useEffect(() => {
-    // once for all changes of a frame, the end of a drag included
+    // once per frame for all changes, including the end of a drag
     const frame = requestAnimationFrame(() => {
       const drawn = material.current();
       if (drawn && canvas.current) void viewport.drawMaterial(drawn, canvas.current, turn);
     });
     return () => cancelAnimationFrame(frame);
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- each stands for another material
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- each means that the material may look different
   }, [viewport, revision, assets, turn]);
 
   const turnBy = (right: number, up: number): void =>

@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 
 const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
-/** A combination such as 'Ctrl+Shift+Z' as the keyboard has it written, in the language that is shown. */
+/** Display text of a combination such as 'Ctrl+Shift+Z', as keyboards label it in the user's language. */
 export function keyText(combination: string): string {
   combination = combination.replace('NumpadDecimal', 'Num .').replace('Numpad', 'Num ');
   combination = combination.replace('Backspace', t('Backspace')).replace('Space', t('Space'));

@@ -1,4 +1,4 @@
-/** Takes the focus out of a field, so that keys are hot keys again; a popup or a dialog keeps it. */
+/** Removes the focus from a field, so that shortcuts work again; within a popup or dialog the focus stays inside. */
 export function leaveField(field: HTMLElement | null): void {
   const popup = field?.closest<HTMLElement>('.popup, .dialog');
   if (popup) popup.focus();

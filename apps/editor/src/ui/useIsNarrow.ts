@@ -1,9 +1,9 @@
 import { useCallback, useState } from 'react';
 
 /**
- * Whether an element is narrower than a width, followed while it is there.
+ * Whether an element is narrower than a width, kept up to date.
  * @param width - CSS pixels
- * @returns what the element takes as its `ref`, and whether it is narrow
+ * @returns ref callback for the element, and whether it is narrow
  */
 export function useIsNarrow(width: number): readonly [ref: (element: HTMLElement | null) => void, isNarrow: boolean] {
   const [isNarrow, setNarrow] = useState(false);

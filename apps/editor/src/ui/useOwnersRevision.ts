@@ -2,7 +2,7 @@ import type { FieldOwner } from '@farol/engine/fields';
 import { useCallback, useSyncExternalStore } from 'react';
 import { useEditor } from './EditorContext';
 
-/** Renders again when a field of one of these components changes, or whether it is enabled. @param owners - memoised */
+/** Renders again when a field of a component changes, or when it is switched on or off. @param owners - memoised */
 export function useOwnersRevision(owners: readonly FieldOwner[]): number {
   const { document } = useEditor();
   const subscribe = useCallback(

@@ -1,8 +1,8 @@
 import { useEffect, useState } from 'react';
 
 /**
- * Reads a value several times a second, and renders when it differs.
- * @param perSecond - 0 reads it once, at each rendering
+ * Reads a value several times per second, and renders when it changes.
+ * @param perSecond - readings per second; 0 reads only while rendering
  */
 export function usePoll<T extends string | number | null>(read: () => T, perSecond: number): T {
   const [, setValue] = useState<T>(read);

@@ -1,24 +1,24 @@
 import { stepFactor } from '@farol/editing';
 import { type RefObject, useEffect, useRef } from 'react';
 
-/** What a drag to the left or right does. */
+/** Callbacks of a horizontal drag. */
 export interface Scrub {
-  /** The drag begins; called once it is one, not a click. */
+  /** Called when the press becomes a drag. */
   begin(): void;
-  /** @param pixels - since the last call @param factor - 10 with Shift, a tenth with Alt, else 1 */
+  /** @param pixels - movement since the last call @param factor - 10 with Shift, 0.1 with Alt, else 1 */
   move(pixels: number, factor: number): void;
-  /** @param keeps - whether what it led to shall stay */
+  /** Called at the end of a drag. @param keeps - whether its result is kept */
   end(keeps: boolean): void;
-  /** The button went up where it went down. */
+  /** Called when the button is released without a drag. */
   click(): void;
 }
 
-/** A press that moves by fewer pixels is a click. */
+/** Movement (CSS pixels) below which a press is a click. */
 const SLOP = 3;
 
 /**
- * Lets elements be dragged to the left and right. A mouse is held in its place, so that the edge of the screen is no end;
- * Escape ends the drag without effect.
+ * Makes elements draggable horizontally. The mouse pointer is locked, so that the screen's edge does not stop the drag;
+ * Escape cancels.
  */
 export function useScrub(
   targets: () => readonly (HTMLElement | null | undefined)[],
@@ -42,7 +42,7 @@ export function useScrub(
 
 function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>): void {
   if (down.button !== 0 || !down.isPrimary || (down.target as Element).closest('button, a')) return;
-  // no selection of text; and what is typed elsewhere is taken over
+  // prevents text selection; blur commits another field
   down.preventDefault();
   (document.activeElement as HTMLElement | null)?.blur();
   target.setPointerCapture(down.pointerId);
@@ -93,7 +93,7 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
   document.addEventListener(
     'pointerlockchange',
     () => {
-      // the browser takes Escape for itself
+      // the browser uses Escape to end pointer lock
       if (wasLocked && document.pointerLockElement !== target) finish(false);
       wasLocked = document.pointerLockElement === target;
     },
@@ -101,13 +101,13 @@ function press(target: HTMLElement, down: PointerEvent, scrub: RefObject<Scrub>)
   );
 }
 
-/** Holds the mouse in its place until the drag is over, where the browser can; the lock may come after that. */
+/** Locks the pointer until the drag is over, where supported; the lock may be granted only after that. */
 function lock(target: HTMLElement, over: AbortSignal): void {
   const release = (): void => {
     if (over.aborted && document.pointerLockElement === target) document.exitPointerLock();
   };
   document.addEventListener('pointerlockchange', release, { once: true });
-  // older browsers return nothing, and some refuse
+  // older browsers return nothing, others may refuse
   const asked = target.requestPointerLock() as Promise<void> | undefined;
   void asked?.catch(() => document.removeEventListener('pointerlockchange', release));
 }

@@ -2,15 +2,15 @@ import { useEffect, useState, useSyncExternalStore } from 'react';
 import type { AssetEntry } from '../files/assetKinds';
 import { useEditor } from './EditorContext';
 
-/** Milliseconds that a material stays as it is before its picture is drawn anew. */
+/** Delay after a material's last change before its thumbnail is rendered again (ms). */
 const CALM = 250;
 
 const never = (): (() => void) => () => {};
 
 /**
- * The address of a small picture of an asset; null until there is one. That of a material follows its fields.
- * @param entry - another one each time the asset may look otherwise
- * @param isWanted - whether it is to be drawn now
+ * URL of an asset's thumbnail; null until there is one. Thumbnails of materials follow their fields.
+ * @param entry - a new object each time the asset may look different
+ * @param isWanted - whether the thumbnail is needed now
  */
 export function useThumbnail(entry: AssetEntry, isWanted: boolean): string | null {
   const editor = useEditor();
@@ -23,7 +23,7 @@ export function useThumbnail(entry: AssetEntry, isWanted: boolean): string | nul
     if (!isWanted) return;
     let isCurrent = true;
     const draw = async (): Promise<void> => {
-      // without its code, such as without a network, an asset has its sign in place of a picture
+      // offline the code may be missing: an icon is shown instead
       const code = await import('../files/thumbnails').catch(() => null);
       if (!isCurrent || !code) return;
       const address = await code.thumbnailsOf(editor).pictureOf(entry);

@@ -2,5 +2,5 @@ import { type View, views } from '@farol/renderer';
 import { viewLabel } from '../actions/pictureActions';
 import type { SelectOption } from './SelectBox';
 
-/** The views, as lines of a menu. */
+/** The debug views, as options of a select box. */
 export const viewOptions = (): SelectOption<View>[] => views.map((value) => ({ value, label: viewLabel(value) }));

@@ -2,17 +2,17 @@ import type { PictureRenderer } from '@farol/engine';
 import type { FarolEffect } from '@farol/renderer';
 import { Registry } from '../model/Registry';
 
-/** An effect of a plugin, as the Frame panel shows it. */
+/** An effect of a plugin. */
 export interface AddedEffect {
   readonly id: string;
   readonly label: string;
-  /** One line. */
+  /** Short description shown in the Frame panel, one line. */
   readonly help: string;
-  /** A new effect, made when it is first switched on. */
+  /** Creates the effect, when it is first switched on. */
   make(): FarolEffect;
 }
 
-/** Effects of plugins; scenes ask for them by name. They come before those that smooth edges. */
+/** Effects of plugins, which scenes switch on by name. They run before antialiasing effects. */
 export class AddedEffects {
   readonly registry = new Registry<AddedEffect>('an effect', []);
 

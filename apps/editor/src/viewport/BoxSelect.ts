@@ -1,12 +1,12 @@
 import { Box2, Vector2 } from 'three';
 import type { PickSurface } from './PickSurface';
 
-/** A press that moves farther than this (CSS pixels) draws a box. */
+/** Distance (CSS pixels) from which a drag draws a selection box. */
 const REACH = 4;
 
 /**
- * Selects what is in a box that is drawn over the picture: by dragging while the handles are off, or with Ctrl held, which
- * adds to the selection. Alt held, a drag orbits as ever; so do two fingers pan and zoom.
+ * Selects the objects in a box drawn over the viewport: by dragging while the select mode is on, or with Ctrl held,
+ * which adds to the selection. Alt and dragging still orbits, two fingers still pan and zoom.
  */
 export class BoxSelect {
   private readonly element = document.createElement('div');
@@ -19,7 +19,7 @@ export class BoxSelect {
     this.element.className = 'select-box';
     this.element.hidden = true;
     const { canvas } = viewport;
-    // before the camera hears of the press
+    // registered before the camera's own listener
     canvas.addEventListener('pointerdown', this.pointerDown, true);
     canvas.addEventListener('pointermove', this.pointerMove);
     canvas.addEventListener('pointerup', this.pointerUp);
@@ -39,7 +39,7 @@ export class BoxSelect {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    // a second finger is for the camera
+    // a second finger moves the camera: no box
     if (this.pointer !== null && event.pointerId !== this.pointer) return this.cancel();
     const { viewport } = this;
     if (event.button !== 0 || event.altKey || event.shiftKey || viewport.gizmo.isHot) return;
@@ -47,7 +47,7 @@ export class BoxSelect {
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
     this.from.set(event.clientX, event.clientY);
-    // the camera must have heard of a finger when the second one comes
+    // the camera must know of the first finger when the second one comes
     if (event.pointerType === 'touch') viewport.editorCamera.oneFinger = false;
     else viewport.editorCamera.enabled = false;
   };
@@ -86,7 +86,7 @@ export class BoxSelect {
     return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
   }
 
-  /** Takes the box away; the press that is under way draws none. */
+  /** Removes the box; the current press draws none. */
   readonly cancel = (): void => {
     if (this.pointer === null) return;
     this.pointer = null;

@@ -5,38 +5,38 @@ import { poseEdits, poseProblem } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { EditorCamera } from './EditorCamera';
 
-/** Notches of the wheel, and presses of keys, that are no farther apart than this (ms) are one step. */
+/** Wheel notches and key presses closer in time than this (ms) are one step of history. */
 const BURST = 1000;
 
-/** No camera's place. */
+/** Matrix that no camera has, so that the next comparison fails. */
 const NOWHERE = Array.from({ length: 16 }, () => 0) as Parameters<Matrix4['set']>;
 
 const turn = new Quaternion();
 
 /**
- * Moves a camera of the scene as the editor's own moves, while it is looked through: each drag, flight or burst of the
- * wheel is one step of history.
+ * Moves a camera of the scene with the editor camera's controls while it is looked through. Each drag, flight or burst
+ * of the wheel is one step of history.
  */
 export class CameraFlight {
   private flown: CameraComponent | null = null;
   private gesture: Gesture | null = null;
   private isHeld = false;
-  /** The roll of the camera, which the controls do not have. */
+  /** Roll of the scene's camera relative to the editor's, whose controls have none. */
   private readonly roll = new Quaternion();
   private readonly pose = { position: new Vector3(), quaternion: new Quaternion() };
-  /** Where the camera was last, with its lens. */
+  /** World matrix of the scene's camera when it was last read or moved; `lens` is its projection matrix. */
   private readonly world = new Matrix4();
   private readonly lens = new Matrix4();
-  /** What `problem` was found of, and it. */
+  /** Key of the state for which `lastProblem` was computed. */
   private problemOf = '';
   private lastProblem: string | null = null;
   private step: Command | null = null;
   private steppedAt = -Infinity;
 
-  /** @param match - brings the editor's camera to where a camera of the scene is */
+  /** @param match - moves the editor's camera to a camera of the scene */
   constructor(
     private readonly document: EditorDocument,
-    private readonly own: EditorCamera,
+    private readonly editorCamera: EditorCamera,
     private readonly canvas: HTMLCanvasElement,
     private readonly match: (camera: CameraComponent) => void,
   ) {
@@ -46,7 +46,7 @@ export class CameraFlight {
     window.addEventListener('blur', this.pointerUp);
   }
 
-  /** The camera that is flown; null for none. */
+  /** The scene's camera that is moved; null for none. */
   get camera(): CameraComponent | null {
     return this.flown;
   }
@@ -54,12 +54,12 @@ export class CameraFlight {
   set camera(camera: CameraComponent | null) {
     this.end();
     this.flown = camera;
-    this.own.glides = camera === null;
+    this.editorCamera.glides = camera === null;
     this.world.set(...NOWHERE);
     this.problemOf = '';
   }
 
-  /** Why the camera cannot be moved, in a sentence with the mend; null where it can, and where there is none. */
+  /** Why the camera cannot be moved, in a sentence with the remedy; null when it can, and without a camera. */
   get problem(): string | null {
     const { flown, document } = this;
     if (!flown?.isAttached) return null;
@@ -72,26 +72,26 @@ export class CameraFlight {
     return this.lastProblem;
   }
 
-  /** Before the editor's camera moves: takes over what else has moved the scene's. */
+  /** Called before the editor's camera moves: takes over the scene camera's pose if something else has changed it. */
   follow(): void {
-    const { flown, own } = this;
+    const { flown, editorCamera } = this;
     if (!flown?.isAttached || this.problem !== null) return;
     const { three } = flown;
     three.updateWorldMatrix(true, false);
     if (three.matrixWorld.equals(this.world) && three.projectionMatrix.equals(this.lens)) return;
     this.match(flown);
-    three.getWorldQuaternion(this.roll).premultiply(turn.copy(own.perspective.quaternion).invert());
+    three.getWorldQuaternion(this.roll).premultiply(turn.copy(editorCamera.perspective.quaternion).invert());
     this.note(flown);
   }
 
-  /** After the editor's camera has moved, or not. */
+  /** Called after the controls were updated. @param hasMoved - whether they moved the editor's camera */
   update(hasMoved: boolean): void {
     const { flown, document } = this;
     if (!flown?.isAttached) return;
     if (hasMoved && this.problem === null) {
       const command = this.command(flown);
       if (this.isHeld || this.gesture?.isOpen) {
-        // another edit has ended the gesture: what follows is a step of its own
+        // another edit has ended the gesture: further movement is a step of its own
         if (!this.gesture?.isOpen) this.gesture = document.commands.begin();
         this.gesture.preview(command);
       } else this.runStep(command);
@@ -115,15 +115,16 @@ export class CameraFlight {
   }
 
   private command(camera: CameraComponent): Command {
-    const { own, pose } = this;
-    pose.position.copy(own.perspective.position);
-    pose.quaternion.copy(own.perspective.quaternion).multiply(this.roll);
+    const { editorCamera, pose } = this;
+    pose.position.copy(editorCamera.perspective.position);
+    pose.quaternion.copy(editorCamera.perspective.quaternion).multiply(this.roll);
     const edits = poseEdits(camera.gameObject, pose);
-    if (camera.three instanceof OrthographicCamera) edits.push({ owner: camera, name: 'size', value: own.height });
+    if (camera.three instanceof OrthographicCamera)
+      edits.push({ owner: camera, name: 'size', value: editorCamera.height });
     return new SetFields(t('Fly {name}', { name: camera.gameObject.name }), edits);
   }
 
-  /** What has no end of its own: joins the step before where that is as young. */
+  /** Runs a step for movement without a clear end (wheel, keys), merging it into the step before if that is recent. */
   private runStep(command: Command): void {
     const { commands } = this.document;
     const now = performance.now();

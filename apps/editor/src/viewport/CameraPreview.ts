@@ -18,19 +18,19 @@ import {
 import { drawsFloats } from './drawsFloats';
 import { whenLost } from './whenLost';
 
-/** Height of the small picture (CSS pixels), and its largest width. */
+/** Height of the inset and its largest width (CSS pixels). */
 const HEIGHT = 130;
 const WIDEST = 260;
 const MARGIN = 10;
 
-/** Where the small picture is, from the right lower corner of the large one (CSS pixels). */
+/** Size of the inset, and margin to the viewport's lower right corner (CSS pixels). */
 export interface PreviewPlace {
   readonly width: number;
   readonly height: number;
   readonly margin: number;
 }
 
-/** What a camera of the scene sees, as a small picture in a corner of the large one. Made when it is first asked for. */
+/** Inset in a corner of the viewport that shows the view of the selected camera. Created at first use. */
 export class CameraPreview {
   private readonly farol: FarolRenderer;
   private readonly picture: PictureRenderer;
@@ -40,10 +40,10 @@ export class CameraPreview {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly viewport = new Vector4();
-  /** What the small picture was drawn of. */
+  /** The `key` of the last render. */
   private drawnOf = '';
 
-  /** @param redraw - called when the small picture is to be drawn anew */
+  /** @param redraw - called when the inset must be rendered again */
   constructor(
     private readonly webgl: WebGLRenderer,
     redraw: () => void,
@@ -74,42 +74,42 @@ export class CameraPreview {
     this.scene.add(this.quad);
   }
 
-  /** What it draws with. */
+  /** Microshaders of the inset's renderer. */
   get microshaders(): MicroShaderRegistry {
     return this.farol.microshaders;
   }
 
-  /** Its place in a picture of a size (CSS pixels), by the form that the camera is given. */
+  /** Size of the inset in a viewport (CSS pixels), for the aspect ratio set on the camera. */
   static placeIn(width: number, height: number): PreviewPlace {
     const small = Math.min(HEIGHT, height / 3);
     return { width: Math.round(Math.min(WIDEST, (small * width) / height)), height: Math.round(small), margin: MARGIN };
   }
 
   /**
-   * Draws it over the picture.
-   * @param width - of the large picture (CSS pixels)
-   * @param height - of the large picture (CSS pixels)
-   * @param key - differs whenever the camera may see something else; the small picture is drawn anew only then
+   * Draws the inset over the viewport.
+   * @param width - viewport width (CSS pixels)
+   * @param height - viewport height (CSS pixels)
+   * @param key - changes whenever the camera may see something else; only then is the inset rendered again
    */
   render(scene: EngineScene, camera: CameraComponent, width: number, height: number, key: string): void {
     const { webgl } = this;
     const place = CameraPreview.placeIn(width, height);
     const ratio = webgl.getPixelRatio();
-    const wanted = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
+    const drawKey = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
     this.target.setSize(Math.round(place.width * ratio), Math.round(place.height * ratio));
     const { autoClear } = webgl;
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     webgl.getViewport(this.viewport);
-    if (wanted !== this.drawnOf) {
-      this.drawnOf = wanted;
+    if (drawKey !== this.drawnOf) {
+      this.drawnOf = drawKey;
       camera.setViewport(place.width, place.height);
       webgl.setRenderTarget(this.target);
       webgl.autoClear = true;
       this.picture.render(scene, camera.three, camera);
-      webgl.setRenderTarget(before);
+      webgl.setRenderTarget(previousTarget);
     }
     webgl.autoClear = false;
-    // counted from the lower left corner
+    // y is measured from the lower edge
     webgl.setViewport(width - place.width - place.margin, place.margin, place.width, place.height);
     webgl.render(this.scene, this.camera);
     webgl.setViewport(this.viewport);

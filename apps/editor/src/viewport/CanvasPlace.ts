@@ -1,28 +1,31 @@
 import { watchPixelRatio } from '@farol/engine';
 
-/** Keeps a canvas as large as the element that it is in. */
+/** Keeps a canvas as large as its parent element. */
 export class CanvasPlace {
-  /** CSS pixels, 1 at least. */
+  /** Width (CSS pixels), at least 1. */
   width = 1;
   height = 1;
 
   private readonly resizer = new ResizeObserver(() => this.measure());
   private readonly unwatch = watchPixelRatio(() => this.measure());
 
-  /** @param resized - called when the element may have another size, or the screen another pixel ratio; `width` and `height` are set */
+  /**
+   * @param resized - called when the element's size or the screen's pixel ratio may have changed; `width` and `height`
+   *   are set
+   */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly resized: () => void,
   ) {}
 
-  /** Puts the canvas into an element, whose size it follows. */
+  /** Adds the canvas to an element, and follows its size. */
   attach(parent: HTMLElement): void {
     parent.append(this.canvas);
     this.resizer.observe(parent);
     this.measure();
   }
 
-  /** Takes the canvas out of where it is. */
+  /** Removes the canvas from its parent. */
   detach(): void {
     this.resizer.disconnect();
     this.canvas.remove();

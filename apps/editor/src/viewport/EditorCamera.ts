@@ -24,11 +24,11 @@ CameraControls.install({
 });
 const { ACTION } = CameraControls;
 
-/** Distance (m) of the point that is orbited when nothing is seen there, not even the ground, and the longest one. */
+/** Orbit distance (m) when nothing is hit, not even the ground; and the longest one. */
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 
-/** What keys do while the canvas has the focus: angles (rad), or with Shift parts of the distance. */
+/** Movement for each key while the canvas has focus: angles (rad), or with Shift shares of the orbit distance. */
 const nudges: Readonly<
   Record<string, { azimuth?: number; polar?: number; right?: number; up?: number; closer?: number }>
 > = {
@@ -44,10 +44,10 @@ const nudges: Readonly<
   '-': { closer: -0.15 },
 };
 
-/** Ratio of width to height from which a picture is wide. */
+/** Aspect ratio from which a view counts as wide. */
 const WIDE = 16 / 9;
 
-/** A turn by less than this (rad) leaves a picture as seen from a side. */
+/** Rotation (rad) below which an axis-aligned view stays one. */
 const SIDE_REACH = 1e-3;
 
 const eye = new Vector3();
@@ -56,9 +56,9 @@ const angles = new Spherical();
 const calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /**
- * The camera that the editor looks with. Left button: orbit; middle, or Shift and left: pan; wheel: nearer and farther,
- * towards the pointer; right button: look around and fly. Fingers: one orbits, two pan and zoom. The controls move a
- * perspective camera; without perspective its twin draws, so that both show the same at the distance of the target.
+ * The editor's own camera. Left button orbits; middle, or Shift and left, pans; the wheel zooms towards the pointer;
+ * the right button looks around and flies. One finger orbits, two pan and zoom. The controls move a perspective camera;
+ * its orthographic twin renders views without perspective, matching it at the distance of the target.
  */
 export class EditorCamera {
   readonly perspective = new PerspectiveCamera(50, 1, 0.05, 1000);
@@ -67,17 +67,17 @@ export class EditorCamera {
   private readonly controls: CameraControls;
   private readonly flat = new OrthographicTwin();
   private isFlat = false;
-  /** The angles of a side that is looked from without perspective until the picture is turned; null for none. */
+  /** Angles of an orthographic axis-aligned view, kept until the user orbits; null for none. */
   private side: Spherical | null = null;
-  /** Vertical field of view of a wide picture (degrees). */
+  /** Vertical field of view for a wide aspect ratio (degrees). */
   private fov = 50;
-  /** Whether a narrow picture shows as much from left to right as a wide one. */
+  /** Whether the field of view is widened for narrow viewports, to show as much horizontally as a wide one. */
   private widens = true;
   private isWanted = true;
   private isAllowed = true;
   private isActive = false;
 
-  /** @param hasKeys - asked at each key whether it is the controls' */
+  /** @param hasKeys - asked at each key press whether the controls may use it */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly hasKeys: () => boolean = () => true,
@@ -106,17 +106,17 @@ export class EditorCamera {
     canvas.addEventListener('keydown', this.keyDown);
   }
 
-  /** What the picture is drawn with. */
+  /** The camera to render with. */
   get camera(): PerspectiveCamera | OrthographicCamera {
     return this.isFlat ? this.flat.camera : this.perspective;
   }
 
-  /** Sees the same as `camera`; rays that begin at its eye meet all that is seen. */
+  /** Camera for raycasting: same view as `camera`, with rays that start far enough back to hit everything visible. */
   get rayCamera(): PerspectiveCamera | OrthographicCamera {
     return this.isFlat ? this.flat.rays : this.perspective;
   }
 
-  /** Whether the picture is without perspective. */
+  /** Whether the view is orthographic. */
   get orthographic(): boolean {
     return this.isFlat;
   }
@@ -127,12 +127,12 @@ export class EditorCamera {
     this.follow();
   }
 
-  /** Height of what is seen at the distance of the target (m). */
+  /** Height of the view at the distance of the target (m). */
   get height(): number {
     return 2 * this.controls.distance * Math.tan((this.perspective.fov * MathUtils.DEG2RAD) / 2);
   }
 
-  /** Where it looks from and to, once it is at rest. */
+  /** The pose that the camera has, or is gliding to. */
   get pose(): ViewPose {
     return {
       position: this.controls.getPosition(new Vector3()).toArray(),
@@ -142,7 +142,7 @@ export class EditorCamera {
     };
   }
 
-  /** False while something else, such as the gizmo, has the pointer. */
+  /** False while something else, such as the gizmo, uses the pointer. */
   get enabled(): boolean {
     return this.controls.enabled;
   }
@@ -152,41 +152,41 @@ export class EditorCamera {
     this.enable();
   }
 
-  /** False while there is nothing that the controls may move. */
+  /** False while there is nothing that the controls may move, such as a camera that cannot be moved. */
   set allowed(allowed: boolean) {
     this.isAllowed = allowed;
     this.enable();
   }
 
-  /** Whether pointer and keys are for this camera among those of the canvas. False at first. */
+  /** Whether pointer and keys on the canvas are meant for this view's camera. False at first. */
   set active(active: boolean) {
     this.isActive = active;
     this.enable();
   }
 
-  /** From the eye to the target (m). */
+  /** Distance from the eye to the target (m). */
   get distance(): number {
     return this.controls.distance;
   }
 
-  /** Whether it comes to rest softly; never for those who prefer reduced motion. */
+  /** Whether movements are damped; never when the user prefers reduced motion. */
   set glides(glides: boolean) {
     const isSoft = glides && !calm();
     this.controls.smoothTime = isSoft ? 0.12 : 0;
     this.controls.draggingSmoothTime = isSoft ? 0.04 : 0;
   }
 
-  /** Whether one finger orbits; two pan and zoom in any case. */
+  /** Whether one finger orbits; two always pan and zoom. */
   set oneFinger(orbits: boolean) {
     this.controls.touches.one = orbits ? ACTION.TOUCH_ROTATE : ACTION.NONE;
   }
 
-  /** The point that is orbited, in the world: a copy. */
+  /** A copy of the orbit target (world). */
   get target(): Vector3 {
     return this.controls.getTarget(new Vector3(), false);
   }
 
-  /** Moves on towards where the camera is to be. @returns whether the picture changes */
+  /** Advances movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
     const flew = this.fly.update(deltaSeconds);
     const moved = this.controls.update(deltaSeconds) || flew;
@@ -196,7 +196,7 @@ export class EditorCamera {
     return true;
   }
 
-  /** Tells the size of the picture, in any unit. A narrow picture shows as much from left to right as a wide one. */
+  /** Sets the aspect ratio from a size in any unit. A narrow viewport shows as much horizontally as a wide one. */
   resize(width: number, height: number): void {
     const { perspective } = this;
     perspective.aspect = width / height;
@@ -206,7 +206,7 @@ export class EditorCamera {
     this.follow();
   }
 
-  /** Looks at a box of the world, from the present side. @param animate - whether to glide there */
+  /** Frames a box (world) from the current direction. @param animate - whether to glide there */
   focus(box: Box3, animate = true): void {
     const sphere = box.getBoundingSphere(new Sphere());
     sphere.radius = Math.max(sphere.radius * 1.15, 0.5);
@@ -215,7 +215,7 @@ export class EditorCamera {
     if (!glide) this.settle();
   }
 
-  /** Looks from elsewhere. @param animate - whether to glide there */
+  /** Sets the pose. @param animate - whether to glide there */
   show(pose: ViewPose, animate = true): void {
     const glide = animate && this.controls.smoothTime > 0;
     this.fov = pose.fov * MathUtils.RAD2DEG;
@@ -228,9 +228,9 @@ export class EditorCamera {
   }
 
   /**
-   * Looks from where a camera of the scene is, with its field of view or size.
-   * @param distanceTo - distance (m) of what that camera sees in its middle; null when there is nothing
-   * @param exact - whether a narrow picture shows no more than that camera does
+   * Takes over the pose of a scene's camera, with its field of view or size.
+   * @param distanceTo - distance (m) of what that camera sees at its centre; null when there is nothing
+   * @param exact - whether a narrow viewport shows no more than that camera does
    */
   matchCamera({ three }: CameraComponent, distanceTo: (camera: Camera) => number | null, exact = false): void {
     if (three instanceof PerspectiveCamera) this.fov = three.fov;
@@ -253,9 +253,9 @@ export class EditorCamera {
   }
 
   /**
-   * Looks at the same point from another side.
-   * @param direction - from the point to the camera, in the world
-   * @param flat - without perspective; where there was some, it comes back once the picture is turned
+   * Views the target from another direction.
+   * @param direction - from the target to the camera, in the world
+   * @param flat - orthographic; a perspective view returns when the user orbits
    */
   lookFrom(direction: Vector3, flat = false): void {
     const { controls } = this;
@@ -270,12 +270,12 @@ export class EditorCamera {
     if (controls.smoothTime === 0) this.settle();
   }
 
-  /** Turns round the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
+  /** Orbits the target. @param azimuth - to the right (rad) @param polar - downwards (rad) */
   orbit(azimuth: number, polar: number): void {
     void this.controls.rotate(azimuth, polar, true);
   }
 
-  /** From now on hears of the pointer after all that listens to the canvas now. */
+  /** Registers the pointer listeners again, after those that the canvas has now. */
   listenLast(): void {
     this.controls.disconnect();
     this.controls.connect(this.canvas);
@@ -297,7 +297,7 @@ export class EditorCamera {
     if (this.isFlat) this.flat.follow(this.perspective, this.controls.distance);
   }
 
-  /** Turns to angles by the shorter way round. */
+  /** Rotates to angles by the shorter way round. */
   private turnTo({ theta, phi }: Spherical): void {
     const { controls } = this;
     const turns = Math.round((controls.azimuthAngle - theta) / (2 * Math.PI));

@@ -1,16 +1,16 @@
 import type CameraControls from 'camera-controls';
 import { type PerspectiveCamera, Vector3 } from 'three';
 
-/** Turn for each pixel of motion (rad). */
+/** Rotation per pixel of pointer movement (rad). */
 const TURN = 0.0035;
 
-/** Part of the distance that a metre a second is worth without perspective. */
+/** In orthographic views: share of the view's height per second that 1 m/s stands for. */
 const FLAT_PART = 0.08;
 
-/** Steepest look, from the horizon (rad). */
+/** Largest pitch above or below the horizon (rad). */
 const PITCH_LIMIT = Math.PI / 2 - 0.01;
 
-/** What each key moves by: right, up, forward. */
+/** Direction of each key: right, up, forward. */
 const directions: Readonly<Record<string, readonly [number, number, number]>> = {
   KeyW: [0, 0, 1],
   KeyS: [0, 0, -1],
@@ -31,14 +31,14 @@ const move = new Vector3();
 const UP = new Vector3(0, 1, 0);
 
 /**
- * Looks around and flies while the right button is held: motion turns, W A S D Q E move, Shift is faster, the wheel
- * changes the speed. Keys count only then.
+ * Looks around and flies while the right button is held: pointer movement rotates, W A S D Q E move, Shift is faster,
+ * the wheel changes the speed.
  */
 export class FlyControls {
-  /** Metres a second. */
+  /** Speed (m/s). */
   speed = 6;
 
-  /** Whether keys were used, or the wheel, since the button went down last. */
+  /** Whether keys or the wheel were used since the button was last pressed. */
   flew = false;
   private pointer: number | null = null;
   private readonly held = new Set<string>();
@@ -48,9 +48,9 @@ export class FlyControls {
 
   /**
    * @param canvas - where the button is pressed
-   * @param controls - whose camera is moved; it is at rest meanwhile
-   * @param isEnabled - asked when the button goes down
-   * @param isFlat - whether the picture is without perspective: motion orbits then, and forward is nearer
+   * @param controls - controls of the camera to move; they are disabled meanwhile
+   * @param isEnabled - asked when the button is pressed
+   * @param isFlat - whether the view is orthographic: pointer movement then orbits, and forward zooms in
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -111,7 +111,9 @@ export class FlyControls {
     window.removeEventListener('blur', this.end);
   }
 
-  /** Without perspective nothing grows when it is nearer: what keys move by goes with the height of the picture. */
+  /**
+   * Moves in an orthographic view: speed goes with the height of the view, since moving forward enlarges nothing there.
+   */
   private updateFlat(deltaSeconds: number): boolean {
     const { controls } = this;
     if (this.yaw !== 0 || this.pitch !== 0) void controls.rotate(-this.yaw * TURN, -this.pitch * TURN, false);
@@ -131,7 +133,7 @@ export class FlyControls {
     return true;
   }
 
-  /** Turns `direction` by what the pointer moved. */
+  /** Rotates `direction` by the pointer's movement. */
   private turn(): void {
     const camera = this.controls.camera as PerspectiveCamera;
     const scale = TURN * Math.min(1, camera.fov / 60);
@@ -183,7 +185,7 @@ export class FlyControls {
   private readonly keyUp = (event: KeyboardEvent): void => {
     this.fast = event.shiftKey;
     this.held.delete(event.code);
-    // macOS tells of no key that goes up while Command is down
+    // macOS sends no keyup events while Command is held
     if (event.key === 'Meta') this.held.clear();
   };
 

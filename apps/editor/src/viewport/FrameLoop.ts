@@ -1,28 +1,28 @@
-/** What a loop asks for in each turn of the page. */
+/** Callbacks of a loop, in each animation frame. */
 export interface FrameWork {
-  /** Lets time pass. @param seconds - since the last turn; 0 at first @returns whether a frame is to be drawn */
+  /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw */
   advance(seconds: number): boolean;
   draw(): void;
-  /** Takes what `draw` throws. */
+  /** Called with what `draw` throws. */
   failed(error: unknown): void;
-  /** Called in place of `draw` while nothing changes. */
+  /** Called instead of `draw` while nothing changes. */
   rest(): void;
 }
 
-/** Draws the frames that are asked for, one in each turn of the page at most. */
+/** Draws requested frames, at most one per animation frame. */
 export class FrameLoop {
-  /** Whether every frame is drawn, changed or not. */
+  /** Whether every frame is drawn, requested or not. */
   continuous = false;
 
-  /** Frames that are still to be drawn. */
+  /** Number of frames left to draw. */
   private pending = 1;
   private request = 0;
-  /** When the last turn was (ms); 0 before the first. */
+  /** Time of the last animation frame (ms); 0 before the first. */
   private last = 0;
 
   constructor(private readonly work: FrameWork) {}
 
-  /** Begins, and goes on until `stop`. */
+  /** Starts the loop, which runs until `stop`. */
   start(): void {
     this.request = requestAnimationFrame(this.turn);
   }
@@ -31,7 +31,7 @@ export class FrameLoop {
     cancelAnimationFrame(this.request);
   }
 
-  /** Has frames drawn, the next one first. */
+  /** Requests frames. @param frames - number of frames to draw, starting with the next */
   ask(frames: number): void {
     this.pending = frames;
   }

@@ -1,28 +1,28 @@
 import type { FarolInfo } from '@farol/renderer';
 
-/** Times of one pass over the last frames (ms), as rings; -1 where it did not run, or is not told. */
+/** Times of one pass over the last frames (ms), as ring buffers; -1 where it did not run or was not measured. */
 export interface PassTimes {
   readonly name: string;
   readonly cpu: Float32Array;
   readonly gpu: Float32Array;
 }
 
-/** Times of every pass over the last frames. Nothing is made anew while the passes stay the same. */
+/** Times of every pass over the last frames. Allocates only when a new pass appears. */
 export class FrameRecorder {
-  /** Frames recorded in all; the last one is at `(frames - 1) % length` of the rings. */
+  /** Number of frames recorded; the last one is at `(frames - 1) % length` of the rings. */
   frames = 0;
 
   private readonly byName = new Map<string, PassTimes>();
 
-  /** @param length - frames that are kept */
+  /** @param length - number of frames kept */
   constructor(readonly length = 120) {}
 
-  /** Passes that ran in one of the last frames, in the order in which they first did. */
+  /** Passes that ran in one of the kept frames, in the order they first did. */
   get passes(): PassTimes[] {
     return [...this.byName.values()].filter(({ cpu }) => cpu.some((ms) => ms >= 0));
   }
 
-  /** A frame was drawn. */
+  /** Records a frame that was drawn. */
   add({ passes }: Pick<FarolInfo, 'passes'>): void {
     const at = this.frames++ % this.length;
     for (const times of this.byName.values()) times.cpu[at] = times.gpu[at] = -1;
@@ -37,7 +37,7 @@ export class FrameRecorder {
     }
   }
 
-  /** GPU times of the last frame came after it was drawn. */
+  /** Records GPU times of the last frame, which arrive after it was drawn. */
   addTimes({ passes }: Pick<FarolInfo, 'passes'>): void {
     const at = (this.frames - 1) % this.length;
     for (const { name, gpuMs } of passes) {
@@ -46,7 +46,7 @@ export class FrameRecorder {
     }
   }
 
-  /** Longest of the frames (ms): the sum of their passes. */
+  /** Longest kept frame (ms), as the sum of its passes. */
   longest(kind: 'cpu' | 'gpu'): number {
     let longest = 0;
     for (let i = 0; i < this.length; i++) {
@@ -57,7 +57,7 @@ export class FrameRecorder {
     return longest;
   }
 
-  /** Mean over the frames that have a time (ms); null when none has. */
+  /** Mean over the frames with a measured time (ms); null when there are none. */
   mean(times: PassTimes, kind: 'cpu' | 'gpu'): number | null {
     let [sum, count] = [0, 0];
     for (const ms of times[kind]) {

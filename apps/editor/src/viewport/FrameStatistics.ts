@@ -1,16 +1,16 @@
-/** A picture that stands still for longer than this (ms) has no frame rate. */
+/** Pause between frames (ms) after which there is no frame rate. */
 const IDLE_AFTER = 500;
 
-/** How often frames are drawn. */
+/** Counts frames, and measures the frame rate. */
 export class FrameStatistics {
   private readonly intervals = new Float64Array(30);
   private count = 0;
   private last = -Infinity;
 
-  /** Frames drawn in all. */
+  /** Number of frames drawn. */
   frames = 0;
 
-  /** A frame was drawn. @param now - ms */
+  /** Records a drawn frame. @param now - ms */
   add(now: number): void {
     const interval = now - this.last;
     this.last = now;
@@ -19,7 +19,7 @@ export class FrameStatistics {
     else this.intervals[this.count++ % this.intervals.length] = interval;
   }
 
-  /** Frames a second over the last thirty frames; null while the picture stands still. @param now - ms */
+  /** Frames per second over the last thirty frames; null when the last frame is too long ago. @param now - ms */
   rate(now: number): number | null {
     const known = Math.min(this.count, this.intervals.length);
     if (known < 2 || now - this.last > IDLE_AFTER) return null;

@@ -5,7 +5,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { EditorDocument } from '../model/EditorDocument';
 import { Gizmo, type GizmoMode, type SnapSteps } from './Gizmo';
 
-/** An element of which nothing is read. */
+/** A stub element without contents. */
 const element = (): object => ({
   ...{ style: {}, classList: { add() {} }, isConnected: false, offsetWidth: 0, offsetHeight: 0 },
   ...{ setAttribute() {}, replaceChildren() {}, append() {}, remove() {} },
@@ -24,7 +24,7 @@ afterEach(() => vi.unstubAllGlobals());
 
 type DragMode = Exclude<GizmoMode, 'select'>;
 
-/** The field that each mode changes. */
+/** Transform field that each mode changes. */
 const changed = { translate: 'position', rotate: 'rotation', scale: 'scale' } as const;
 
 const camera = new PerspectiveCamera(50, 1, 0.1, 100);
@@ -32,7 +32,7 @@ camera.position.set(3, 4, 10);
 camera.lookAt(0, 0, 0);
 camera.updateMatrixWorld();
 
-/** The handles on a selected object at the origin, of size 1 and not turned. */
+/** A gizmo on a selected object at the origin with scale 1 and no rotation. */
 async function makeGizmo(): Promise<{ gizmo: Gizmo; object: GameObject; controls: TransformControls }> {
   const editorDocument = new EditorDocument();
   const object = new GameObject('Box');
@@ -52,7 +52,7 @@ async function makeGizmo(): Promise<{ gizmo: Gizmo; object: GameObject; controls
   return { gizmo: gizmo!, object, controls };
 }
 
-/** Drags a handle and puts everything back. @returns what the drag led to along the axis: m, rad or a factor */
+/** Drags a handle and cancels. @returns the change along the axis: m, rad or a factor */
 function dragged({ gizmo, object, controls }: Awaited<ReturnType<typeof makeGizmo>>, mode: DragMode, axis: 'X' | 'Y') {
   gizmo.mode = mode;
   gizmo.update(camera);
@@ -69,7 +69,7 @@ function dragged({ gizmo, object, controls }: Awaited<ReturnType<typeof makeGizm
 const press = (ctrlKey: boolean): boolean =>
   page.dispatchEvent(Object.assign(new Event(ctrlKey ? 'keydown' : 'keyup'), { ctrlKey }));
 
-/** Steps by which a drag may go: m, rad, parts of the size. */
+/** Snapping steps: m, rad, share of the size. */
 const steps: readonly SnapSteps[] = [
   { translate: 0.5, rotate: Math.PI / 12, scale: 0.1 },
   { translate: 0.25, rotate: Math.PI / 4, scale: 0.3 },
@@ -86,7 +86,7 @@ describe.each(['translate', 'rotate', 'scale'] as const)('%s', (mode) => {
       gizmo.snapSteps = snapSteps;
       const step = snapSteps[mode];
       const stepped = Math.round(free / step) * step;
-      // a drag that ends on a step by itself would prove nothing
+      // must differ from a step, or snapping would not be tested
       expect(Math.abs(free - stepped)).toBeGreaterThan(0.01 * step);
       const expectDrag = (value: number): void => expect(dragged(handles, mode, axis)).toBeCloseTo(value, 4);
       expectDrag(stepped);

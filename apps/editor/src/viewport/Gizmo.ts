@@ -22,23 +22,26 @@ import type { SnapTarget } from './handles/DragSnap';
 
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
 export type GizmoSpace = 'world' | 'local';
-/** What several objects turn and grow about: their middle, each its own place, or the place of the one chosen last. */
+/**
+ * Point that several objects rotate and scale about: their common centre, each one's own origin, or the origin of the
+ * one selected last.
+ */
 export type GizmoPivot = 'centre' | 'each' | 'active';
 
-/** By what drags go while they snap. */
+/** Increments of drags while snapping. */
 export interface SnapSteps {
   /** Metres. */
   readonly translate: number;
   /** Radians. */
   readonly rotate: number;
-  /** Part of the size at the start. */
+  /** Share of the size at the start of the drag. */
   readonly scale: number;
 }
 
 const euler = new Euler();
 const middle = new Vector3();
 
-/** Where an edit of an object begins: by what was authored, whatever simulation has done to it since, unless it is recorded. */
+/** Start values of a drag: authored ones, unaffected by simulation, or the current ones while the edit is recorded. */
 function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);
@@ -52,14 +55,14 @@ function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
 }
 
 /**
- * The handles that move, rotate and scale what is selected: three's TransformControls on a proxy in the middle of the
- * selection. One drag is one step of history.
+ * Handles that move, rotate and scale the selection: three's TransformControls on a proxy object at its pivot. One drag
+ * is one step of history.
  */
 export class Gizmo {
-  /** To be drawn over the picture. */
+  /** Object to draw over the viewport. */
   readonly three = new Object3D();
 
-  /** Null until something is first selected: they are fetched then. */
+  /** Fetched when something is first selected; null until then. */
   private controls: TransformControls | null = null;
   private coarsePointer: MediaQueryList | null = null;
   private assist: DragAssist | null = null;
@@ -69,19 +72,21 @@ export class Gizmo {
   private readonly proxy = new Object3D();
   private transform: TransformDrag | null = null;
   private dragged: readonly GameObject[] = [];
-  /** What the dragged objects had when the drag began. */
+  /** Pose values of the dragged objects before the drag. */
   private before: readonly PoseValues[] = [];
   private targetList: GameObject[] = [];
   private targetsRevision = -1;
   private gesture: Gesture | null = null;
-  /** The handle that the drag began with. */
+  /** Name of the handle that the drag began with. */
   private grabbed = '';
   private isRegrabbing = false;
   private currentMode: GizmoMode = 'translate';
   private ctrl = false;
   private isSnapping = false;
   private snapTarget: SnapTarget = 'grid';
-  /** Whether what is moved to a surface by the middle handle is turned so that its up is the normal there. */
+  /**
+   * Whether objects dropped on a surface with the centre handle are rotated so that their y axis is the surface normal.
+   */
   alignsToSurface = false;
   pivot: GizmoPivot = 'centre';
   private isDisposed = false;
@@ -90,8 +95,8 @@ export class Gizmo {
 
   /**
    * @param onDrag - called when a drag begins (true) and ends (false)
-   * @param onChange - called when the picture must be drawn anew
-   * @param onLoad - called when the handles have begun to listen to the canvas
+   * @param onChange - called when the viewport must be redrawn
+   * @param onLoad - called when the handles have added their listeners to the canvas
    */
   constructor(
     private readonly document: EditorDocument,
@@ -103,7 +108,7 @@ export class Gizmo {
     this.three.add(this.proxy);
     window.addEventListener('keydown', this.keyChanged, true);
     window.addEventListener('keyup', this.keyChanged, true);
-    // not only with the next picture, which brings them back: a handle of what was let go of must not be taken
+    // at once, not with the next frame: handles of deselected objects must not be clicked
     this.endSelection = document.selection.changed.subscribe(() => this.detach());
   }
 
@@ -127,7 +132,7 @@ export class Gizmo {
     if (this.controls) this.controls.space = space;
   }
 
-  /** Whether drags go by steps; Ctrl turns it round while it is held. */
+  /** Whether drags snap; holding Ctrl inverts it. */
   get snapping(): boolean {
     return this.isSnapping;
   }
@@ -137,7 +142,7 @@ export class Gizmo {
     this.applySnapping();
   }
 
-  /** What drags hold to while they snap. */
+  /** Target of drags while snapping. */
   get snapTo(): SnapTarget {
     return this.snapTarget;
   }
@@ -147,14 +152,14 @@ export class Gizmo {
     this.applySnapping();
   }
 
-  /** Takes the handles away while something else has the pointer. */
+  /** Hides the handles while something else uses the pointer. */
   set suspended(suspended: boolean) {
     this.isSuspended = suspended;
     if (suspended) this.cancel();
     this.onChange();
   }
 
-  /** Each above 0. */
+  /** Snapping increments, each above 0. */
   get snapSteps(): SnapSteps {
     return this.steps;
   }
@@ -164,25 +169,25 @@ export class Gizmo {
     this.applySnapping();
   }
 
-  /** Whether a drag is under way. */
+  /** Whether a drag is in progress. */
   get isDragging(): boolean {
     return this.gesture !== null;
   }
 
-  /** Whether a handle is under the pointer, or dragged. */
+  /** Whether a handle is under the pointer, or being dragged. */
   get isHot(): boolean {
     const { controls } = this;
     return controls !== null && (controls.dragging || (controls.axis !== null && controls.object !== undefined));
   }
 
-  /** Called before each picture: follows the selection. */
+  /** Called before each frame: follows the selection. */
   update(camera: Camera): void {
     const { controls } = this;
     if (controls) {
       controls.camera = camera;
-      // three measures by the height: in a picture higher than wide, of a phone, the width bounds it
+      // TransformControls scales with the height; in a portrait viewport the width limits the size
       const [x, , , , , y] = camera.projectionMatrix.elements;
-      // a finger is wider than a pointer
+      // larger handles for fingers
       controls.size = (this.coarsePointer?.matches ? 1.3 : 0.85) * Math.min(1, y / x);
     }
     if (controls?.dragging || this.letGo()) return;
@@ -191,7 +196,7 @@ export class Gizmo {
     else if (!controls.object) controls.attach(this.proxy);
   }
 
-  /** Ends a drag and puts everything back. @returns whether there was one */
+  /** Cancels a drag, restoring everything. @returns whether there was one */
   cancel(): boolean {
     if (!this.gesture) return false;
     this.gesture.discard();
@@ -199,7 +204,7 @@ export class Gizmo {
     return true;
   }
 
-  /** Ends a drag before the pointer is up. */
+  /** Ends a drag while the pointer is still down. */
   private release(): void {
     this.gesture = null;
     this.assist?.end();
@@ -223,7 +228,7 @@ export class Gizmo {
       import('./handles/DragAssist'),
     ]);
     if (this.isDisposed) return;
-    // hears of the pointer before the handles do
+    // created first, so that its listeners run before those of the handles
     this.assist = new DragAssist(
       this.canvas,
       () => this.controls?.pointerMove(null),
@@ -253,7 +258,10 @@ export class Gizmo {
     this.onChange();
   }
 
-  /** The selected objects that are not locked, and not below another one of them; asked each frame, so found once for each change. */
+  /**
+   * Selected objects that are not locked and not below another selected one. Cached until selection or structure
+   * changes, since it is asked each frame.
+   */
   private targets(): GameObject[] {
     const { selection, structure, selectedObjects, scene } = this.document;
     const revision = selection.changed.revision + structure.revision;
@@ -265,7 +273,7 @@ export class Gizmo {
     return this.targetList;
   }
 
-  /** Takes the handles away where there is nothing to move by them. @returns whether that is so */
+  /** Hides the handles when there is nothing to move. @returns whether they are hidden */
   private letGo(): boolean {
     if (this.targets().length > 0 && this.currentMode !== 'select' && !this.isSuspended) return false;
     this.detach();
@@ -277,7 +285,7 @@ export class Gizmo {
     if (controls?.object && !controls.dragging) controls.detach();
   }
 
-  /** At the pivot of the selection, turned as the one chosen last. A single object's is its own place. */
+  /** Places the proxy at the pivot of the selection, rotated as the object selected last. */
   private placeProxy(objects: readonly GameObject[]): void {
     const last = objects.at(-1)!.object3D;
     if (objects.length === 1 || this.pivot === 'active') middle.setFromMatrixPosition(last.matrixWorld);
@@ -287,7 +295,7 @@ export class Gizmo {
 
   private begin(): void {
     const objects = this.targets();
-    if (objects.length === 0) return; // locked since the last picture
+    if (objects.length === 0) return; // objects may have been locked since the last frame
     this.placeProxy(objects);
     this.dragged = objects;
     const { commands } = this.document;
@@ -309,7 +317,7 @@ export class Gizmo {
     this.assist?.begin({ scene, camera, mode, axis: this.grabbed, space, dragged: objects, pivot });
   }
 
-  /** Goes on with the drag by another handle; by the one that it began with where it goes by that other already. */
+  /** Continues the drag with another handle; back to the first one if the drag uses that handle already. */
   private changeAxis(axis: string): void {
     const { controls, assist } = this;
     if (!controls || !assist || !this.gesture) return;
@@ -361,7 +369,7 @@ export class Gizmo {
   };
 }
 
-/** Rounded as somebody would type it. @param before - the values before the drag */
+/** Edits with rounded values. @param before - values before the drag */
 function editsOf({ transform: owner }: GameObject, before: PoseValues, pose: Partial<Pose>): FieldEdit[] {
   return Object.entries(roundPose(before, pose)).map(([name, value]) => ({ owner, name, value }));
 }

@@ -2,7 +2,7 @@ import { type Camera, Mesh, OrthographicCamera, PlaneGeometry, ShaderMaterial, V
 import fragmentShader from './grid.frag.glsl?raw';
 import vertexShader from './grid.vert.glsl?raw';
 
-/** Of a view without perspective: the finest lines are so far apart, of its height, and no nearer. */
+/** In orthographic views: least distance between lines, as a share of the view's height. */
 const FINEST = 1 / 60;
 
 const X = new Vector3(1, 0, 0);
@@ -11,11 +11,11 @@ const Z = new Vector3(0, 0, 1);
 const front = new Vector3();
 
 /**
- * The ground of the world: lines of a metre, red along x, blue along z. Without perspective the lines go by what is seen,
- * and in views from a side they are on the plane that faces the eye, behind everything.
+ * Ground grid: lines each metre, red along x, blue along z. In orthographic views the spacing adapts to the zoom; in
+ * axis-aligned views the grid is on the plane facing the camera, behind everything.
  */
 export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
-  /** @param extent - how far it is seen in perspective (m) */
+  /** @param extent - visible radius in perspective (m) */
   constructor(private readonly extent = 60) {
     super(
       new PlaneGeometry(2, 2).rotateX(-Math.PI / 2),
@@ -35,7 +35,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
         depthWrite: false,
         toneMapped: false,
         side: 2,
-        // before a floor at height 0, which it would flicker with
+        // drawn above a floor at height 0, to avoid z-fighting
         polygonOffset: true,
         polygonOffsetFactor: -1,
         polygonOffsetUnits: -8,
@@ -45,7 +45,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
     this.renderOrder = -1;
   }
 
-  /** Before it is drawn: goes by the camera. */
+  /** Adapts to the camera; called before drawing. */
   update(camera: Camera): void {
     const { extent, step, middle, axisU, axisV, behind } = this.material.uniforms;
     middle.value.setFromMatrixPosition(camera.matrixWorld);
@@ -57,7 +57,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
       if (Math.abs(front.z) > 0.9999) v = Y;
       else if (Math.abs(front.x) > 0.9999) u = Y;
       step.value = 10 ** Math.ceil(Math.log10(height * FINEST));
-      // where the middle of the picture meets the plane
+      // intersection of the view's centre with the plane
       const along = v === Y || u === Y ? 0 : Math.abs(front.y) > 0.01 ? -middle.value.y / front.y : 0;
       middle.value.addScaledVector(front, along);
       extent.value = (2 * Math.hypot(width, height)) / Math.max(0.1, v === Y || u === Y ? 1 : Math.abs(front.y));
@@ -69,7 +69,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
     behind.value = isWall ? 1 : 0;
     axisU.value.copy(u);
     axisV.value.copy(v);
-    // the wall goes through the origin of the world; distances are counted on it
+    // the plane goes through the origin, from which distances are measured
     if (isWall) middle.value.addScaledVector(front, -middle.value.dot(front));
   }
 

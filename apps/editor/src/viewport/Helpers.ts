@@ -8,19 +8,19 @@ import { LineSet } from './LineSet';
 import { SelectionOutline } from './SelectionOutline';
 import type { PickHit } from './pick';
 
-/** Of what is selected. */
+/** Colour of lines for selected objects. */
 const COLOUR = '#ff9d3c';
 
-/** Of the ranges of lights that are not. */
+/** Colour of ranges of lights that are not selected. */
 const QUIET = '#8a7a5c';
 
 /**
- * What the editor draws over the picture: grid, icons, the selection's lines, the gizmo. It is a scene of its own, drawn
- * by three's renderer into the finished picture, with its depth; the user's scene is not touched.
+ * Everything drawn over the viewport: grid, icons, lines of the selection, gizmo. A separate three scene rendered on
+ * top with the scene's depth; the user's scene is not touched.
  */
 export class Helpers {
   readonly scene = new Scene();
-  /** Whether the ranges of all lights are drawn, not of selected ones alone. */
+  /** Whether ranges of all lights are drawn, or only of selected ones. */
   showRanges = false;
 
   private readonly grid = new Grid();
@@ -36,7 +36,7 @@ export class Helpers {
 
   constructor(private readonly document: EditorDocument) {
     this.scene.add(this.grid, this.icons, this.ranges.three, this.lines.three);
-    // what is loaded late is there late
+    // meshes that finish loading must be drawn too
     this.endAssets = document.assets.onChange(() => this.assetChanges++);
   }
 
@@ -57,8 +57,8 @@ export class Helpers {
   }
 
   /**
-   * Draws over the picture that was just drawn with the same camera.
-   * @param isDragging - whether the gizmo is at work: nothing but transforms changes then
+   * Draws over the frame just rendered with the same camera.
+   * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null, isDragging: boolean): void {
     const { scene, selection, selectedObjects } = this.document;
@@ -82,7 +82,10 @@ export class Helpers {
     webgl.autoClear = autoClear;
   }
 
-  /** The icon at a point of the picture (normalised device coordinates), whose size is in CSS pixels. */
+  /**
+   * The icon at a point (normalised device coordinates). @param width - viewport width (CSS pixels) @param height -
+   * viewport height (CSS pixels)
+   */
   pickIcon(camera: Camera, point: Vector2, width: number, height: number): PickHit | null {
     return this.icons.visible ? this.icons.pick(camera, point, width, height) : null;
   }
@@ -96,7 +99,7 @@ export class Helpers {
     this.endAssets();
   }
 
-  /** Found anew when the scene may have changed. */
+  /** Rebuilds the ranges of lights when the scene may have changed. */
   private refreshRanges(scene: EngineScene): void {
     const key = this.showRanges ? `${this.document.edited.revision} ${scene.time}` : '';
     if (key === this.rangesKey) return;

@@ -25,16 +25,16 @@ import fragmentShader from './icons.frag.glsl?raw';
 import vertexShader from './icons.vert.glsl?raw';
 import type { PickHit } from './pick';
 
-/** Size of an icon (CSS pixels) where there are few. */
+/** Size of an icon (CSS pixels) when there are few. */
 const SIZE = 20;
-/** Icons from which on they become smaller: the picture stays in sight between them. */
+/** Number of icons from which they become smaller, so that the scene stays visible between them. */
 const MANY = 60;
-/** Least size of an icon (CSS pixels). */
+/** Smallest size of an icon (CSS pixels). */
 const LEAST = 8;
 
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
 const types: readonly ComponentClass[] = [Light, Camera, Decal, AudioSource, ParticleEmitter];
-/** Icons of components that are not lights. */
+/** Icons by component type; lights have icons of their own. */
 const kinds: Readonly<Record<string, string>> = {
   Camera: 'camera',
   Decal: 'decal',
@@ -43,10 +43,10 @@ const kinds: Readonly<Record<string, string>> = {
 };
 const place = new Vector3();
 
-/** Icons for lights and other things of a scene that can be picked though there is nothing to see of them: one draw. */
+/** Clickable icons for lights, cameras and other objects that draw nothing themselves; one draw call. */
 export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   private readonly shown: GameObject[] = [];
-  /** Size of an icon (CSS pixels). */
+  /** Current size of an icon (CSS pixels). */
   private size = SIZE;
 
   constructor() {
@@ -66,7 +66,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     this.grow(64);
   }
 
-  /** Takes over where all of them are now. @param without - a camera that is looked through */
+  /** Updates positions and colours. @param without - a camera that is looked through, which gets no icon */
   refresh(scene: Scene, isSelected: (object: GameObject) => boolean, pixelRatio: number, without: Camera | null): void {
     this.shown.length = 0;
     let count = 0;
@@ -83,14 +83,14 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
   }
 
   /**
-   * The icon next to a point of the picture.
+   * The icon closest to a point of the viewport.
    * @param point - normalised device coordinates
-   * @param width - of the picture (CSS pixels)
-   * @param height - of the picture (CSS pixels)
+   * @param width - viewport width (CSS pixels)
+   * @param height - viewport height (CSS pixels)
    */
   pick(camera: ThreeCamera, point: Vector2, width: number, height: number): PickHit | null {
     let nearest: PickHit | null = null;
-    let least = Math.max(this.size, SIZE / 2) / 2 + 1;
+    let leastDistance = Math.max(this.size, SIZE / 2) / 2 + 1;
     for (const object of this.shown) {
       if (object.lockedInHierarchy) continue;
       place.setFromMatrixPosition(object.object3D.matrixWorld);
@@ -100,8 +100,8 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
       place.applyMatrix4(camera.projectionMatrix);
       if (place.z < -1 || place.z > 1) continue;
       const away = Math.hypot(((place.x - point.x) * width) / 2, ((place.y - point.y) * height) / 2);
-      if (away >= least) continue;
-      least = away;
+      if (away >= leastDistance) continue;
+      leastDistance = away;
       nearest = { object, distance };
     }
     return nearest;

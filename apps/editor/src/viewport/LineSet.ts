@@ -14,10 +14,10 @@ import {
 const a = new Vector3();
 const b = new Vector3();
 
-/** Corners of a box that each of its edges joins, as bits x, y, z. */
+/** Pairs of box corners joined by an edge; a corner's bits select x, y, z. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7] as const;
 
-/** Lines that are put together anew each frame: clear in sight, faint behind things. */
+/** Lines that are rebuilt each frame: opaque where visible, faint where hidden by geometry. */
 export class LineSet {
   readonly three = new Object3D();
 
@@ -26,7 +26,7 @@ export class LineSet {
   private readonly materials: LineBasicMaterial[];
   private vertices = 0;
 
-  /** @param colour - as CSS has it */
+  /** @param colour - CSS colour */
   constructor(colour: string) {
     const common = { color: colour, transparent: true, depthWrite: false, toneMapped: false, fog: false };
     this.materials = [
@@ -40,17 +40,17 @@ export class LineSet {
     }
   }
 
-  /** How many lines there are. */
+  /** Number of lines. */
   get count(): number {
     return this.vertices / 2;
   }
 
-  /** Begins anew. */
+  /** Removes all lines, before adding new ones. */
   begin(): void {
     this.vertices = 0;
   }
 
-  /** Adds a line between two points of the world. */
+  /** Adds a line between two points (world). */
   line(from: Vector3, to: Vector3): void {
     if ((this.vertices + 2) * 3 > this.positions.length) {
       const larger = new Float32Array(this.positions.length * 2);
@@ -62,7 +62,7 @@ export class LineSet {
     this.vertices += 2;
   }
 
-  /** Adds the edges of a box in the space of `matrix`. */
+  /** Adds the edges of a box. @param matrix - from the box's space to the world */
   box(box: Box3, matrix: Matrix4): void {
     for (let i = 0; i < EDGES.length; i += 2) {
       this.line(corner(box, EDGES[i], matrix, a), corner(box, EDGES[i + 1], matrix, b));
@@ -80,11 +80,11 @@ export class LineSet {
     }
   }
 
-  /** Takes the lines over for the next picture. */
+  /** Uploads the lines for the next frame. */
   end(): void {
     const attribute = this.geometry.getAttribute('position') as BufferAttribute | undefined;
     if (!attribute || attribute.array !== this.positions) {
-      // a new length needs a new buffer on the GPU
+      // a longer array needs a new GPU buffer
       this.geometry.dispose();
       this.geometry.setAttribute('position', new BufferAttribute(this.positions, 3).setUsage(DynamicDrawUsage));
     } else if (this.vertices > 0) {

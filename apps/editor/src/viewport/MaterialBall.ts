@@ -20,19 +20,19 @@ import { renderSmall } from './renderSmall';
 import { whenLost } from './whenLost';
 import { whenRestored } from './whenRestored';
 
-/** How a ball is turned: to the right and up (rad). */
+/** Rotation of a preview ball (rad). */
 export type BallTurn = readonly [right: number, up: number];
 
 /**
- * Draws a ball of a material on a canvas of the page, without waiting for the GPU. The material is the scene's own: it is
- * drawn under lights of its own.
+ * Renders a sphere with a material to a canvas of the page, without waiting for the GPU. The material is the scene's
+ * own, lit by lights of the preview.
  */
 export class MaterialBall {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 20);
   private readonly ball: Mesh;
   private readonly target = new WebGLRenderTarget(1, 1, { samples: 4 });
-  private readonly own: Material[] = [];
+  private readonly ownMaterials: Material[] = [];
   private readonly endLost: () => void;
   private pixels = new Uint8Array(0);
   private isBusy = false;
@@ -43,7 +43,7 @@ export class MaterialBall {
     this.target.texture.colorSpace = SRGBColorSpace;
     this.ball = new Mesh(new SphereGeometry(1, 96, 64));
     const room = new MeshBasicMaterial({ color: 0x30343c, side: BackSide, toneMapped: false });
-    this.own.push(room);
+    this.ownMaterials.push(room);
     const key = new DirectionalLight(0xffffff, 2.4);
     key.position.set(-2, 3, 3);
     const rim = new PointLight(0x9db8ff, 14);
@@ -55,9 +55,10 @@ export class MaterialBall {
   }
 
   /**
-   * Draws the ball, after a lost context once more. Of several calls while the GPU is at work the last one counts.
-   * @param canvas - filled by the picture
-   * @param environment - what it mirrors; null for none
+   * Renders the sphere, retrying once after a lost context. Of several calls during rendering, only the last is carried
+   * out.
+   * @param canvas - filled with the image
+   * @param environment - environment map for reflections; null for none
    */
   async draw(
     material: Material,
@@ -91,10 +92,10 @@ export class MaterialBall {
   private free(): void {
     this.target.dispose();
     for (const child of this.scene.children) if (child instanceof Mesh) child.geometry.dispose();
-    for (const material of this.own) material.dispose();
+    for (const material of this.ownMaterials) material.dispose();
   }
 
-  /** @returns false when the context was lost before the picture was there */
+  /** @returns false when the context was lost during rendering */
   private async drawNow(
     material: Material,
     environment: Texture | null,
@@ -109,17 +110,17 @@ export class MaterialBall {
     this.ball.rotation.set(up, right, 0);
     this.scene.environment = environment;
     target.setSize(width, height);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     const { autoClear } = webgl;
     webgl.autoClear = true;
     webgl.setRenderTarget(target);
     renderSmall(webgl, this.scene, this.camera);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     webgl.autoClear = autoClear;
     this.scene.environment = null;
     if (this.pixels.length !== width * height * 4) this.pixels = new Uint8Array(width * height * 4);
     if (!(await readPixels(webgl, target, 0, 0, width, height, this.pixels))) return false;
-    // the GPU counts rows from below
+    // WebGL rows start at the bottom
     const image = context.createImageData(width, height);
     const row = width * 4;
     for (let y = 0; y < height; y++) {

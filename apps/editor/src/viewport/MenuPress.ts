@@ -1,14 +1,14 @@
 import { Vector2 } from 'three';
 import type { Viewport } from './Viewport';
 
-/** For so long a finger must rest (ms). */
+/** Time (ms) that a finger must rest to open the menu. */
 const LONG = 500;
-/** What moves farther than this meanwhile (CSS pixels) turns the camera, or drags. */
+/** Movement (CSS pixels) that makes a press a drag instead. */
 const REACH = { mouse: 4, finger: 8 };
 
 /**
- * Asks for the menu of the picture: where the right button is clicked, or a finger rests. What is seen there is selected,
- * unless it is already. Not while the finger orbits, pans or drags a handle, while keys fly, or while input goes to the scene.
+ * Opens the viewport's context menu on a right click or a long press, after selecting the object there. Not while a
+ * finger orbits, pans or drags a handle, while flying with keys, or while input goes to the scene.
  */
 export class MenuPress {
   private readonly from = new Vector2();
@@ -17,7 +17,7 @@ export class MenuPress {
   private reach = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param open - opens the menu of what is selected, at a point of the page (CSS pixels) */
+  /** @param open - opens the menu for the selection, at a point of the page (CSS pixels) */
   constructor(
     private readonly viewport: Viewport,
     private readonly open: (x: number, y: number) => void,
@@ -39,7 +39,7 @@ export class MenuPress {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    this.cancel(); // also with a second finger
+    this.cancel(); // a second finger cancels too
     const isMouse = event.pointerType === 'mouse';
     if (event.button !== (isMouse ? 2 : 0) || !event.isPrimary || this.viewport.sceneListens) return;
     this.pointer = event.pointerId;
@@ -65,7 +65,7 @@ export class MenuPress {
     const { viewport } = this;
     if (viewport.gizmo.isHot) return;
     this.fire();
-    // nothing else comes of the finger, wherever it goes now
+    // the finger must not select or drag any more
     viewport.picker.cancel();
     viewport.boxSelect.cancel();
     viewport.editorCamera.enabled = false;

@@ -1,15 +1,15 @@
 import { MathUtils, OrthographicCamera, type PerspectiveCamera } from 'three';
 
-/** A picture without perspective that shows as much as a perspective one does at the distance of its target. */
+/** Orthographic cameras that show as much as a perspective one at the distance of its target. */
 export class OrthographicTwin {
-  /** To draw with. What is behind the eye is seen too: its near plane is as far behind as its far plane is before. */
+  /** Camera to render with. Also shows what is behind the eye: near is the negative of far. */
   readonly camera = new OrthographicCamera();
-  /** Sees the same from farther back, its near plane at 0: rays of three's begin at the eye. */
+  /** Camera for raycasting: same view from farther back with near at 0, since three's rays start at the eye. */
   readonly rays = new OrthographicCamera();
 
   /**
-   * Takes over place and size.
-   * @param distance - from the eye to what is as large in both pictures (m, above 0)
+   * Takes over pose and size of the view.
+   * @param distance - distance from the eye (m, above 0) at which both views have the same size
    */
   follow(perspective: PerspectiveCamera, distance: number): void {
     const { camera, rays } = this;

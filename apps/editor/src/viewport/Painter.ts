@@ -1,12 +1,12 @@
 import type { Camera, Scene } from 'three';
 
-/** Draws the picture in place of the technique alone: several views, or two techniques side by side. */
+/** Replaces normal rendering of the viewport: several debug views, or two techniques side by side. */
 export interface Painter {
-  /** Whether grid, icons and handles are drawn over it. */
+  /** Whether grid, icons and handles are drawn on top. */
   readonly drawsHelpers: boolean;
-  /** Whether it is many pictures: what usually lies over one of them is away then. */
+  /** Whether it shows many images in a grid; overlays such as the camera inset are then hidden. */
   readonly isGrid: boolean;
-  /** Draws to the canvas, whose viewport is the whole picture before and after. */
+  /** Renders to the canvas; the GL viewport must be the whole canvas before and after. */
   render(scene: Scene, camera: Camera): void;
   dispose(): void;
 }

@@ -5,7 +5,7 @@ import type { EditorCamera } from './EditorCamera';
 import type { GizmoMode } from './Gizmo';
 import type { Bounds } from './panes/paneSurface';
 
-/** What selecting by the pointer needs of the viewport. */
+/** The part of the viewport that selecting by pointer uses. */
 export interface PickSurface {
   readonly canvas: HTMLCanvasElement;
   readonly document: { readonly selection: Selection };
@@ -13,9 +13,9 @@ export interface PickSurface {
   /** `isHot`: whether the pointer is over a handle. */
   readonly gizmo: { readonly isHot: boolean };
   readonly mode: GizmoMode;
-  /** Where on the page the view is that the pointer works in. */
+  /** Rectangle of the active view on the page. */
   readonly bounds: Bounds;
-  /** The GameObject that is seen at a point. @param point - normalised device coordinates */
+  /** The visible GameObject at a point. @param point - normalised device coordinates */
   pick(point: Vector2): GameObject | null;
   /** The GameObjects within a box (normalised device coordinates). */
   pickBox(box: Box2): GameObject[];

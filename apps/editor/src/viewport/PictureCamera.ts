@@ -10,61 +10,63 @@ import { castByTree } from './trees/castByTree';
 
 const middle = new Vector2();
 
-/** The camera of the picture: the editor's own, or one of the scene that is looked through. */
+/** The camera that the viewport shows: the editor's own, or one of the scene that is looked through. */
 export class PictureCamera {
-  /** Moves the camera that is looked through. */
+  /** Moves the scene's camera that is looked through. */
   readonly flight: CameraFlight;
 
   private through: CameraComponent | null = null;
-  /** From where the editor looked before a camera was looked through. */
+  /** Pose of the editor's camera before a camera was looked through. */
   private before: ViewPose | null = null;
 
   constructor(
     private readonly document: EditorDocument,
-    private readonly own: EditorCamera,
+    private readonly editorCamera: EditorCamera,
     canvas: HTMLCanvasElement,
   ) {
-    this.flight = new CameraFlight(document, own, canvas, (camera) => this.match(camera, true));
+    this.flight = new CameraFlight(document, editorCamera, canvas, (camera) => this.match(camera, true));
   }
 
-  /** The camera of the scene that is looked through; null for the editor's own. */
+  /** The scene's camera that is looked through; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.through;
   }
 
   set lookThrough(camera: CameraComponent | null) {
     if (camera === this.through) return;
-    if (this.through === null) this.before = this.own.pose;
+    if (this.through === null) this.before = this.editorCamera.pose;
     this.through = camera;
     this.flight.camera = camera;
-    if (camera === null && this.before) this.own.show(this.before, false);
-    this.own.allowed = this.steers;
+    if (camera === null && this.before) this.editorCamera.show(this.before, false);
+    this.editorCamera.allowed = this.steers;
   }
 
-  /** Whether the controls move the picture: the editor's own camera, or the one that is looked through. */
+  /**
+   * Whether the controls can change the view: always with the editor's camera, else if the scene's camera can be moved.
+   */
   get steers(): boolean {
     return this.through === null || this.flight.problem === null;
   }
 
-  /** Whether a camera is looked through that has been taken out of the scene. */
+  /** Whether the camera that is looked through has been removed from the scene. */
   get isLost(): boolean {
     return this.through !== null && !this.document.scene.componentsOf(CameraComponent).includes(this.through);
   }
 
   get current(): Camera {
-    return this.through?.isAttached ? this.through.three : this.own.camera;
+    return this.through?.isAttached ? this.through.three : this.editorCamera.camera;
   }
 
-  /** Sees the same as `current`; rays that begin at its eye meet all that is seen. */
+  /** Camera for raycasting: same view as `current`, with rays that start far enough back to hit everything visible. */
   get rays(): Camera {
-    return this.through?.isAttached ? this.through.three : this.own.rayCamera;
+    return this.through?.isAttached ? this.through.three : this.editorCamera.rayCamera;
   }
 
-  /** Moves on. @returns whether the picture changes */
+  /** Advances movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
-    this.own.allowed = this.steers;
+    this.editorCamera.allowed = this.steers;
     this.flight.follow();
-    const hasMoved = this.own.update(deltaSeconds);
+    const hasMoved = this.editorCamera.update(deltaSeconds);
     this.flight.update(hasMoved);
     return hasMoved;
   }
@@ -75,33 +77,33 @@ export class PictureCamera {
     return camera === this.through ? null : camera;
   }
 
-  /** Brings the editor's own camera to where a scene that was just opened is seen from. */
+  /** Moves the editor's camera to the initial view of a scene that was just opened. */
   showScene(): void {
     const { scene } = this.document;
     const { activeCamera } = scene;
     scene.three.updateMatrixWorld();
     this.before = null;
-    if (!activeCamera) return this.own.focus(boundsOf(scene.roots), false);
+    if (!activeCamera) return this.editorCamera.focus(boundsOf(scene.roots), false);
     this.match(activeCamera);
   }
 
-  /** Brings the editor's own camera to where a camera of the scene is. @param exact - see `EditorCamera.matchCamera` */
+  /** Moves the editor's camera to a camera of the scene. @param exact - see `EditorCamera.matchCamera` */
   match(camera: AnyCamera, exact = false): void {
     const { scene } = this.document;
-    this.own.matchCamera(
+    this.editorCamera.matchCamera(
       camera,
       (three) => hitPoint(scene, three, middle, undefined, castByTree)?.distance ?? null,
       exact,
     );
   }
 
-  /** What the editor's own camera sees. */
+  /** Pose and lens of the editor's camera. */
   get view(): CameraView {
-    const { perspective, orthographic, height, target } = this.own;
+    const { perspective, orthographic, height, target } = this.editorCamera;
     const { position, quaternion } = perspective;
     const fov = perspective.fov * MathUtils.DEG2RAD;
     if (!orthographic) return { position, quaternion, fov, size: null, far: 0 };
-    // from so far back that all of the scene is before it
+    // far enough back that the whole scene is in front
     const sphere = boundsOf(this.document.scene.roots).getBoundingSphere(new Sphere());
     const back = sphere.isEmpty() ? 0 : sphere.center.distanceTo(target) + sphere.radius + 1;
     const distance = Math.max(position.distanceTo(target), back);
@@ -113,8 +115,8 @@ export class PictureCamera {
     this.flight.dispose();
   }
 
-  /** Looks at the selection, or at everything. */
-  focus(camera: EditorCamera = this.own): void {
+  /** Frames the selection, or everything when nothing is selected. */
+  focus(camera: EditorCamera = this.editorCamera): void {
     const { selectedObjects, scene } = this.document;
     const box = boundsOf(selectedObjects.length > 0 ? selectedObjects : scene.roots);
     if (!box.isEmpty()) camera.focus(box);

@@ -6,9 +6,9 @@ import type { EditorDocument } from '../model/EditorDocument';
 const matrix = new Matrix4();
 const inverse = new Matrix4();
 
-/** The picture that a scene is played in: a camera of it is looked through until it stops. */
+/** Looks through a camera of the scene while it plays, and restores the view when it stops. */
 export class PlayView {
-  /** What was looked through before; undefined while it is not to come back. */
+  /** Camera looked through before playing; undefined when there is nothing to restore. */
   private before: CameraComponent | null | undefined;
   private readonly end: () => void;
 
@@ -20,8 +20,8 @@ export class PlayView {
   }
 
   /**
-   * Plays, seen through a camera.
-   * @param from - where the camera is put first, as simulation does it: stopping puts it back; where it is when null
+   * Plays the scene, looking through a camera.
+   * @param from - pose that the camera gets for the run, undone by stopping; null keeps its own
    */
   play(camera: CameraComponent, from: CameraView | null): void {
     const { simulation } = this.document;

@@ -2,10 +2,10 @@ import type { GameObject } from '@farol/engine';
 import { Vector2 } from 'three';
 import type { PickSurface } from './PickSurface';
 
-/** A press that moves farther than this (CSS pixels) is a drag, not a click. */
+/** Movement (CSS pixels) that makes a press a drag, not a click. */
 const CLICK_REACH = 4;
 
-/** Selects what is clicked: alone, or with Ctrl or Shift one more or one less. */
+/** Selects the clicked object; Ctrl or Shift adds it to the selection, or removes it. */
 export class PointerPicker {
   private readonly from = new Vector2();
   private readonly point = new Vector2();
@@ -23,14 +23,14 @@ export class PointerPicker {
     canvas.removeEventListener('pointerup', this.pointerUp);
   }
 
-  /** What is seen at a point of the page (CSS pixels). */
+  /** The visible object at a point of the page (CSS pixels). */
   objectAt(x: number, y: number): GameObject | null {
     const { viewport } = this;
     const { left, top, width, height } = viewport.bounds;
     return viewport.pick(this.point.set(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2));
   }
 
-  /** The press that is under way is no click. */
+  /** Prevents the current press from selecting. */
   cancel(): void {
     this.pointer = null;
   }
@@ -41,7 +41,7 @@ export class PointerPicker {
       this.pointer = null;
       return;
     }
-    // a second finger makes it no click
+    // a second finger cancels the click
     this.pointer = event.isPrimary ? event.pointerId : null;
     this.from.set(event.clientX, event.clientY);
   };

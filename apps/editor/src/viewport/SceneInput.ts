@@ -3,20 +3,19 @@ import type { Camera } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
 
 /**
- * Sends pointer and keys to a scene that plays: to the object under the pointer always, to all components that follow the
- * pointer while a camera of the scene is looked through, keys while the picture has the focus and a component of the scene
- * listens to them. Escape gives the keys back to the editor, until the
- * picture is pressed or gets the focus anew.
+ * Sends input to a playing scene: the pointer to the object under it, and, while a camera of the scene is looked
+ * through, to all components that follow the pointer; keys while the canvas has focus and a component listens to keys.
+ * Escape returns the keys to the editor until the canvas is clicked or focused again.
  */
 export class SceneInput {
   private readonly router: InputRouter;
   private isHeldBack = false;
-  /** Keys that the scene knows to be held, by code. */
+  /** Codes of keys that the scene was told are down. */
   private readonly held = new Set<string>();
 
   /**
-   * @param surface - the canvas, as large as the view that is played in
-   * @param getCamera - what the picture is seen through
+   * @param surface - the canvas, as large as the view that the scene is played in
+   * @param getCamera - the camera of that view
    * @param isLookedThrough - whether a camera of the scene is looked through
    * @param changed - called when keys may go elsewhere than before
    */
@@ -42,7 +41,7 @@ export class SceneInput {
     return this.document.simulation.isPlaying && this.isLookedThrough();
   }
 
-  /** Whether keys would go to the scene, were the picture pressed. */
+  /** Whether the scene would receive keys if the canvas had focus. */
   get wantsKeys(): boolean {
     return this.document.simulation.isPlaying && this.document.scene.takesKeys;
   }
@@ -52,13 +51,13 @@ export class SceneInput {
     return !this.isHeldBack && this.canvas.ownerDocument.activeElement === this.canvas && this.wantsKeys;
   }
 
-  /** Keys go to the scene, if it wants any. */
+  /** Sends keys to the scene, if it uses any. */
   takeKeys(): void {
     this.canvas.focus({ preventScroll: true });
     this.taken();
   }
 
-  /** Keys are the editor's again. */
+  /** Sends keys to the editor again. */
   giveKeysBack(): void {
     this.isHeldBack = true;
     this.left();
@@ -79,7 +78,7 @@ export class SceneInput {
     else scene.dispatchObjectPointer(event);
   }
 
-  /** What the scene knows to be held is let go of, wherever keys go by then. */
+  /** A keyup always passes if the scene was told of the keydown, so that no key stays down. */
   private mayPass({ type, code }: EngineKeyEvent): boolean {
     if (type === 'up') return this.held.delete(code);
     if (this.hasKeys) this.held.add(code);

@@ -23,26 +23,26 @@ import { drawnMeshes } from './drawnMeshes';
 import fragmentShader from './outline.frag.glsl?raw';
 import vertexShader from './outline.vert.glsl?raw';
 
-/** More meshes than this are outlined no more: the mask would cost as much as the picture. */
+/** Largest number of meshes outlined; the mask of more would cost as much as the frame. */
 const MOST_MESHES = 2000;
 
-/** Width of the line (CSS pixels). */
+/** Line width (CSS pixels). */
 const WIDTH = 2;
 
 const size = new Vector2();
 const viewport = new Vector4();
 
-/** What stands in the mask for a mesh of the scene. */
+/** Stand-in drawn into the mask for a mesh of the scene. */
 interface Stand {
   readonly mesh: Mesh;
   readonly world: Matrix4;
-  /** The mesh itself, where there is one of its own. */
+  /** The scene's mesh; null where it is one of many instances. */
   readonly source: Mesh | null;
 }
 
 /**
- * A line round what is selected, seen through what lies before it. Stand-ins of the selected meshes, which share geometry
- * and bones with them, are drawn into a mask; then the edge of the mask over the picture. The scene is not touched.
+ * Outline of the selection, visible through other objects. Stand-ins of the selected meshes, which share their geometry
+ * and bones, are drawn into a mask, whose edge is drawn over the frame. The scene is not touched.
  */
 export class SelectionOutline {
   private readonly masked = new Scene();
@@ -61,7 +61,7 @@ export class SelectionOutline {
   private standsOf = '';
   private readonly cutouts = new Map<Material, MeshBasicMaterial>();
 
-  /** @param colour - as CSS has it */
+  /** @param colour - CSS colour */
   constructor(colour: string) {
     this.masked.matrixWorldAutoUpdate = false;
     this.edge = new ShaderMaterial({
@@ -72,7 +72,7 @@ export class SelectionOutline {
         mask: { value: this.target.texture },
         texel: { value: new Vector2() },
         radius: { value: WIDTH },
-        // written as it is: the picture is encoded already
+        // not converted to linear: the frame is already sRGB-encoded
         colour: { value: new Color().setStyle(colour, '') },
       },
       transparent: true,
@@ -86,9 +86,9 @@ export class SelectionOutline {
   }
 
   /**
-   * Draws the lines over the picture that was just drawn with the same camera.
-   * @param objects - with all below them
-   * @param key - differs whenever other meshes may belong to them
+   * Draws outlines over the frame just rendered with the same camera.
+   * @param objects - outlined with everything below them
+   * @param key - changes whenever their set of meshes may change
    */
   render(webgl: WebGLRenderer, camera: Camera, objects: readonly GameObject[], key: string): void {
     if (key !== this.standsOf) this.collect(objects, key);
@@ -101,18 +101,18 @@ export class SelectionOutline {
     }
     webgl.getDrawingBufferSize(size);
     this.target.setSize(size.x, size.y);
-    // of what is drawn to, which may be a part of the canvas
+    // the GL viewport may be a part of the canvas
     webgl.getCurrentViewport(viewport);
     this.edge.uniforms.texel.value.set(1 / viewport.z, 1 / viewport.w);
     this.edge.uniforms.radius.value = WIDTH * webgl.getPixelRatio();
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     const alpha = webgl.getClearAlpha();
     webgl.getClearColor(this.clear);
     webgl.setRenderTarget(this.target);
     webgl.setClearColor(0x000000, 0);
     webgl.clear();
     webgl.render(this.masked, camera);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     webgl.setClearColor(this.clear, alpha);
     webgl.render(this.over, this.overCamera);
   }
@@ -168,7 +168,7 @@ export class SelectionOutline {
     return stand;
   }
 
-  /** Leaves out what the material of the mesh leaves out. */
+  /** Mask material that discards the same pixels as the mesh's own material. */
   private flatFor(material: Material): MeshBasicMaterial {
     if (material.alphaTest === 0) return this.flat;
     let flat = this.cutouts.get(material);

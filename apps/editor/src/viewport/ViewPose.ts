@@ -1,11 +1,11 @@
-/** From where the editor looks at a scene. */
+/** Pose and lens of the editor's camera. */
 export interface ViewPose {
-  /** Of the eye, in the world (m). */
+  /** World position of the eye (m). */
   readonly position: readonly [number, number, number];
-  /** What is orbited, in the world (m); not at the eye. Its distance tells the size of a picture without perspective. */
+  /** Orbit target (m, world), never at the eye. Its distance determines the size of an orthographic view. */
   readonly target: readonly [number, number, number];
-  /** Vertical, of a wide picture (rad). */
+  /** Vertical field of view for a wide aspect ratio (rad). */
   readonly fov: number;
-  /** Whether it is without perspective. */
+  /** Whether the view is orthographic. */
   readonly orthographic: boolean;
 }

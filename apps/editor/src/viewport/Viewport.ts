@@ -35,45 +35,45 @@ import { SceneInput } from './SceneInput';
 import type { Shading } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
 
-/** Icons up to this much farther (m) than the mesh at the same point are picked before it. */
+/** Icons up to this much farther away (m) than the mesh at the same point are picked first. */
 const ICON_REACH = 0.4;
 
 /**
- * The picture of the document: canvas, camera, gizmo, picking, loop. It draws when something changed, each frame while
- * the scene plays, and always when `continuous` is set. It knows nothing of React.
+ * The viewport of the document: canvas, cameras, gizmo, picking and render loop, free of React. Draws when something
+ * changed, each frame while the scene plays, and always when `continuous` is set.
  */
 export class Viewport extends ViewportSettings implements PickSurface, PaneSurface {
-  /** Takes what goes wrong while a frame is drawn. */
+  /** Called with errors thrown while a frame is drawn. */
   onError: (error: unknown) => void = () => {};
-  /** Brings the scene's microshaders into another renderer that draws the scene. */
+  /** Adds the scene's microshaders to another renderer that draws the scene. */
   shareMicroShaders: (registry: MicroShaderRegistry) => void = () => {};
-  /** Emits after each frame that was drawn. */
+  /** Emits after each drawn frame. */
   readonly drawn = new Signal();
-  /** GPU times of the last frame have come, after it: they are in `farol.info`. */
+  /** Emits when GPU times of the last frame are in `farol.info`, some time after it was drawn. */
   readonly timed = new Signal();
-  /** Emits when the picture has another size. */
+  /** Emits when the viewport's size changes. */
   readonly resized = new Signal();
-  /** The user asks for the menu of shadings. */
+  /** Emits when the user asks for the menu of shadings. */
   readonly shadingAsked = new Signal();
   readonly statistics = new FrameStatistics();
   readonly webgl: WebGLRenderer;
   readonly farol: FarolRenderer;
-  /** The views of the picture: one, or four. */
+  /** The views of the viewport: one, or four. */
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
   /** Lines and handles of colliders and joints. */
   readonly physics: LatePhysicsOverlay;
-  /** Handles of lights with a shape. */
+  /** Handles of area lights. */
   readonly lightHandles: LateLightHandles;
-  /** Selected emitters, which play while the scene is stopped. */
+  /** Preview of selected emitters while the scene is stopped. */
   readonly particles: LateParticlePreview;
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
-  /** Draws by `farol` what the scene's settings say of the picture. */
+  /** Renders the scene with `farol` and the effects of its settings. */
   readonly picture: PictureRenderer;
-  /** Pointer and keys of a scene that plays. */
+  /** Sends pointer and keys to a playing scene. */
   readonly input: SceneInput;
 
   private readonly added: AddedEffects;
@@ -117,7 +117,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
       () => this.paneActivated(),
     );
     const surface = paneSurface(canvas, () => this.panes.bounds);
-    // the handles hear of the pointer before the camera does, so that a handle is taken and the camera stays
+    // the handles must receive pointer events before the camera, which then stays still
     this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
     this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas);
     this.place = new CanvasPlace(canvas, () => this.resize());
@@ -152,7 +152,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.loop.start();
   }
 
-  /** What draws the picture in place of `farol` alone; null for nothing. It is disposed when another one comes. */
+  /** Replaces normal rendering; null for none. Disposed when replaced. */
   get painter(): Painter | null {
     return this.ownPainter;
   }
@@ -166,12 +166,12 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** The selected camera, of which a small picture lies over the large one; null when there is none. */
+  /** The selected camera, whose view is shown as an inset; null when there is none. */
   get previewed(): CameraComponent | null {
     return this.pictureCamera.selected;
   }
 
-  /** The camera of the scene that is looked through; null for the editor's own. */
+  /** The scene's camera that is looked through; null for the editor's own. */
   get lookThrough(): CameraComponent | null {
     return this.pictureCamera.lookThrough;
   }
@@ -181,33 +181,36 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Why the camera that is looked through cannot be moved, in a sentence with the mend; null where it can. */
+  /** Why the camera that is looked through cannot be moved, in a sentence with the remedy; null when it can. */
   get flightProblem(): string | null {
     return this.pictureCamera.flight.problem;
   }
 
-  /** What the editor's own camera sees. */
+  /** Pose and lens of the editor's camera. */
   get viewed(): CameraView {
     return this.pictureCamera.view;
   }
 
-  /** Whether the pointer goes to the scene's own components. */
+  /** Whether pointer events go to components of the scene. */
   get sceneListens(): boolean {
     return this.input.hasPointer;
   }
 
-  /** Whether keys go to the scene's own components. */
+  /** Whether keys go to components of the scene. */
   get keysGoToScene(): boolean {
     return this.input.hasKeys;
   }
 
-  /** Plays the scene, seen through a camera of it until it stops. @param isHere - whether from where the editor looks */
+  /**
+   * Plays the scene, looking through a camera of it until it stops. @param isHere - whether the camera starts at the
+   * editor's view
+   */
   playThrough(camera: CameraComponent, isHere: boolean): void {
     this.playView.play(camera, isHere ? this.viewed : null);
     this.input.takeKeys();
   }
 
-  /** The editor's own camera of the active view. */
+  /** The editor's camera of the active view. */
   get editorCamera(): EditorCamera {
     return this.panes.active.editorCamera;
   }
@@ -217,12 +220,12 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.cameraOf(this.panes.active);
   }
 
-  /** The active view's part of the page. */
+  /** Rectangle of the active view on the page. */
   get bounds(): Bounds {
     return this.panes.bounds;
   }
 
-  /** Whether there are four views: from above, from the front, from the right, and the one there always is. */
+  /** Whether there are four views: top, front, right and the main one. */
   get isQuad(): boolean {
     return this.panes.isQuad;
   }
@@ -234,7 +237,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Says how four views share the picture. */
+  /** Sets how four views share the viewport. */
   shareViews(share: PaneShare): void {
     const { x, y } = limitShare(share);
     if (x === this.panes.share.x && y === this.panes.share.y) return;
@@ -242,44 +245,44 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.invalidate();
   }
 
-  /** How the active view shows the scene. */
+  /** Shading of the active view. */
   get shading(): Shading {
     return this.panes.active.shading;
   }
 
-  /** Says how a view shows the scene. */
+  /** Sets the shading of a view. */
   shade(pane: ViewPane, shading: Shading): void {
     pane.shading = shading;
     this.changed.emit();
   }
 
-  /** Sees the same as `camera`; rays that begin at its eye meet all that is seen. */
+  /** Camera for raycasting in the active view, see `EditorCamera.rayCamera`. */
   get rayCamera(): Camera {
     return this.raysOf(this.panes.active);
   }
 
-  /** Size of the picture in CSS pixels. */
+  /** Size of the viewport (CSS pixels). */
   get size(): { width: number; height: number } {
     const { width, height } = this.place;
     return { width, height };
   }
 
-  /** Height of the picture (CSS pixels). */
+  /** Height of the viewport (CSS pixels). */
   get pictureHeight(): number {
     return this.place.height;
   }
 
-  /** Has the next frame drawn, and those that an effect gathers. */
+  /** Requests the next frame, and as many more as temporal effects need to converge. */
   invalidate(): void {
     this.loop.ask(this.picture.effects.frames);
   }
 
-  /** Effects of plugins. */
+  /** Effects added by plugins. */
   get addedEffects(): Registry<AddedEffect> {
     return this.added.registry;
   }
 
-  /** Draws now. */
+  /** Draws a frame at once. */
   renderNow(): void {
     const { width, height } = this.place;
     const { list, active } = this.panes;
@@ -287,7 +290,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.picture.follow(scene);
     if (list.length > 1) this.webgl.clear();
     for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawing.draw(list[i]);
-    // last, since the handles are taken where they were drawn last
+    // the active view is drawn last: its handles are hit where they were last drawn
     this.drawing.draw(active);
     if (list.length > 1) {
       this.webgl.setScissorTest(false);
@@ -307,7 +310,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   }
 
   /**
-   * The GameObject that is seen at a point of the picture: icons of lights and cameras before meshes.
+   * The visible GameObject at a point of the active view. Icons of lights and cameras come before meshes.
    * @param point - normalised device coordinates
    */
   pick(point: Vector2): GameObject | null {
@@ -318,15 +321,15 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return mesh?.object ?? null;
   }
 
-  /** The GameObjects within a box of the picture (normalised device coordinates). See `pickBox`. */
+  /** The GameObjects within a box of the active view (normalised device coordinates), see `pickBox`. */
   pickBox(box: Box2): GameObject[] {
     return pickBox(this.document.scene, this.camera, box);
   }
 
   /**
-   * Draws a ball of a material on a canvas of the page.
-   * @param turn - how the ball is turned: to the right and up (rad)
-   * @returns fulfilled when it is there
+   * Renders a sphere with a material to a canvas of the page.
+   * @param turn - rotation of the sphere to the right and up (rad)
+   * @returns fulfilled when the image is there
    */
   async drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
     this.ball ??= import('./MaterialBall').then((code) => new code.MaterialBall(this.webgl));
@@ -335,29 +338,29 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     await (await ball).draw(material, this.document.scene.three.environment, canvas, turn);
   }
 
-  /** Looks at the selection, or at everything. */
+  /** Frames the selection, or everything when nothing is selected. */
   focus(): void {
     this.pictureCamera.focus(this.editorCamera);
   }
 
-  /** The editor's own camera looks otherwise: draws, and tells. */
+  /** Called when the editor's view changes: redraws and emits `changed`. */
   viewChanged(): void {
     this.changed.emit();
   }
 
-  /** Brings the editor's own camera to where a camera of the scene is. */
+  /** Moves the editor's camera to a camera of the scene. */
   alignTo(camera: CameraComponent): void {
     this.lookThrough = null;
     this.pictureCamera.match(camera);
     this.invalidate();
   }
 
-  /** Puts the canvas into an element, whose size it follows. */
+  /** Adds the canvas to an element, and follows its size. */
   attach(parent: HTMLElement): void {
     this.place.attach(parent);
   }
 
-  /** Takes the canvas out of where it is. */
+  /** Removes the canvas from its parent. */
   detach(): void {
     this.place.detach();
   }
@@ -389,17 +392,17 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.webgl.dispose();
   }
 
-  /** The three camera that a view is drawn by. */
+  /** The three camera that a view is rendered with. */
   cameraOf(pane: ViewPane): Camera {
     return pane === this.panes.main ? this.pictureCamera.current : pane.editorCamera.camera;
   }
 
-  /** Sees the same as the camera of a view; rays that begin at its eye meet all that is seen there. */
+  /** Camera for raycasting in a view, see `EditorCamera.rayCamera`. */
   raysOf(pane: ViewPane): Camera {
     return pane === this.panes.main ? this.pictureCamera.rays : pane.editorCamera.rayCamera;
   }
 
-  /** The handles are where the active view has them. */
+  /** Moves the handles to where the newly active view shows them. */
   private paneActivated(): void {
     this.gizmo.update(this.rayCamera);
     this.helpers.scene.updateMatrixWorld();
@@ -418,7 +421,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.panes.lookFromSides();
   }
 
-  /** Another scene, or a step of the history, may have brought another technique. */
+  /** Called when the scene or an edit may have changed the technique. */
   private noticeTechnique(): void {
     const { technique } = this.farol;
     if (technique === this.drawnBy) return;
@@ -426,7 +429,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** A camera that was taken out cannot be looked through. */
+  /** Stops looking through a camera that was removed from the scene. */
   private checkCamera(): void {
     if (this.pictureCamera.isLost) this.lookThrough = null;
   }
@@ -437,13 +440,13 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.webgl.setSize(width, height);
     this.panes.resize(width, height);
     this.resized.emit();
-    // a canvas that was resized is empty until it is drawn
+    // a resized canvas is blank until drawn
     this.renderNow();
   }
 
   private readonly redraw = (): void => this.invalidate();
 
-  /** @returns whether a frame is to be drawn for what moves by itself */
+  /** @returns whether a frame must be drawn because something is moving */
   private advance(seconds: number): boolean {
     const { simulation } = this.document;
     simulation.advance(seconds);

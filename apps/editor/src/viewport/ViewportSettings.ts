@@ -8,9 +8,9 @@ import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
 import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
-/** What the user chooses of the picture and its handles; each change is told. */
+/** Settings of the viewport and its handles; each change emits. */
 export abstract class ViewportSettings {
-  /** Emits when one of the settings changes, those of the viewport included. */
+  /** Emits when one of the settings, or the view, changes. */
   readonly changed = new Signal();
 
   abstract readonly document: EditorDocument;
@@ -26,7 +26,10 @@ export abstract class ViewportSettings {
     return this.farol.technique;
   }
 
-  /** That of the scene: another one is a step of the history. @throws Error when there is no such technique, or the device lacks what it needs */
+  /**
+   * Technique of the scene; setting it is a step of history. @throws Error when there is no such technique, or the
+   * device lacks what it needs
+   */
   set technique(technique: TechniqueName) {
     const { settings } = this.document.scene;
     this.farol.technique = technique;
@@ -44,7 +47,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Lights, or draws, a pixel that the views of counts show hottest. */
+  /** Sets the number of lights, or draws, per pixel at which heat maps are hottest. */
   setHeatMapMaximum(maximum: number): void {
     this.farol.heatMapMaximum = maximum;
     this.changed.emit();
@@ -77,7 +80,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** What drags hold to while they snap. */
+  /** Target of drags while snapping. */
   get snapTo(): SnapTarget {
     return this.gizmo.snapTo;
   }
@@ -87,7 +90,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether what is moved to a surface is turned so that its up is the normal there. */
+  /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
   get alignsToSurface(): boolean {
     return this.gizmo.alignsToSurface;
   }
@@ -97,7 +100,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** What several objects turn and grow about. */
+  /** Point that several objects rotate and scale about. */
   get pivot(): GizmoPivot {
     return this.gizmo.pivot;
   }
@@ -125,7 +128,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether bloom, depth of field, grading and vignette of the scene are drawn. */
+  /** Whether the scene's bloom, depth of field, grading and vignette are drawn. */
   get showPictureEffects(): boolean {
     return this.picture.showsEffects;
   }
@@ -135,7 +138,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether the ranges of all lights are drawn; else those of selected ones. */
+  /** Whether ranges of all lights are drawn, or only of selected ones. */
   get showRanges(): boolean {
     return this.helpers.showRanges;
   }
@@ -145,7 +148,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether colliders and joints of all objects are drawn; else those of selected ones. */
+  /** Whether colliders and joints of all objects are drawn, or only of selected ones. */
   get showColliders(): boolean {
     return this.hasColliders;
   }
@@ -155,7 +158,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether every frame is drawn, changed or not: to see frame rates. */
+  /** Whether every frame is drawn, changed or not, to measure frame rates. */
   get continuous(): boolean {
     return this.loop.continuous;
   }
@@ -165,7 +168,7 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  /** Whether figures of the frames lie over the picture. */
+  /** Whether frame statistics are shown over the viewport. */
   get showStatistics(): boolean {
     return this.hasStatistics;
   }

@@ -5,13 +5,13 @@ import { readableMeshes } from './drawnMeshes';
 const part = new Box3();
 const place = new Vector3();
 
-/** Adds the box round what an object draws itself; its place when it draws nothing. */
+/** Adds the bounds of an object's own meshes; its position when it has none. */
 function expandByObject(target: Box3, object: GameObject): void {
   let isDrawn = false;
   readableMeshes(object, (mesh, geometry, matrixWorld) => {
     isDrawn = true;
     if (mesh instanceof SkinnedMesh) {
-      // where its bones have it now
+      // skinned, in the current pose
       mesh.computeBoundingBox();
       part.copy(mesh.boundingBox!);
     } else {
@@ -27,9 +27,8 @@ function expandByObject(target: Box3, object: GameObject): void {
 }
 
 /**
- * The box in the world round GameObjects, as of the last drawn frame. What has no mesh, such as a light, counts as its
- * place.
- * @param isDeep - whether all below them counts too
+ * World bounds of GameObjects, as of the last drawn frame. Objects without a mesh, such as lights, count as points.
+ * @param isDeep - whether everything below them is included
  */
 export function boundsOf(objects: readonly GameObject[], target = new Box3(), isDeep = true): Box3 {
   target.makeEmpty();

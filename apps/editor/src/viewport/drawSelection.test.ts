@@ -35,7 +35,7 @@ test('of many selected lights the range of the one chosen last is drawn alone', 
   });
   scene.update(0);
   scene.three.updateMatrixWorld();
-  /** The places along x, in tens, that lines are at. */
+  /** x coordinates of line ends, in tens. */
   const places = (objects: readonly GameObject[]): number[] => {
     const found = new Set<number>();
     const note = (point: Vector3): unknown => found.add(Math.round(point.x / 10));

@@ -24,7 +24,7 @@ function drawSphere(lines: LineSet, radius: number, segments = 64): void {
   lines.circle(centre, z, x, segments);
 }
 
-/** How far a sound has its whole loudness, and how far it is heard. */
+/** Radii of full volume and of audibility of a sound. */
 function drawSound(lines: LineSet, source: AudioSource): void {
   if (!source.positional) return;
   centre.setFromMatrixPosition(source.gameObject.object3D.matrixWorld);
@@ -33,8 +33,8 @@ function drawSound(lines: LineSet, source: AudioSource): void {
 }
 
 /**
- * The shape of an area light, and an arrow the way it shines; a cylinder for a tube. `x` and `y` are its axes, `z` its front,
- * all of unit length.
+ * Outline of an area light and an arrow in the direction of its light; a cylinder for a tube. `x`, `y` and `z` hold its
+ * axes (unit length); `z` is its front.
  */
 function drawShape(lines: LineSet, { type, width, height }: Light, segments: number): void {
   if (type === 'tube') {
@@ -74,8 +74,8 @@ function drawShape(lines: LineSet, { type, width, height }: Light, segments: num
 }
 
 /**
- * Sphere of a point light, cone of a spot light, arrow of a directional light, shape of an area light and where it ends.
- * @param segments - of each circle
+ * Sphere of a point light, cone of a spot light, arrow of a directional light, outline and range of an area light.
+ * @param segments - per circle
  */
 function drawLight(lines: LineSet, light: Light, segments = 64): void {
   const { matrixWorld } = light.gameObject.object3D;
@@ -111,7 +111,7 @@ function drawLight(lines: LineSet, light: Light, segments = 64): void {
   }
 }
 
-/** The edges of what a camera sees, shortened to a size that can be overlooked. */
+/** Frustum of a camera, shortened to a small size. */
 function drawCamera(lines: LineSet, camera: Camera): void {
   const { three } = camera;
   three.updateWorldMatrix(true, false);
@@ -132,7 +132,7 @@ function drawCamera(lines: LineSet, camera: Camera): void {
   });
 }
 
-/** The box in which a decal lies on surfaces, and an arrow the way it is thrown. */
+/** Projection box of a decal, and an arrow in the direction of projection. */
 function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
   const { matrixWorld } = gameObject.object3D;
   x.fromArray(size).multiplyScalar(0.5);
@@ -145,19 +145,19 @@ function drawDecal(lines: LineSet, { gameObject, size }: Decal): void {
   for (const side of [-tip, tip]) lines.line(to, from.set(side, 0, tip - x.z).applyMatrix4(matrixWorld));
 }
 
-/** Adds the ranges of every light of a scene that is on; of many lights more coarsely. */
+/** Adds the ranges of all enabled lights of a scene; with fewer segments when there are many. */
 export function drawRanges(lines: LineSet, scene: Scene): void {
   const lights = scene.componentsOf(Light);
   const segments = Math.min(48, Math.max(8, Math.round(20_000 / lights.length)));
   for (const light of lights) if (light.isActive) drawLight(lines, light, segments);
 }
 
-/** Most selected lights whose ranges are all drawn: those of more would hide the picture. */
+/** Number of selected lights up to which all ranges are drawn; more would hide the scene. */
 const MOST_RANGES = 8;
 
 /**
- * Adds the lines that show what is selected besides its outline: ranges of lights and sounds, views of cameras, boxes of decals.
- * Of more lights than `MOST_RANGES` the range of the one chosen last alone.
+ * Adds lines for the selection: ranges of lights and sounds, frustums of cameras, boxes of decals. Beyond `MOST_RANGES`
+ * lights, only the range of the one selected last.
  */
 export function drawSelection(lines: LineSet, objects: readonly GameObject[], lookThrough: Camera | null): void {
   let lights = 0;

@@ -5,9 +5,9 @@ import { type BufferGeometry, type Matrix4, Mesh } from 'three';
 type Visit = (mesh: Mesh | null, geometry: BufferGeometry, matrixWorld: Matrix4) => void;
 
 /**
- * Visits every mesh that a GameObject draws itself, without those of its children.
- * @param visit - gets the mesh, null where it is drawn as one of many instances; its geometry, and where it is in the
- * world as of the last drawn frame
+ * Visits every mesh that a GameObject draws itself, without its children.
+ * @param visit - gets the mesh (null for one of many instances), its geometry, and its world matrix as of the last
+ *   drawn frame
  */
 export function drawnMeshes(object: GameObject, visit: Visit): void {
   const shape = object.getComponent(ObjectRenderer);
@@ -18,7 +18,7 @@ export function drawnMeshes(object: GameObject, visit: Visit): void {
   });
 }
 
-/** Visits as `drawnMeshes` does, but not those whose vertices the GPU alone has. */
+/** Like `drawnMeshes`, but skips meshes whose vertices are only on the GPU. */
 export function readableMeshes(object: GameObject, visit: Visit): void {
   drawnMeshes(object, (mesh, geometry, matrixWorld) => {
     if (hasReadableVertices(geometry)) visit(mesh, geometry, matrixWorld);

@@ -1,4 +1,4 @@
-// Lines of a step and of ten, one pixel wide, fading with distance; the axes in their colours.
+// Grid lines at a step and at ten steps, one pixel wide, fading with distance; the axes in their colours.
 uniform float extent;
 uniform float step;
 uniform vec3 middle;
@@ -9,7 +9,7 @@ varying vec3 vPosition;
 float farol_editorGridLine(vec2 cell) {
   vec2 width = fwidth(cell);
   vec2 line = abs(fract(cell - 0.5) - 0.5) / width;
-  // lines closer together than a pixel fade out in place of flickering
+  // lines closer together than a pixel fade out instead of aliasing
   return (1.0 - min(min(line.x, line.y), 1.0)) * (1.0 - smoothstep(0.2, 0.6, max(width.x, width.y)));
 }
 

@@ -1,4 +1,4 @@
-// A large plane round what is looked at: the ground, or in views from a side the plane that faces the eye.
+// A large plane round the view's centre: the ground, or in axis-aligned views the plane facing the camera.
 uniform float extent;
 uniform vec3 middle;
 uniform vec3 axisU;
@@ -10,6 +10,6 @@ void main() {
   vec3 origin = axisU * floor(dot(middle, axisU)) + axisV * floor(dot(middle, axisV));
   vPosition = origin + extent * (position.x * axisU + position.z * axisV);
   gl_Position = projectionMatrix * viewMatrix * vec4(vPosition, 1.0);
-  // behind all that is there
+  // at the far plane, behind everything
   gl_Position.z = mix(gl_Position.z, 0.99999 * gl_Position.w, behind);
 }

@@ -1,7 +1,7 @@
 import { CanvasTexture, LinearFilter } from 'three';
 import { iconPaths } from '../style/iconPaths';
 
-/** Icons of the viewport in the order of the atlas. */
+/** Icons of the viewport, in the order of the atlas. */
 export const iconKinds = [
   'point',
   'spot',
@@ -19,7 +19,7 @@ export const iconKinds = [
 
 const CELL = 64;
 
-/** One row of icons: red is the stroke, green the disc behind it. */
+/** Texture with one row of icons: red is the stroke, green the disc behind it. */
 export function makeIconAtlas(): CanvasTexture {
   const canvas = document.createElement('canvas');
   canvas.width = CELL * iconKinds.length;

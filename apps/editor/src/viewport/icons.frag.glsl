@@ -1,4 +1,4 @@
-// Draws an icon: red of the atlas is its stroke, green its disc.
+// Draws an icon: the red channel of the atlas is its stroke, green its disc.
 uniform sampler2D atlas;
 uniform float count;
 varying vec3 vTint;

@@ -1,4 +1,4 @@
-// Places one icon of the atlas on a point of the world, of one size in pixels at any distance.
+// Places an icon of the atlas at a world position, with a constant size in pixels.
 attribute float kind;
 attribute vec3 tint;
 attribute float selected;
@@ -12,7 +12,7 @@ void main() {
   vKind = kind;
   vSelected = selected;
   vec4 positionVS = modelViewMatrix * vec4(position, 1.0);
-  // nearer by 0.3 m, so that a lamp does not hide its own icon
+  // 0.3 m nearer, so that the mesh of a lamp does not hide its icon
   if (isOrthographic) positionVS.z += 0.3;
   else positionVS.xyz *= max(0.5, 1.0 - 0.3 / length(positionVS.xyz));
   gl_Position = projectionMatrix * positionVS;

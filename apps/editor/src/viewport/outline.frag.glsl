@@ -1,4 +1,4 @@
-// The edge round what a mask covers: the share of covered texels in a ring, where the mask itself is empty.
+// Outline of a mask: share of covered texels in a ring around each pixel, only where the mask itself is empty.
 uniform sampler2D mask;
 uniform vec2 texel;
 uniform float radius;

@@ -19,7 +19,7 @@ const camera = new PerspectiveCamera(50, 1, 0.1, 100);
 camera.position.set(0, 0, 20);
 camera.updateMatrixWorld();
 
-/** Where a point of the world is in the picture. */
+/** Normalised device coordinates of a world point. */
 function pointOf(x: number, y: number, z = 0): Vector2 {
   const place = new Vector3(x, y, z).project(camera);
   return new Vector2(place.x, place.y);

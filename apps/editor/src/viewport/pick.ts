@@ -11,7 +11,7 @@ export interface PickHit {
 const ownerOf = (hit: Intersection): GameObject | null => gameObjectOf(hit.object, hit.instanceId);
 
 /**
- * The GameObject whose mesh is seen at a point of the picture; through those that are locked.
+ * The GameObject whose mesh is visible at a point; locked objects are looked through.
  * @param point - normalised device coordinates, -1 to 1, y up
  */
 export function pick(scene: Scene, camera: Camera, point: Vector2): PickHit | null {

@@ -7,8 +7,8 @@ const middle = new Vector3();
 const point = new Vector2();
 
 /**
- * The GameObjects whose middle is within a box of the picture: meshes, models, lights and cameras that are there and not
- * locked, in tree order.
+ * The GameObjects whose centre is inside a box on screen: active, unlocked meshes, models, lights and cameras, in tree
+ * order.
  * @param box - in normalised device coordinates
  */
 export function pickBox(scene: Scene, camera: ThreeCamera, box: Box2): GameObject[] {

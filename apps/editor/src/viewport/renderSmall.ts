@@ -12,7 +12,7 @@ function wearsSurface(scene: Scene): boolean {
   return wears;
 }
 
-/** Draws a small scene by three; by Farol where a material wears a surface, of which three knows nothing. */
+/** Renders a small scene with three, or with Farol when a material has a surface, which three cannot draw. */
 export function renderSmall(webgl: WebGLRenderer, scene: Scene, camera: Camera): void {
   if (!wearsSurface(scene)) return webgl.render(scene, camera);
   let farol = renderers.get(webgl);

@@ -1,9 +1,9 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * Calls `free` when the context is lost: what is disposed after it is back, three would delete in a context that it does not
- * belong to.
- * @returns ends that
+ * Calls `free` when the context is lost: resources disposed after it was restored would be deleted by three in a
+ * context that they do not belong to.
+ * @returns a function that stops listening
  */
 export function whenLost({ domElement }: WebGLRenderer, free: () => void): () => void {
   domElement.addEventListener('webglcontextlost', free);

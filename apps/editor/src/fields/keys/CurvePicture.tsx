@@ -2,7 +2,7 @@ import type { Curve } from '@farol/engine/fields';
 import type { ReactNode } from 'react';
 import { curvePoints, type ValueRange } from './valueRange';
 
-/** A curve as a line that fills its place, the area below it tinted. */
+/** A curve as a line with a tinted area below, filling its container. */
 export function CurvePicture({ curve, range }: { curve: Curve; range: ValueRange }): ReactNode {
   const points = curvePoints(curve, range);
   return (

@@ -12,12 +12,12 @@ import { KeyTime } from './KeyTime';
 import { useKeyEdit } from './useKeyEdit';
 import { shareOf, valueAtShare, type ValueRange, valueRange } from './valueRange';
 
-/** The graph of a curve with its keys, the selected one in numbers, and curves to begin from. */
+/** Graph of a curve with its keys, numbers of the selected key, and presets. */
 export function CurvePopup(props: FieldEditorProps<CurveField>): ReactNode {
   const { field, label, onPreview, onCommit, onAmend, onDiscard } = props;
   const curve = props.value ?? field.default;
   const edit = useKeyEdit<CurveKey>({ keys: curve, onPreview, onCommit, onAmend, onDiscard });
-  /** The range of the graph while a key is dragged, in which it stays. */
+  /** Range of the graph during a drag, when it must not change. */
   const [held, hold] = useState<ValueRange | null>(null);
   const range = held ?? valueRange(field, curve);
   const { low, high } = range;
@@ -103,11 +103,11 @@ interface PresetsProps {
   onChoose(curve: Curve): void;
 }
 
-/** Curves to begin from, as high as the present one is. */
+/** Presets of curves, scaled to the present curve's height. */
 function Presets({ curve, field, onChoose }: PresetsProps): ReactNode {
   const { min = -Infinity, max = Infinity } = field;
-  const most = Math.max(...curve.map(([, value]) => value));
-  const high = Math.min(most > 0 ? most : 1, max);
+  const largest = Math.max(...curve.map(([, value]) => value));
+  const high = Math.min(largest > 0 ? largest : 1, max);
   const low = Math.min(Math.max(0, min), high);
   const range = { low, high: low < high ? high : low + 1 };
   return (

@@ -24,7 +24,7 @@ import { type KeyEdit, useKeyEdit } from './useKeyEdit';
 
 type ColourUpdate = Vector3Tuple | ((before: Vector3Tuple) => Vector3Tuple);
 
-/** A bar with stops of colour above and of opacity below, the selected one in full, and gradients to begin from. */
+/** Bar with colour stops above and opacity stops below, fields of the selected stop, and presets. */
 export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode {
   const { field, label, onPreview, onCommit, onAmend, onDiscard } = props;
   const gradient = props.value ?? field.default;
@@ -149,7 +149,7 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
   );
 }
 
-/** The colour of the selected stop. */
+/** Colour of the selected stop. */
 function StopColour({ edit }: { edit: KeyEdit<ColourKey> }): ReactNode {
   const update =
     (next: ColourUpdate) =>

@@ -1,14 +1,14 @@
 import { type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactNode, useEffect, useRef } from 'react';
 
-/** A key as it stands in the area. */
+/** Position and labels of a key in the area. */
 export interface ShownKey {
-  /** From the left (0) to the right (1). */
+  /** From 0 (left) to 1 (right). */
   readonly x: number;
-  /** From the bottom (0) to the top (1); in the middle when absent. */
+  /** From 0 (bottom) to 1 (top); centred when absent. */
   readonly y?: number;
   /** Accessible name. */
   readonly label: string;
-  /** What it stands for, in words. */
+  /** Value as text. */
   readonly valueText: string;
   readonly style?: CSSProperties;
 }
@@ -20,19 +20,19 @@ interface KeyAreaProps {
   readonly description: string;
   readonly keys: readonly ShownKey[];
   readonly selected: number;
-  /** What the keys stand on. */
+  /** Background of the area. */
   readonly children?: ReactNode;
   onSelect(index: number): void;
-  /** A press beside the keys, as shares of the area; drags go on from it. */
+  /** Called when empty space is pressed, at a position from 0 to 1; a drag may follow. */
   onAdd(x: number, y: number): void;
   onDrag(x: number, y: number): void;
   onEnd(keeps: boolean): void;
-  /** An arrow key: by so many steps to the right and up. */
+  /** Called for an arrow key, with numbers of steps to the right and up. */
   onNudge(right: number, up: number): void;
   onRemove(index: number): void;
 }
 
-/** Milliseconds in which a second press is of a double click. */
+/** Longest time between the presses of a double click (ms). */
 const DOUBLE_CLICK = 500;
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -48,16 +48,16 @@ const keyOf = (target: EventTarget): number | null => {
 };
 
 /**
- * An area with keys that are added by a click, dragged, and removed by a double click; with the keyboard each is reached by
- * Tab, moved by the arrow keys (ten times as far with Shift) and removed by Delete.
+ * Area with keys: a click adds one, dragging moves it, a double click removes it. With the keyboard, Tab reaches each
+ * key, arrow keys move it (ten times as far with Shift) and Delete removes it.
  */
 export function KeyArea(props: KeyAreaProps): ReactNode {
   const { keys, selected } = props;
   const area = useRef<HTMLDivElement>(null);
-  /** From the pointer to the middle of the dragged key (shares of the area), while one is dragged. */
+  /** Offset from the pointer to the centre of the dragged key (shares of the area); null when none is dragged. */
   const grab = useRef<{ readonly x: number; readonly y: number; isMoved: boolean } | null>(null);
   const addedAt = useRef(-Infinity);
-  /** Whether the selected key shall have the focus after the next rendering. */
+  /** Whether the selected key gets the focus after the next rendering. */
   const wantsFocus = useRef(false);
   const isNudging = useRef(false);
 

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 
-/** Something to begin from. */
+/** A preset curve or gradient. */
 export interface KeyPreset {
   readonly id: string;
   readonly label: string;
@@ -9,7 +9,7 @@ export interface KeyPreset {
   choose(): void;
 }
 
-/** Curves or gradients to begin from, as pictures. */
+/** Presets of curves or gradients, as thumbnails. */
 export function KeyPresets({ presets }: { presets: readonly KeyPreset[] }): ReactNode {
   return (
     <div className="key-presets" role="group" aria-label={t('Presets')}>

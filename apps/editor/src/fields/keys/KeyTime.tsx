@@ -7,14 +7,14 @@ import type { KeyEdit } from './useKeyEdit';
 
 interface KeyTimeProps<K extends TimedKey> {
   readonly edit: KeyEdit<K>;
-  /** What the time is called that is of a key, or of a stop. */
+  /** Label of the time field. */
   readonly label: string;
   readonly removeLabel: string;
-  /** Further numbers of the key. */
+  /** Further fields of the key. */
   readonly children?: ReactNode;
 }
 
-/** The time of the selected key, its other numbers, and a button that takes it out. */
+/** Time of the selected key, its other fields, and a button to remove it. */
 export function KeyTime<K extends TimedKey>({ edit, label, removeLabel, children }: KeyTimeProps<K>): ReactNode {
   return (
     <div className="key-fields">

@@ -7,13 +7,13 @@ interface KeysPopoverProps {
   readonly label: string;
   readonly description: string;
   readonly disabled: boolean;
-  /** What the button shows. */
+  /** Content of the button. */
   readonly picture: ReactNode;
-  /** The editor, whose code may come when it is first opened. */
+  /** Content of the popover; its code may be fetched when it is first opened. */
   readonly children: ReactNode;
 }
 
-/** A button that shows a curve or a gradient, and opens its editor. */
+/** A button that shows a curve or a gradient and opens its editor. */
 export function KeysPopover({ label, description, disabled, picture, children }: KeysPopoverProps): ReactNode {
   return (
     <Popover.Root>

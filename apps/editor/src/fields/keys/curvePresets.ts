@@ -1,20 +1,20 @@
 import { t } from '@farol/editing';
 import type { Curve } from '@farol/engine/fields';
 
-/** A curve that is chosen by name. */
+/** A named preset curve. */
 export interface CurvePreset {
   readonly id: string;
   readonly label: string;
   readonly curve: Curve;
 }
 
-/** A smooth course as straight pieces, between which no eye sees a corner. */
+/** Samples a smooth function densely enough that linear pieces look smooth. @param course - of the time, 0 to 1 */
 const smooth = (course: (time: number) => number): Curve =>
   Array.from({ length: 13 }, (_, i) => [Number((i / 12).toFixed(4)), Number(course(i / 12).toFixed(4))] as const);
 
 const smoothstep = (time: number): number => time * time * (3 - 2 * time);
 
-/** Curves to begin from, between a lowest and a highest value. */
+/** Preset curves between a lowest and a highest value. */
 export function curvePresets(low: number, high: number): readonly CurvePreset[] {
   const between = (curve: Curve): Curve =>
     curve.map(([time, value]) => [time, Number((low + (high - low) * value).toPrecision(6))] as const);

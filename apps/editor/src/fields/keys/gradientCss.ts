@@ -1,10 +1,10 @@
 import { splitColour } from '@farol/editing';
 import { colourKeys, type Gradient, gradientAt } from '@farol/engine/fields';
 
-/** Between two keys colours go in linear light, which CSS would not: so many stops come near enough. */
+/** Number of stops added between two keys, to approximate interpolation in linear light, which CSS does not do. */
 const BETWEEN = 6;
 
-/** A gradient as CSS shows it. @param isOpaque - whether to leave opacity out */
+/** A gradient as CSS. @param isOpaque - whether to leave opacity out */
 export function gradientCss(gradient: Gradient, isOpaque = false): string {
   const keys = isOpaque ? colourKeys(gradient) : gradient;
   const times = new Set([0, 1]);

@@ -1,7 +1,7 @@
 import { joinColour, t } from '@farol/editing';
 import { type Gradient, joinKeys } from '@farol/engine/fields';
 
-/** A gradient that is chosen by name. */
+/** A named preset gradient. */
 export interface GradientPreset {
   readonly id: string;
   readonly label: string;
@@ -28,7 +28,7 @@ const IN_AND_OUT: Opacities = [
   [1, 0],
 ];
 
-/** Gradients to begin from. */
+/** Preset gradients, with labels in the user's language. */
 export const gradientPresets = (): readonly GradientPreset[] => [
   { id: 'white', label: t('White'), gradient: made([[0, '#ffffff']], [[0, 1]]) },
   { id: 'out', label: t('White, fading out'), gradient: made([[0, '#ffffff']], OUT) },

@@ -2,32 +2,32 @@ import { useRef, useState } from 'react';
 import { insertKey, type KeyPlace, moveKey, removeKey, type TimedKey } from './keyList';
 
 interface KeyEditOptions<K extends TimedKey> {
-  /** By time, at least one. */
+  /** Sorted by time; at least one. */
   readonly keys: readonly K[];
   onPreview(keys: readonly K[]): void;
-  /** Keeps the keys, or what was previewed last, as one step of history. */
+  /** Commits the keys, or the last preview, as one step of history. */
   onCommit(keys?: readonly K[]): void;
   onAmend(keys: readonly K[]): void;
   onDiscard(): void;
 }
 
-/** The edit of a list of keys by drags, keys and numbers: which key is selected, and what becomes of it. */
+/** State of editing a list of keys: the keys, and the selected one. */
 export interface KeyEdit<K extends TimedKey> {
   readonly keys: readonly K[];
   /** Index of the selected key. */
   readonly selected: number;
   select(index: number): void;
-  /** Adds a key and selects it; a drag may go on with it. */
+  /** Adds a key and selects it; a drag may continue with it. */
   add(key: K): void;
-  /** Makes the selected key another one. @param update - gets the key from before the edit */
+  /** Changes the selected key. @param update - gets the key as it was before the edit */
   change(update: (before: K) => K): void;
-  /** As `change`, from what the key is at present. */
+  /** Changes the selected key. @param update - gets the key as it is now */
   nudge(update: (now: K) => K): void;
-  /** A value of the edit before that comes late. */
+  /** Merges a change that arrives late into the last edit. */
   amend(update: (now: K) => K): void;
-  /** Takes a key out, unless it is the last one. */
+  /** Removes a key, unless it is the only one. */
   remove(index: number): void;
-  /** @param keeps - whether what it led to shall stay */
+  /** Ends an edit. @param keeps - whether its result is kept */
   end(keeps: boolean): void;
 }
 
@@ -35,7 +35,7 @@ export function useKeyEdit<K extends TimedKey>(options: KeyEditOptions<K>): KeyE
   const { keys, onPreview, onCommit, onAmend, onDiscard } = options;
   const [wanted, setSelected] = useState(0);
   const selected = Math.min(wanted, keys.length - 1);
-  /** The keys before the edit under way, and as they were shown last. */
+  /** The keys before the current edit, and the last preview. */
   const edit = useRef<{ before: KeyPlace<K>; shown: KeyPlace<K> } | null>(null);
   const begin = (): { before: KeyPlace<K>; shown: KeyPlace<K> } => {
     const place = { keys, index: selected };

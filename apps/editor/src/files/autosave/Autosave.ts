@@ -9,24 +9,24 @@ import { SceneDelta } from './SceneDelta';
 import { SliceBudget } from './SliceBudget';
 import type { SessionInfo } from '../../model/SessionInfo';
 
-/** How long after a change it is read (ms), so that a drag is stored some times a second and not each frame. */
+/** Delay between a change and reading it (ms): a drag is stored a few times per second, not each frame. */
 const QUIET = 200;
 
-/** Longest wait for an idle moment (ms). */
+/** Longest wait for an idle period (ms). */
 const IDLE_WAIT = 100;
 
-/** Waits after writes that were refused, one after another (ms); the last one for as long as it goes on. */
+/** Delays before retrying refused writes (ms); the last one repeats. */
 const RETRIES = [1000, 2000, 5000, 10_000, 30_000];
 
 /**
- * Stores what changes in the document, so that a tab that is killed loses at most the last second. The scene is read part
- * by part in idle moments, all of it once it is open, later what changed; a worker stores that from the first change on.
- * A write that is refused is told of, and tried again after a while and with each change.
+ * Stores changes of the document as they happen, so that a killed tab loses at most the last second. The scene is read
+ * piecewise in idle periods: all of it after opening, then what changed; a worker stores the pieces from the first
+ * change on. Refused writes are reported, and retried after a while and with each change.
  */
 export class Autosave implements DraftKeeper {
-  /** Emits after each time that everything up to now was stored. */
+  /** Emits each time everything has been stored. */
   readonly stored = new Signal();
-  /** For measurements: how long each of the last slices took of the page's time (ms), what was read, what was stored. */
+  /** For measurements: durations of the last slices (ms), numbers of parts read and of commits. */
   readonly statistics = { slices: [] as number[], parts: 0, commits: 0 };
 
   private session = createId();
@@ -34,23 +34,23 @@ export class Autosave implements DraftKeeper {
   private readonly files = new Map<string, Blob>();
   private readonly budget = new SliceBudget();
   private timer = 0;
-  /** When the timer ends (ms since the page began). */
+  /** Time at which the timer ends (ms since the page began). */
   private due = 0;
   private isReading = false;
-  /** Commits that are not answered yet. */
+  /** Number of commits without an answer yet. */
   private writes = 0;
-  /** When the first change came that is not stored (ms since 1970); null when all is. */
+  /** Time of the first change that is not stored (ms since 1970); null when everything is. */
   private changedAt: number | null = null;
-  /** When all was last stored; null for never in this session. */
+  /** Time when everything was last stored; null for never in this session. */
   private storedAt: number | null = null;
   private refusals = 0;
   private restarts = 0;
-  /** The message that drafts are not kept. */
+  /** Id of the notice that drafts are not kept. */
   private notice = 0;
-  /** A session that this one takes the place of, once it is stored. */
+  /** Id of the recovered session that this one replaces, once stored. */
   private replaced: string | null = null;
 
-  /** @param opened - fulfilled when the first scene and the plugins are there: what is recovered comes after them */
+  /** @param opened - fulfilled when the first scene and the plugins are loaded; recovery waits for it */
   constructor(
     private readonly editor: EditorApi,
     readonly store: AutosaveStore,
@@ -69,7 +69,7 @@ export class Autosave implements DraftKeeper {
       this.wakeIfEdited();
     };
     commands.changed.subscribe(() => this.wakeIfEdited());
-    // a page that nobody sees may be ended without a word
+    // a hidden page may be ended without further events
     window.document.addEventListener('visibilitychange', () => window.document.hidden && this.flush());
     window.addEventListener('pagehide', () => {
       this.flush();
@@ -80,12 +80,12 @@ export class Autosave implements DraftKeeper {
     this.wakeIfEdited();
   }
 
-  /** Whether everything is stored as it is now. */
+  /** Whether the present state is stored. */
   get isUpToDate(): boolean {
     return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
   }
 
-  /** What tabs that were killed have left; null when there is nothing. */
+  /** Unsaved sessions of tabs that were killed; null when there are none. */
   async findLost(): Promise<RecoveryOffer | null> {
     const sessions = (await this.store.lost()).filter(({ isDirty }) => isDirty);
     if (sessions.length === 0) return null;
@@ -102,7 +102,7 @@ export class Autosave implements DraftKeeper {
     return offer !== null;
   }
 
-  /** Something of the store's was refused: it is told of, and what is not stored is tried again. */
+  /** Reports that the store refused something, and retries what is not stored. */
   refused(error: unknown): void {
     const { drafts, notices } = this.editor;
     drafts.fail(draftReason(error), this.storedAt ?? this.changedAt ?? Date.now());
@@ -115,7 +115,10 @@ export class Autosave implements DraftKeeper {
     if (this.changedAt !== null) this.schedule(RETRIES[Math.min(this.refusals, RETRIES.length) - 1]);
   }
 
-  /** Opens a scene that was stored, as one that is not saved: stored again, it takes the place of the old session. @throws Error when another tab has taken it */
+  /**
+   * Opens a stored scene as unsaved; once stored again, it replaces the old session. @throws Error when another tab has
+   * taken it
+   */
   private async recover({ id, name, fileName, handle, seen }: SessionInfo): Promise<void> {
     const { editor } = this;
     await this.opened;
@@ -131,7 +134,7 @@ export class Autosave implements DraftKeeper {
     editor.notices.show('info', t('{name} is as it was. Save it to keep it.', { name }));
   }
 
-  /** Another scene: nothing is stored until it is changed. */
+  /** Starts a new session for another scene, which is stored once it is changed. */
   private restart(): void {
     clearTimeout(this.timer);
     this.timer = 0;
@@ -144,7 +147,7 @@ export class Autosave implements DraftKeeper {
     this.delta = new SceneDelta(this.editor.document.scene);
     this.hold();
     this.post(this.store.send({ kind: 'drop' }));
-    // the user has left it: saved, or thrown away after being asked; what cannot be deleted is offered once more at worst
+    // the old scene was saved or discarded by the user; if deleting fails, it is merely offered again
     if (wasStored) void this.store.delete(old).catch(() => {});
     this.delta.noteAll();
     this.readOn();
@@ -152,16 +155,16 @@ export class Autosave implements DraftKeeper {
 
   private wakeIfEdited(): void {
     const { commands } = this.editor;
-    // what a simulation changes is no edit; once something is stored, it follows whatever comes
+    // changes by a simulation alone store nothing; once something is stored, all changes are
     const hasBegun = this.storedAt !== null || this.changedAt !== null || this.writes > 0;
     if (hasBegun || commands.isDirty || commands.isGestureOpen) this.wake();
   }
 
-  /** Something changed that is to be stored. */
+  /** Notes a change, and schedules storing it. */
   private wake(): void {
     this.changedAt ??= Date.now();
     if (this.writes > 0) return;
-    // a write that was refused need not wait for its next turn
+    // after refused writes a change retries at once, without waiting for the delay
     if (!this.timer || this.refusals > 0) this.schedule(this.refusals > 0 ? RETRIES[0] : QUIET);
   }
 
@@ -176,7 +179,7 @@ export class Autosave implements DraftKeeper {
     }, delay);
   }
 
-  /** Reads what is to be read, and stores it then if something changed. */
+  /** Continues reading, then stores if something changed. */
   private readOn(): void {
     if (this.isReading) return;
     this.isReading = true;
@@ -189,7 +192,7 @@ export class Autosave implements DraftKeeper {
     else requestIdleCallback((idle) => this.slice(idle), { timeout: IDLE_WAIT });
   }
 
-  /** @param idle - until when the page has nothing else to do; null when it cannot be known */
+  /** Reads parts within a time slice. @param idle - the idle period; null when its length is unknown */
   private slice(idle: IdleDeadline | null): void {
     if (!this.isReading) return;
     const start = performance.now();
@@ -215,7 +218,7 @@ export class Autosave implements DraftKeeper {
     if (this.changedAt !== null && this.writes === 0) this.commit();
   }
 
-  /** Reads and sends what waits, at once. */
+  /** Reads and stores everything at once. */
   private flush(): void {
     if (this.changedAt === null) return;
     clearTimeout(this.timer);
@@ -225,7 +228,7 @@ export class Autosave implements DraftKeeper {
     this.commit();
   }
 
-  /** Everything that changed has been sent: it may be stored. */
+  /** Sends a commit, once all changes have been read and sent. */
   private commit(): void {
     this.sendFiles();
     const { replaced, session, editor, changedAt } = this;
@@ -234,7 +237,7 @@ export class Autosave implements DraftKeeper {
       id: session,
       name: document.scene.name,
       fileName: file.name,
-      // what stands in for one cannot be stored
+      // a test's stand-in for a handle cannot be stored
       handle: 'FileSystemFileHandle' in window && file.handle instanceof FileSystemFileHandle ? file.handle : null,
       seen: file.seen,
       time: Date.now(),
@@ -248,7 +251,7 @@ export class Autosave implements DraftKeeper {
       () => this.committed(info, replaced),
       (error: unknown) => {
         this.writes--;
-        // another scene has been opened meanwhile: what was refused is not its
+        // not if another scene has been opened meanwhile
         if (session === this.session) this.changedAt = changedAt;
         this.refused(error);
       },
@@ -271,7 +274,7 @@ export class Autosave implements DraftKeeper {
       this.editor.notices.show('info', t('Drafts are kept again.'));
     }
     this.stored.emit();
-    // what changed meanwhile
+    // further changes came meanwhile
     if (this.changedAt !== null) this.schedule(QUIET);
   }
 
@@ -290,15 +293,15 @@ export class Autosave implements DraftKeeper {
     }
   }
 
-  /** What is not answered is not stored either: the commit that comes after it says so. */
+  /** Reports failures of a request; nothing else depends on its answer, since the next commit fails as well. */
   private post(sent: Promise<unknown>): void {
     sent.catch((error: unknown) => this.refused(error));
   }
 
-  /** Tells other tabs that this session is alive, for as long as the tab is. */
+  /** Holds a lock that tells other tabs that this session is in use. */
   private hold(): void {
     const held = navigator.locks.request(lockOf(this.session), () => new Promise(() => {}));
-    // at worst another tab offers what is open here
+    // without it, another tab may offer this session for recovery
     held.catch(() => {});
   }
 }

@@ -7,30 +7,32 @@ interface Asked {
   reject(error: unknown): void;
 }
 
-/** The autosave's worker, asked by promises. One that dies is made anew, and knows nothing then: see `restarts`. */
+/**
+ * Promise-based interface to the autosave's worker. A worker that dies is restarted with empty memory, see `restarts`.
+ */
 export class AutosaveStore {
   private worker: Worker | null = null;
   private readonly waiting = new Map<number, Asked>();
   private count = 0;
   private deaths = 0;
 
-  /** How often the worker died, and with it all that was sent and not committed. */
+  /** Number of times the worker died, losing everything that was sent but not committed. */
   get restarts(): number {
     return this.deaths;
   }
 
-  /** @returns the answer; rejected with the error of the browser's, by its name and message */
+  /** @returns the answer; rejects with the browser's error, reduced to name and message */
   send(request: WorkerRequest): Promise<unknown> {
     const id = ++this.count;
     return new Promise((resolve, reject) => {
       this.worker ??= this.start();
-      // oxlint-disable-next-line unicorn/require-post-message-target-origin -- a worker has none
+      // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have no origin argument
       this.worker.postMessage({ id, request });
       this.waiting.set(id, { resolve, reject });
     });
   }
 
-  /** Sessions of other tabs that are there no more, newest first. */
+  /** Sessions whose tabs are gone, newest first. */
   async lost(): Promise<SessionInfo[]> {
     const sessions = (await this.send({ kind: 'list' })) as SessionInfo[];
     const { held } = await navigator.locks.query();
@@ -70,5 +72,5 @@ export class AutosaveStore {
   }
 }
 
-/** Name of the lock that a tab holds for as long as it is there. */
+/** Name of the lock that a tab holds while it is open. */
 export const lockOf = (session: string): string => `farol-autosave-${session}`;

@@ -1,4 +1,4 @@
-/** Ids that wait, each once; taken from the end, which costs the same however many there were. */
+/** A set of ids with removal from the end in constant time, whatever its size. */
 export class NoteList {
   private readonly known = new Set<string>();
   private readonly order: string[] = [];
@@ -15,7 +15,7 @@ export class NoteList {
     return this;
   }
 
-  /** Takes one out; undefined when none waits. */
+  /** Removes and returns an id; undefined when there is none. */
   take(): string | undefined {
     const id = this.order.pop();
     if (id !== undefined) this.known.delete(id);

@@ -1,6 +1,6 @@
 import type { PartChange, PartKey } from './parts';
 
-/** What was sent to be stored and has not been: of each part and file the last state. */
+/** The latest state of each part and file that was sent but not stored yet. */
 export class PendingParts {
   private parts = new Map<PartKey, string | null>();
   private files = new Map<string, Blob | null>();
@@ -18,7 +18,7 @@ export class PendingParts {
     this.files.clear();
   }
 
-  /** Stores all that waits. What is refused waits on, less what has been sent anew meanwhile. */
+  /** Stores everything pending. When refused, it stays pending, unless newer states have been sent meanwhile. */
   async store(
     write: (parts: ReadonlyMap<PartKey, string | null>, files: ReadonlyMap<string, Blob | null>) => Promise<void>,
   ): Promise<void> {

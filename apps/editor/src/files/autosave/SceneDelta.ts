@@ -14,33 +14,33 @@ import {
   type PrefabPart,
 } from './parts';
 
-/** Objects of a prefab that are read at once. */
+/** Number of objects in each piece of a prefab. */
 const PIECE = 100;
 
 /**
- * Which parts of a scene have changed since they were last read. It notes changes as they are made, and reads the parts
- * later, some at a time, so that no frame waits for it.
+ * Tracks the parts of a scene that changed since they were last read. Changes are only noted when made; parts are read
+ * later, a few at a time, so that no frame is delayed.
  */
 export class SceneDelta {
   private readonly objects = new NoteList();
   private readonly containers = new NoteList();
   private readonly prefabs = new NoteList();
-  /** Pieces of the prefab that is read; null for those that it has no more. */
+  /** Pieces of the prefab being read; `objects` is null for pieces that no longer exist. */
   private pieces: { readonly key: PartKey; readonly objects: readonly FileObject[] | null }[] = [];
-  /** How many pieces of each prefab have been read. */
+  /** Number of pieces read of each prefab. */
   private readonly pieceCounts = new Map<string, number>();
-  /** Objects that are still to be noted, with all below them. Nothing is read while some wait. */
+  /** Objects still to be noted with everything below them; nothing is read until this is empty. */
   private readonly trees: GameObject[] = [];
   private headChanged = false;
   /**
-   * What each object was in when it was last noted: ids, '' for the top. A change that takes it out does not say. What is
-   * not here is at the top, or in something that has been noted and not read since.
+   * Id of the container of each object when it was last noted, '' for the top; needed since a removal does not tell it.
+   * Objects not in the map are at the top, or in a container that is noted but not read yet.
    */
   private readonly containerOf = new Map<string, string>();
 
   constructor(private readonly scene: Scene) {}
 
-  /** Whether nothing waits to be read. */
+  /** Whether no change is waiting to be read. */
   get isEmpty(): boolean {
     return (
       !this.headChanged &&
@@ -80,7 +80,7 @@ export class SceneDelta {
       case 'move': {
         const { id } = change.gameObject;
         const parent = idOfParent(change.gameObject);
-        // its old parent may not have been noted, and will not lead to it any more
+        // the old parent may be unknown, and no longer leads to the object
         if (!this.containerOf.has(id)) this.trees.push(change.gameObject);
         this.containers.add(this.containerOf.get(id) ?? '').add(parent);
         this.containerOf.set(id, parent);
@@ -104,7 +104,7 @@ export class SceneDelta {
       default:
         this.headChanged = true;
     }
-    // the camera that is looked through may come and go with its object
+    // adding or removing objects or cameras may change the scene's active camera, which is in the head
     if (change.kind === 'remove' || change.kind === 'add' || change.kind.startsWith('component'))
       this.headChanged = true;
   }
@@ -112,7 +112,7 @@ export class SceneDelta {
   /**
    * Reads parts until none is left or the time is over.
    * @param isOver - asked after each part
-   * @param most - parts to be read
+   * @param most - number of parts to read at most
    */
   read(isOver: () => boolean, most = Infinity): PartChange[] {
     const changes: PartChange[] = [];
@@ -164,9 +164,9 @@ export class SceneDelta {
     return prefab && { id, name: prefab.name, pieces };
   }
 
-  /** Notes an object; what is below it waits. */
+  /** Notes an object, and queues its children. */
   private noteNext(object: GameObject): void {
-    // it was taken out meanwhile
+    // removed meanwhile
     if (object.scene !== this.scene) return;
     this.objects.add(object.id);
     this.containerOf.set(object.id, idOfParent(object));

@@ -60,7 +60,7 @@ it.each([1, 2, 3])('the stored parts make the very scene, after any changes, see
     else if (act < 0.9) object.transform.position = [random(), 0, 0];
     else if (act < 0.95) commands.undo();
     else changePrefab(scene, makePrefab(object, 'Some', scene.prefabs.list[0]?.id).prefab);
-    // some of what waits, or all
+    // reads some of the changes, or all
     if (random() < 0.05) readAll(delta, parts);
     else
       for (let count = random() * 6; count > 1; count--)
@@ -162,7 +162,7 @@ it('drafts of one scene and minute are told apart by seconds, objects and the la
   expect(new Set(lines).size).toBe(lines.length);
   expect(lines[0]).toContain('4 objects · last edit: Add Torus');
   expect(lines[2]).toContain('1 object ·');
-  // what versions before this one stored
+  // as stored by earlier versions
   expect(describeSession({ ...session, objects: undefined, edit: undefined })).not.toMatch(/object|edit/);
 });
 

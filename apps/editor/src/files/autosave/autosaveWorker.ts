@@ -4,11 +4,11 @@ import { assembleParts } from './parts';
 import { PendingParts } from './PendingParts';
 import { deleteSession, listSessions, readSession, writeSession } from './store';
 
-/** What was sent since the last commit. It is stored at once, so that what is stored is always a whole scene. */
+/** Parts sent since the last commit; stored together, so that the stored scene is always complete. */
 const pending = new PendingParts();
-/** Sessions of which something is stored. */
+/** Sessions that have been stored. */
 const stored = new Set<string>();
-/** Writes are done one after another. */
+/** Queue of writes, which run one after another. */
 let last: Promise<unknown> = Promise.resolve();
 
 async function answer(request: WorkerRequest): Promise<unknown> {

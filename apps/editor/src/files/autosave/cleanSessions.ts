@@ -9,22 +9,25 @@ const read = (): string[] => {
   }
 };
 
-/** Notes that a session was left with nothing unsaved. It is written at once: a page on its way out waits for no worker. */
+/**
+ * Notes that a session ended with nothing unsaved. In localStorage, which is synchronous: a closing page cannot wait
+ * for a worker.
+ */
 export function noteClean(session: string): void {
   try {
     localStorage.setItem(KEY, JSON.stringify([...read().slice(-20), session]));
   } catch {
-    // no room: the session is offered once more
+    // storage is full: the session is offered for recovery once more
   }
 }
 
-/** The sessions that were left so; they are forgotten here. */
+/** Ids of sessions that ended with nothing unsaved; each is returned once. */
 export function takeClean(): ReadonlySet<string> {
   const sessions = new Set(read());
   try {
     localStorage.removeItem(KEY);
   } catch {
-    // a page that may store nothing
+    // storage is forbidden
   }
   return sessions;
 }

@@ -1,7 +1,7 @@
 import { formatCount, formatTime, t, tCount } from '@farol/editing';
 import type { SessionInfo } from '../../model/SessionInfo';
 
-/** What tells two drafts of one scene apart: when it was stored, its file, how many objects, the last edit. */
+/** Describes a draft by time, file, number of objects and last edit, to tell drafts of one scene apart. */
 export function describeSession({ time, fileName, objects, edit }: SessionInfo): string {
   const parts = [formatTime(time, true)];
   if (fileName) parts.push(fileName);

@@ -9,16 +9,16 @@ const known = (): Readonly<Record<string, string>> => ({
   UnknownError: t('its store is damaged, or the disk is full.'),
 });
 
-/** Why the browser refused to store a draft: a sentence without a capital, never empty. */
+/** Why the browser refused to store a draft: a sentence without a capital; never empty. */
 export function draftReason(error: unknown): string {
   const named = namedError(error);
   const reasons = known();
   return Object.hasOwn(reasons, named.name) ? reasons[named.name] : `${asClause(named)}.`;
 }
 
-/** What the browser lacks without which no draft can be kept, in the same form; null for nothing. */
+/** The missing browser feature without which no draft can be kept, as a sentence without a capital; null for none. */
 export function missingForDrafts(): string | null {
-  // a page of no origin of its own may not even ask
+  // a page with an opaque origin throws on access
   const has = (read: () => unknown): boolean => {
     try {
       return read() !== undefined && read() !== null;

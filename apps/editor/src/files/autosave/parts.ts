@@ -2,13 +2,13 @@ import type { FarolFile, FileObject } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
 
 /**
- * A scene in parts that are stored one by one, as JSON by key: 'head' (everything but objects and prefabs), 'o/ID' (an
- * object), 'c/ID' (the ids of its children in order; 'c/' for the top), 'p/ID' (a prefab, with the number of its pieces),
- * 'r/ID/N' (a piece: some of its objects), 'q' (the order of the prefabs).
+ * Key of a part of a scene stored as JSON: 'head' (everything but objects and prefabs), 'o/ID' (an object), 'c/ID' (ids
+ * of its children in order; 'c/' for the top), 'p/ID' (a prefab, with the number of its pieces), 'r/ID/N' (piece N:
+ * some of its objects), 'q' (the order of the prefabs).
  */
 export type PartKey = string;
 
-/** What a part has become; null when it is gone. */
+/** New JSON of a part; null when the part was removed. */
 export type PartChange = readonly [key: PartKey, json: string | null];
 
 export const objectKey = (id: string): PartKey => `o/${id}`;
@@ -18,7 +18,7 @@ export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
 
-/** Parts as they were, and what became of some since. */
+/** Applies changes to parts. */
 export function mergeParts(base: readonly PartChange[], changes: Iterable<PartChange>): Map<PartKey, string> {
   const parts = new Map<PartKey, string>();
   for (const list of [base, changes]) {
@@ -30,19 +30,19 @@ export function mergeParts(base: readonly PartChange[], changes: Iterable<PartCh
   return parts;
 }
 
-/** A prefab without its objects, which are in pieces: a large one would hold up the page as a whole. */
+/** A prefab without its objects, which are stored in pieces, since a large one would block the page. */
 export interface PrefabPart {
   readonly id: string;
   readonly name: string;
   readonly pieces: number;
 }
 
-/** Everything of a file but objects and prefabs. */
+/** Everything in a scene file but objects and prefabs. */
 export type FileHead = Omit<FarolFile, 'objects' | 'prefabs'>;
 
 /**
- * Puts a file together of its parts.
- * @throws Error when parts are missing: the store was damaged
+ * Assembles a scene file from its parts.
+ * @throws Error when parts are missing, since the store was damaged
  */
 export function assembleParts(parts: ReadonlyMap<PartKey, string>): FarolFile {
   const read = <T>(key: PartKey): T => {
@@ -62,7 +62,7 @@ export function assembleParts(parts: ReadonlyMap<PartKey, string>): FarolFile {
   const order = parts.has(PREFAB_ORDER) ? read<string[]>(PREFAB_ORDER) : [];
   const prefabs = order.map((key): Prefab => {
     const part = read<PrefabPart | Prefab>(prefabKey(key));
-    // as versions before this one stored it
+    // stored by an earlier version
     if ('objects' in part) return part;
     const { id, name, pieces } = part;
     const objects = Array.from({ length: pieces }, (_, i) => read<FileObject[]>(pieceKey(id, i))).flat();

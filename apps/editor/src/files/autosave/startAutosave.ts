@@ -6,10 +6,10 @@ import { takeClean } from './cleanSessions';
 import { missingForDrafts } from './draftReason';
 
 /**
- * Begins to store changes, and looks for what tabs that were killed have left.
- * @param opened - fulfilled when the first scene and the plugins are there: what is recovered comes after them
- * @param offer - gets what was found; null for nothing
- * @returns null without IndexedDB or locks, as in some private windows: the user is told so
+ * Starts storing changes, and looks for unsaved sessions of tabs that were killed.
+ * @param opened - fulfilled when the first scene and the plugins are loaded; recovery waits for it
+ * @param offer - called with the sessions found; null for none
+ * @returns null without IndexedDB or locks, as in some private windows; the user is told
  */
 export async function startAutosave(
   editor: EditorApi,
@@ -34,7 +34,7 @@ export async function startAutosave(
     };
     const found = await look();
     offer(found);
-    // a tab that was closed just now may hold its lock a little longer
+    // looks again, since a tab that was just closed may still hold its lock
     if (!found)
       void opened.then(look).then(
         (late) => late && offer(late),

@@ -6,15 +6,15 @@ type Key = string | readonly string[];
 type Records = Map<string, unknown>;
 type Way = 'its value cannot be copied' | 'its request fails' | 'the disk is full at the end';
 
-/** The way in which writes are refused; null for none. */
+/** How writes are refused; null when they succeed. */
 let refusing: Way | null = null;
 
-/** Stores of an IndexedDB by name, and records by their keys as JSON. */
+/** Fake IndexedDB: stores by name, with records as JSON by key. */
 const stores = new Map<string, Records>();
 
 const quota = (): DOMException => new DOMException('', 'QuotaExceededError');
 
-/** A transaction on copies of its stores, which take the places of the stores when it completes. */
+/** A transaction on copies of its stores, which replace the stores when it completes. */
 class FakeTransaction extends EventTarget {
   error: DOMException | null = null;
   private readonly copies = new Map<string, Records>();

@@ -3,7 +3,7 @@ import { mergeParts, type PartChange, type PartKey } from './parts';
 
 const NAME = 'farol-autosave';
 
-/** Of a session's parts, the record that holds many: all that were there when it was first written, as pairs. */
+/** Key of the record with all parts of a session's first write, as pairs. */
 const BASE = 'base';
 
 const refused = (error: DOMException | null | undefined): Error => error ?? new Error('The browser refused to store.');
@@ -18,14 +18,17 @@ const done = <T>(request: IDBRequest<T>): Promise<T> =>
 const finished = (transaction: IDBTransaction): Promise<void> =>
   new Promise((resolve, reject) => {
     transaction.addEventListener('complete', () => resolve());
-    // the transaction itself knows why only once it is aborted
+    // the transaction knows its error only once aborted
     transaction.addEventListener('error', ({ target }) => reject(refused((target as IDBRequest).error)));
     transaction.addEventListener('abort', () => reject(refused(transaction.error)));
   });
 
 let database: Promise<IDBDatabase> | null = null;
 
-/** The store: `sessions` by id; `parts` and `files` by session and key. What fails, or is closed, is tried anew. */
+/**
+ * Opens the database: `sessions` by id; `parts` and `files` by session and key. Tries again after it failed or was
+ * closed.
+ */
 function open(): Promise<IDBDatabase> {
   database ??= connect().catch((error: unknown) => {
     database = null;
@@ -46,7 +49,7 @@ async function connect(): Promise<IDBDatabase> {
   const forget = (): void => {
     database = null;
   };
-  // the user has cleared the browser's data, or the disk failed
+  // the user cleared the browser's data, or the disk failed
   opened.addEventListener('close', forget);
   opened.addEventListener('versionchange', () => {
     opened.close();
@@ -58,11 +61,10 @@ async function connect(): Promise<IDBDatabase> {
 const all = (session: string): IDBKeyRange => IDBKeyRange.bound([session], [session, []]);
 
 /**
- * Writes changes of a session as one transaction: all of them, or none.
- * @param parts - null for a part that is gone
- * @param files - null takes one out
- * @param isFirst - whether nothing of the session is stored: its parts are written as one record then, which takes a
- *   fraction of the time of thousands
+ * Writes changes of a session as one transaction.
+ * @param parts - null removes a part
+ * @param files - null removes a file
+ * @param isFirst - whether the session is new: its parts are written as one record, much faster than thousands
  */
 export async function writeSession(
   info: SessionInfo,
@@ -83,14 +85,14 @@ export async function writeSession(
   });
 }
 
-/** Every session, newest first. */
+/** All sessions, newest first. */
 export async function listSessions(): Promise<SessionInfo[]> {
   const transaction = (await open()).transaction('sessions');
   const sessions = (await done(transaction.objectStore('sessions').getAll())) as SessionInfo[];
   return sessions.toSorted((a, b) => b.time - a.time);
 }
 
-/** All that is stored of a session. */
+/** All stored parts and files of a session. */
 export async function readSession(id: string): Promise<{ parts: Map<PartKey, string>; files: Map<string, Blob> }> {
   const transaction = (await open()).transaction(['parts', 'files']);
   const read = async <T>(name: string): Promise<Map<string, T>> => {
@@ -104,7 +106,7 @@ export async function readSession(id: string): Promise<{ parts: Map<PartKey, str
   return { parts: mergeParts(base, parts), files };
 }
 
-/** Forgets a session. */
+/** Deletes a session. */
 export async function deleteSession(id: string): Promise<void> {
   await write((sessions, parts, files) => {
     sessions.delete(id);
@@ -113,7 +115,7 @@ export async function deleteSession(id: string): Promise<void> {
   });
 }
 
-/** Writes as one transaction: nothing of it when anything is refused. */
+/** Writes in one transaction: nothing is stored when anything is refused. */
 async function write(
   act: (sessions: IDBObjectStore, parts: IDBObjectStore, files: IDBObjectStore) => void,
 ): Promise<void> {

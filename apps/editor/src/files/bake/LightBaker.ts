@@ -9,27 +9,27 @@ import { PictureBudget } from './PictureBudget';
 
 type Baker = typeof import('@farol/bake');
 
-/** How far the bake is that runs. */
+/** Progress of the running bake. */
 export interface BakeState {
   /** 0 to 1. */
   readonly share: number;
-  /** What is being done. */
+  /** Current stage. */
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing' | 'saving';
-  /** Paths at each texel so far. */
+  /** Number of paths traced per texel so far. */
   readonly samples: number;
-  /** Seconds, by the pace so far; null where there is none yet. */
+  /** Estimated remaining time (s); null until there is an estimate. */
   readonly secondsLeft: number | null;
 }
 
-/** The baked light that a scene shows; null for none, and until it is loaded. */
+/** The baked light in use by a scene; null for none, and until it is loaded. */
 export function bakedLightOf({ settings, assets }: Scene): BakedLight | null {
   const { bakedLight } = settings;
   return bakedLight !== null && assets.isReady('bake', bakedLight) ? assets.bake(bakedLight) : null;
 }
 
-/** Bakes the light of the document's scene, one bake at a time. */
+/** Bakes the light of the document's scene; one bake at a time. */
 export class LightBaker {
-  /** Emits when a bake begins, goes on or ends. */
+  /** Emits when a bake begins, progresses or ends. */
   readonly changed = new Signal();
   private running: { readonly abort: AbortController; state: BakeState } | null = null;
 
@@ -38,32 +38,32 @@ export class LightBaker {
     private readonly loadBaker: () => Promise<Baker> = () => import('@farol/bake'),
   ) {}
 
-  /** Null while none runs. */
+  /** Progress; null while no bake runs. */
   get state(): BakeState | null {
     return this.running?.state ?? null;
   }
 
-  /** Whether something that was baked is now otherwise; false where nothing was baked. */
+  /** Whether the scene has changed since it was baked; false when nothing was baked. */
   get isOutOfDate(): boolean {
     const { scene, simulation } = this.editor.document;
     const baked = bakedLightOf(scene);
     return baked !== null && simulation.state === 'stopped' && baked.data.signature !== bakeSignature(scene);
   }
 
-  /** Stops the bake that runs: the scene is as it was. */
+  /** Cancels the running bake, leaving the scene unchanged. */
   cancel(): void {
     this.running?.abort.abort(new DOMException('The bake was cancelled.', 'AbortError'));
   }
 
-  /** Takes the baked light out of the scene, as one step. */
+  /** Removes the baked light from the scene, as one step. */
   clear(): void {
     const { document, commands } = this.editor;
     if (document.scene.settings.bakedLight !== null) commands.run(clearBakedLight(document.scene));
   }
 
   /**
-   * Bakes, and lights the scene by it as one step. An edit of the scene meanwhile stops it.
-   * @throws Error (as a rejection) that says what keeps it from being baked
+   * Bakes the scene and uses the result, as one step. Editing the scene meanwhile cancels the bake.
+   * @throws Error (as a rejection) saying why the scene cannot be baked
    */
   async bake(): Promise<void> {
     if (this.running) return;
@@ -80,7 +80,7 @@ export class LightBaker {
     try {
       const blob = await this.run(scene, abort);
       abort.signal.throwIfAborted();
-      await this.take(scene, blob);
+      await this.useBakedLight(scene, blob);
     } catch (error) {
       if (!abort.signal.aborted) throw error;
       const { reason } = abort.signal as { reason: Error };
@@ -113,7 +113,7 @@ export class LightBaker {
       return new Blob([await writeBake(data)]);
     } finally {
       for (const end of endings) end();
-      // an edit may have changed what the bake put back
+      // an edit may have changed meshes that the bake had restored
       if (document.scene === scene) {
         for (const type of [ObjectRenderer, ModelRenderer]) {
           for (const component of scene.componentsOf<ObjectRenderer | ModelRenderer>(type as typeof ObjectRenderer))
@@ -130,8 +130,8 @@ export class LightBaker {
     this.changed.emit();
   }
 
-  /** Puts the file into the library and lights the scene by it. */
-  private async take(scene: Scene, blob: Blob): Promise<void> {
+  /** Adds the file to the library, and lights the scene with it. */
+  private async useBakedLight(scene: Scene, blob: Blob): Promise<void> {
     const { assets } = scene;
     const name = freeAssetName(assets, `${t('Baked light')}.bake`);
     assets.registerFile(name, blob);
@@ -143,7 +143,7 @@ export class LightBaker {
 
 const bakers = new WeakMap<EditorApi, LightBaker>();
 
-/** What bakes the light of an editor's scene, made when it is first asked for. */
+/** The light baker of an editor, created at the first call. */
 export function lightBakerOf(editor: EditorApi): LightBaker {
   let baker = bakers.get(editor);
   if (!baker) bakers.set(editor, (baker = new LightBaker(editor)));

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { PictureBudget } from './PictureBudget';
 
-/** Plays a bake whose parts take 10 ms each. @returns how many pictures were drawn, and the share of the time that they took */
+/** Simulates a bake whose parts take 10 ms each. @returns number of frames drawn, and their share of the time */
 function play(pictureMilliseconds: number, milliseconds: number): { pictures: number; share: number } {
   const budget = new PictureBudget();
   let [now, pictures] = [0, 0];

@@ -1,14 +1,14 @@
-/** Time between two pictures of a bake, at least (ms). */
+/** Least time between two frames during a bake (ms). */
 const LEAST = 250;
-/** Share of the time that pictures may take. */
+/** Largest share of the time spent drawing frames. */
 const SHARE = 0.2;
 
-/** When the picture is to be drawn while light is baked: so that a slow device traces light most of the time. */
+/** Decides when to draw a frame during a bake, so that slow devices spend most of the time tracing. */
 export class PictureBudget {
   private next = 0;
   private drawnAt: number | null = null;
 
-  /** @param now - (ms) when a part of the bake was done; a picture that was due is drawn before the next call */
+  /** @param now - time (ms) after a part of the bake; a frame that is due must be drawn before the next call */
   isDue(now: number): boolean {
     if (this.drawnAt !== null) {
       const cost = now - this.drawnAt;

@@ -4,14 +4,14 @@ import type { WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
 import { bakeScene } from './bakeScene';
 
-/** Ends a bake that has been asked for. */
+/** Thrown by the fake baker to end the bake, with its options. */
 class Asked extends Error {
   constructor(readonly options: BakeOptions) {
     super('asked');
   }
 }
 
-/** The options that a bake of a scene is asked for with. */
+/** The options with which a scene is baked. */
 async function optionsOf(scene: Scene): Promise<BakeOptions> {
   const baker = {
     bakeLightmaps: (_: unknown, __: unknown, options: BakeOptions) => Promise.reject(new Asked(options)),

@@ -20,11 +20,11 @@ type Baker = typeof import('@farol/bake');
 export interface BakeSceneOptions {
   readonly signal: AbortSignal;
   progressed(progress: BakeProgress): void;
-  /** Takes a sentence about something that is baked otherwise than one might think. */
+  /** Called with a sentence about each thing that is baked differently than expected. */
   warned(sentence: string): void;
 }
 
-/** Gives three's lights the sizes that their shadows are soft by. @returns a function that takes them back */
+/** Sets the sizes of three's lights that determine soft shadows. @returns a function that restores them */
 function sizeLights({ lights }: BakeSources): () => void {
   for (const light of lights) {
     const { userData } = light.three;
@@ -56,8 +56,8 @@ function probesOf(box: ProbeBox, { coefficients, backFaces }: BakedProbes): Prob
 }
 
 /**
- * Bakes the light of a scene by its settings. The scene must show no baked light meanwhile.
- * @throws Error (as a rejection) that says why it cannot be, or the reason of the signal
+ * Bakes a scene by its settings. The scene must not use baked light meanwhile.
+ * @throws Error (as a rejection) saying why it cannot be baked, or the reason of the signal
  */
 export async function bakeScene(
   baker: Baker,
@@ -69,7 +69,7 @@ export async function bakeScene(
   const sources = bakeSources(scene);
   const { settings } = scene;
   const signature = bakeSignature(scene, sources);
-  // the panel tells of instances, and probes light what else has no lightmap
+  // the panel lists instances already, and probes light everything else without a lightmap
   const onWarning = (sentence: string): void => void (/ gets no lightmap: /.test(sentence) || warned(sentence));
   const shared = { ...traceOptions(scene, sources), signal, onWarning };
   const endSizes = sizeLights(sources);
@@ -85,7 +85,7 @@ export async function bakeScene(
       onProgress: progressed,
     });
     const baked = new Map<Object3D, BakeMesh>(sources.meshes.map((each) => [each.mesh, each]));
-    // the geometries that the bake began with are those that its meshes have without it
+    // restores the original geometries, which the lightmaps belong to
     bake.remove();
     const meshes = bake.meshes.flatMap(({ mesh, lightmap, uv1, index, sourceVertex }) => {
       const source = baked.get(mesh);

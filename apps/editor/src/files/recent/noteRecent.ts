@@ -4,16 +4,16 @@ import type { RecentFile } from '../../model/RecentFiles';
 import { deleteRecent, readRecent, writeRecent } from './recentStore';
 import { smallPicture } from './smallPicture';
 
-/** Files that are remembered. */
+/** Number of files that are remembered. */
 const MOST = 8;
 
-/** Largest file that is kept as a copy where the browser gives no handle (bytes). */
+/** Largest file kept as a copy when the browser provides no handle (bytes). */
 const LARGEST_COPY = 32e6;
 
-/** After this the textures of a scene that was opened are there, mostly (ms). */
+/** Delay after which the textures of an opened scene are mostly loaded (ms). */
 const SETTLED = 2000;
 
-/** Once the page has nothing else to do. */
+/** Resolves when the page is idle. */
 const idle = (): Promise<void> =>
   new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: SETTLED });
@@ -25,7 +25,7 @@ async function isSame(known: RecentFile, { name, handle }: OpenFile): Promise<bo
   return known.name === name && !known.handle && !handle;
 }
 
-/** Reads what is remembered into `editor.recentFiles`. A browser that stores nothing remembers nothing. */
+/** Reads the stored list into `editor.recentFiles`; an empty list when the browser has no storage. */
 export async function loadRecent({ recentFiles }: EditorApi): Promise<void> {
   recentFiles.list = await readRecent().catch(() => []);
 }
@@ -38,9 +38,9 @@ async function write(editor: EditorApi, file: RecentFile): Promise<void> {
 }
 
 /**
- * Remembers the file that is open, with a picture of its scene. What the browser refuses to store is not remembered.
+ * Remembers the open file with a thumbnail of its scene. Failures of storage are ignored.
  * @param content - the file's bytes
- * @param isDrawn - whether the picture has all that belongs to it; else it is taken a little later
+ * @param isDrawn - whether the viewport shows the complete scene; else the thumbnail is taken a little later
  */
 export async function noteRecent(editor: EditorApi, content: Blob, isDrawn: boolean): Promise<void> {
   const { file, document } = editor;

@@ -3,12 +3,12 @@ import type { EditorApi } from '../../api/EditorApi';
 import type { RecentFile } from '../../model/RecentFiles';
 import { deleteRecent } from './recentStore';
 
-/** What Chromium has beside the standard. */
+/** Non-standard method of Chromium's file handles. */
 interface Permitted {
   requestPermission?(options: { mode: 'read' }): Promise<PermissionState>;
 }
 
-/** The file's bytes. @throws Error that says why there are none, and what to do */
+/** The file's bytes. @throws Error saying why they cannot be read, with a remedy */
 async function bytesOf({ name, handle, copy }: RecentFile): Promise<Blob> {
   if (!handle && copy) return copy;
   const mend = t('choose it by Open… in the menu File.');
@@ -20,7 +20,7 @@ async function bytesOf({ name, handle, copy }: RecentFile): Promise<Blob> {
   });
 }
 
-/** Opens a file again. What cannot be read is forgotten. @returns whether it was opened */
+/** Opens a recent file again; an unreadable one is removed from the list. @returns whether it was opened */
 export async function openRecent(editor: EditorApi, file: RecentFile): Promise<boolean> {
   let bytes: Blob;
   try {
@@ -32,7 +32,7 @@ export async function openRecent(editor: EditorApi, file: RecentFile): Promise<b
   return editor.openFileBytes(new Uint8Array(await bytes.arrayBuffer()), { name: file.name, handle: file.handle });
 }
 
-/** Takes a file out of the list. */
+/** Removes a file from the list. */
 export async function forgetRecent({ recentFiles }: EditorApi, { id }: RecentFile): Promise<void> {
   await deleteRecent(id);
   recentFiles.list = recentFiles.list.filter((each) => each.id !== id);

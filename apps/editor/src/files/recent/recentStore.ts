@@ -8,7 +8,7 @@ const done = <T>(request: IDBRequest<T>): Promise<T> =>
     request.addEventListener('error', () => reject(request.error ?? new Error('The browser refused to store.')));
   });
 
-/** Does something with the store, which is closed then. */
+/** Opens the store, performs one operation, and closes it. */
 async function use<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
   const request = indexedDB.open(NAME, 1);
   request.addEventListener('upgradeneeded', () => request.result.createObjectStore('files', { keyPath: 'id' }));
@@ -20,7 +20,7 @@ async function use<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => 
   }
 }
 
-/** All that is stored, newest first. */
+/** All recent files, newest first. */
 export async function readRecent(): Promise<RecentFile[]> {
   const files = (await use('readonly', (store) => store.getAll())) as RecentFile[];
   return files.toSorted((a, b) => b.time - a.time);

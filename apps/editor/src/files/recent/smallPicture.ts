@@ -1,10 +1,10 @@
 import type { Viewport } from '../../viewport/Viewport';
 
-/** Size of the pictures (pixels). */
+/** Size of thumbnails (pixels). */
 const WIDTH = 240;
 const HEIGHT = 135;
 
-/** The middle of the picture that is shown, small; null where the browser makes none. */
+/** Thumbnail of the centre of the viewport; null when the browser cannot make one. */
 export function smallPicture(viewport: Viewport): Promise<Blob | null> {
   const small = document.createElement('canvas');
   small.width = WIDTH;
@@ -12,7 +12,7 @@ export function smallPicture(viewport: Viewport): Promise<Blob | null> {
   const context = small.getContext('2d');
   if (!context) return Promise.resolve(null);
   context.imageSmoothingQuality = 'high';
-  // what was drawn before may be gone from the canvas
+  // a canvas is cleared after its frame was shown
   viewport.renderNow();
   const { canvas } = viewport;
   const height = Math.min(canvas.height, (canvas.width * HEIGHT) / WIDTH);

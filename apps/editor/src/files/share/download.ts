@@ -1,9 +1,9 @@
 import { saveFile } from '../saveFile';
 
 /**
- * Hands a file to the user: by the browser's dialog, or as a download where there is none, or where so long has gone by
- * since the click that the browser does not open it.
- * @throws what `saveFile` throws
+ * Gives a file to the user by a save dialog, or as a download when there is none, or when the click was too long ago
+ * for the browser to open it.
+ * @throws errors of `saveFile`
  */
 export async function download(blob: Blob, fileName: string, description: string): Promise<void> {
   const extensions = [fileName.slice(fileName.lastIndexOf('.'))];

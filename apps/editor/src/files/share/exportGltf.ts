@@ -4,33 +4,34 @@ import { breathe } from './gltf/breathe';
 import { GltfProfiles, type ProfileWriter } from './gltf/GltfProfiles';
 import { GltfScene } from './gltf/GltfScene';
 
-/** A glTF, and what it could not take along. */
+/** A glTF file, and descriptions of what it lacks. */
 export interface ExportedGltf {
   readonly blob: Blob;
-  /** A line for each kind of thing. */
+  /** One line for each kind of thing. */
   readonly leftOut: readonly string[];
 }
 
-/** The part of GLTFExporter's writer that is used here. */
+/** The used part of GLTFExporter's writer. */
 interface Writer extends ProfileWriter {
   readonly json: ProfileWriter['json'] & { skins?: { skeleton?: number }[]; buffers?: unknown };
   processNodeAsync(object: Object3D): Promise<number>;
 }
 
-/** A material in a glTF, as far as it is read here. */
+/** The used part of a material in glTF. */
 interface MaterialDef {
   readonly extensions?: { readonly KHR_materials_anisotropy?: { readonly anisotropyTexture?: { texCoord?: number } } };
 }
 
-/** Names the texture coordinates of the anisotropy map, which the exporter leaves out. */
+/** Sets the UV channel of the anisotropy map, which GLTFExporter omits. */
 function nameAnisotropyChannel(material: Material, def: MaterialDef): void {
   const texture = def.extensions?.KHR_materials_anisotropy?.anisotropyTexture;
   if (texture) texture.texCoord = (material as MeshPhysicalMaterial).anisotropyMap!.channel;
 }
 
 /**
- * The scene as a GLB: tree, meshes, materials, models, clips, cameras and the lights that glTF knows. The page answers meanwhile.
- * @param webgl - reads textures that no canvas can: compressed ones, floats
+ * Exports a scene as GLB: objects, meshes, materials, models, clips, cameras and the lights that glTF supports. Yields
+ * to the page meanwhile.
+ * @param webgl - for reading back textures that no canvas can: compressed ones, floats
  * @throws Error (as a rejection) naming the object and its texture when one cannot be read
  * @see glTF 2.0, KHR_lights_punctual, EXT_lights_ies
  */
@@ -52,7 +53,8 @@ export async function exportGltf(scene: Scene, webgl: WebGLRenderer): Promise<Ex
         writeMaterialAsync: async (material: Material, def: object) => nameAnisotropyChannel(material, def),
         writeNode: (object, nodeDef) => profiles.writeNode(object, nodeDef),
         afterParse: () => {
-          // the exporter names the first joint, which need not be above all others; the property may be left out
+          // GLTFExporter writes the first joint, which must be an ancestor of all others but may not be; the property
+          // is optional
           writer.json.skins?.forEach((skin) => Reflect.deleteProperty(skin, 'skeleton'));
           profiles.finish();
         },

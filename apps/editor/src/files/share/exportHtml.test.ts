@@ -17,7 +17,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** A scene with a script, which nothing runs, and a component of it that came as data. */
+/** A scene with a script that is not run, and a component of it kept as data. */
 function scriptedScene(): Scene {
   const assets = new AssetLibrary();
   assets.addFieldAsset('script', 'Spy', {
@@ -26,7 +26,7 @@ function scriptedScene(): Scene {
   return new Scene({ assets });
 }
 
-/** The text of the scene in an exported page. */
+/** JSON of the scene in an exported page. */
 async function sceneIn(page: string): Promise<string> {
   const [, base64] = /id="farol-scene">([^<]*)</.exec(page)!;
   return (await readSceneFile(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)))).text;

@@ -6,7 +6,7 @@ import { compileScript, ScriptError } from '@farol/engine/scripts';
 import { scriptElement } from './scriptElement';
 import { sharedContent, type ShareOptions } from './sharedContent';
 
-/** Bytes as base64. */
+/** Base64 of bytes. */
 function base64Of(bytes: Uint8Array): string {
   let letters = '';
   for (let i = 0; i < bytes.length; i += 0x8000) letters += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
@@ -27,7 +27,7 @@ async function needsDecoders(files: Iterable<Blob>, scene: Scene): Promise<boole
   return false;
 }
 
-/** A file beside the editor. @throws Error when it is not there */
+/** A file of the editor's site. @throws Error when it is missing */
 async function fileBeside(name: string): Promise<Response> {
   const address = new URL(name, document.baseURI);
   const response = await fetch(address);
@@ -35,16 +35,19 @@ async function fileBeside(name: string): Promise<Response> {
   return response;
 }
 
-/** The script that shows a scene, as one text. @throws Error when it is not there */
+/** The player's script as text. @throws Error when it is missing */
 async function playerScript(decoders: boolean, scripts: boolean, particles: boolean): Promise<string> {
   const parts = `${scripts ? '-scripts' : particles ? '-particles' : ''}${decoders ? '-decoders' : ''}`;
   return (await fileBeside(`farol-player${parts}.js`)).text();
 }
 
-/** Names that a scene with physics has in its components or scripts. */
+/** Matches component names that show that a scene uses physics. */
 const physicsNames = /\b(RigidBody|Collider|CharacterController|Joint)\b/;
 
-/** The element with the physics, packed: 4.3 MB become 2.2; '' for a scene without. @throws Error when they are not there */
+/**
+ * Element with the physics engine, compressed from 4.3 to 2.2 MB; '' for a scene without physics. @throws Error when
+ * the file is missing
+ */
 async function physicsOf(file: object): Promise<string> {
   if (!physicsNames.test(JSON.stringify(file))) return '';
   const { body } = await fileBeside('farol-player-physics.js');
@@ -59,7 +62,7 @@ async function dragonOf(scene: Scene, uses: boolean): Promise<string> {
   return ` data-dragon="data:application/octet-stream;base64,${base64Of(bytes)}#.ply.gz"`;
 }
 
-/** The scripts of a scene, compiled. @throws ScriptError naming the first that cannot be */
+/** Compiled scripts of a scene. @throws ScriptError naming the first one that does not compile */
 async function compiledScripts(scene: Scene): Promise<string[]> {
   const scripts = scene.assets.fieldAssets('script') as ScriptAsset[];
   if (scripts.length === 0) return [];
@@ -70,11 +73,12 @@ async function compiledScripts(scene: Scene): Promise<string[]> {
   });
 }
 
-/** Letters that nobody can guess. */
+/** A random, unguessable string. */
 const makeNonce = (): string => base64Of(crypto.getRandomValues(new Uint8Array(18)));
 
 /**
- * What the page may do: run its own script, decode models, and fetch from the hosts that the scene names.
+ * Content security policy of the page: it may run its own script, decode models, and fetch from hosts that the scene
+ * uses.
  * @see Content Security Policy Level 3
  */
 function policyOf(hosts: Iterable<string>, nonce: string): string {
@@ -92,9 +96,9 @@ function policyOf(hosts: Iterable<string>, nonce: string): string {
 }
 
 /**
- * A web page that shows the scene by itself: script, scene and assets are in the one file, which runs from a disk too.
- * Its scripts are in it compiled.
- * @throws Error when the player cannot be read; ScriptError for a script that is broken
+ * A self-contained web page that shows the scene: player, scene, compiled scripts and assets in one file, which also
+ * works from disk.
+ * @throws Error when the player cannot be read; ScriptError for a script that does not compile
  */
 export async function exportHtml(scene: Scene, options: ShareOptions = {}): Promise<Blob> {
   const content = sharedContent(scene, options);

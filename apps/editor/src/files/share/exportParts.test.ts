@@ -2,7 +2,7 @@ import { AssetLibrary, builtinComponents, GameObject, Scene } from '@farol/engin
 import { afterAll, beforeAll, beforeEach, expect, test, vi } from 'vitest';
 import { exportHtml } from './exportHtml';
 
-/** Names of files beside the editor that were asked for. */
+/** Files of the editor's site that were requested. */
 const asked: string[] = [];
 
 beforeAll(() => {
@@ -21,7 +21,7 @@ export default class Spin extends component({}) {}`;
 
 const compressed = JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_draco_mesh_compression'] });
 
-/** What a page is made of, for a scene of one object with these components. */
+/** Files that a page is built from, for a scene of one object with these components. */
 async function partsOf(types: readonly string[], fill: (assets: AssetLibrary) => void = () => {}): Promise<string[]> {
   const assets = new AssetLibrary();
   const scene = new Scene({ assets });
@@ -37,7 +37,7 @@ async function partsOf(types: readonly string[], fill: (assets: AssetLibrary) =>
   return asked.toSorted();
 }
 
-/** Components that bodies are made of. */
+/** Types of components that need the physics engine. */
 const needPhysics = [...builtinComponents.types]
   .filter(([, type]) => Object.getPrototypeOf(type).name === 'PhysicsComponent')
   .map(([name]) => name);

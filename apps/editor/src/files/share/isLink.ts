@@ -1,5 +1,5 @@
-/** What comes before the scene in an address. */
+/** Prefix of a scene in a URL's hash. */
 export const PREFIX = '#scene=';
 
-/** Whether the part of an address after '#' holds a scene. */
+/** Whether a URL's hash contains a scene. */
 export const isLink = (hash: string): boolean => hash.startsWith(PREFIX);

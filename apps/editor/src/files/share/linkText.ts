@@ -9,7 +9,7 @@ async function through(
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }
 
-/** A text, deflated and as base64 for addresses, after '#scene='. @see RFC 4648, section 5 */
+/** A text as URL hash: '#scene=' and base64url of its deflated bytes. @see RFC 4648, section 5 */
 export async function encodeLink(text: string): Promise<string> {
   const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'));
   let letters = '';
@@ -18,9 +18,9 @@ export async function encodeLink(text: string): Promise<string> {
 }
 
 /**
- * The text of a link.
- * @param mayUnpack - asked before it becomes large; such a one is refused when absent
- * @throws Error when there is none, it was cut short on its way, or it becomes too large; AbortError when the answer was no
+ * Decodes a URL hash.
+ * @param mayUnpack - asked before the text grows large; a large one is refused when absent
+ * @throws Error when there is no scene, it was truncated, or it is too large; AbortError when `mayUnpack` refused
  */
 export async function decodeLink(hash: string, mayUnpack?: MayUnpack): Promise<string> {
   if (!isLink(hash)) throw new Error(t('The address holds no scene: it must go on with #scene=…'));

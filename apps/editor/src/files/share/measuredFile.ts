@@ -1,7 +1,7 @@
 import { containerContent, createId, type FileObject, writeContainer } from '@farol/engine/files';
 import type { EditorApi } from '../../api/EditorApi';
 
-/** The camera of the editor, as an object of a scene. */
+/** The editor's camera, as an object of a scene file. */
 function editorsCamera({ viewport }: EditorApi): FileObject {
   const { position, rotation } = viewport.camera;
   const place = { position: position.toArray(), rotation: [rotation.x, rotation.y, rotation.z] as const };
@@ -14,7 +14,7 @@ function editorsCamera({ viewport }: EditorApi): FileObject {
   };
 }
 
-/** The scene as it is, with its assets, as a `.farol` file; seen by the editor's camera where it has none of its own. */
+/** The scene with its assets as a `.farol` file; the editor's camera is added when it has none. */
 export async function measuredFile(editor: EditorApi): Promise<Uint8Array<ArrayBuffer>> {
   const { file, files } = containerContent(editor.document.scene);
   if (file.activeCamera === null) {

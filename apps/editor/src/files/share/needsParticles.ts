@@ -1,2 +1,2 @@
-/** Whether the text of a scene file has particles. */
+/** Whether a scene file, as text, has particles. */
 export const needsParticles = (text: string): boolean => text.includes('"ParticleEmitter"');

@@ -1,5 +1,5 @@
 /**
- * An inline script element. What would end it, or hide its end, stands escaped in the literals of its code.
+ * An inline script element. Sequences in the code that would end it, or hide its end, are escaped.
  * @see HTML, "Restrictions for contents of script elements"
  */
 export const scriptElement = (nonce: string, code: string): string =>

@@ -4,14 +4,14 @@ import { inlineAssets } from '@farol/engine/files';
 import { encodeLink } from './linkText';
 import { sharedContent, type ShareOptions } from './sharedContent';
 
-/** Longest link (letters): what browsers, messengers and servers of mail still hand on whole. */
+/** Longest link (characters) that browsers, messengers and mail servers pass on unharmed. */
 export const LINK_LIMIT = 64_000;
 
 const kilobytes = (count: number): string => `${formatCount(Math.ceil(count / 1000))} kB`;
 
 /**
- * The scene as the part of an address after '#'.
- * @throws Error naming the size and what makes it large, when it is over the limit
+ * The scene as URL hash.
+ * @throws Error naming the size and the largest parts, when it is over the limit
  */
 export async function linkHash(scene: Scene, options?: ShareOptions): Promise<string> {
   const content = sharedContent(scene, options);
@@ -30,7 +30,7 @@ export async function linkHash(scene: Scene, options?: ShareOptions): Promise<st
       }),
     );
   };
-  // pictures and models do not become smaller: no need to try
+  // far over the limit: images and models hardly compress, so this is not tried
   if (bytes > LINK_LIMIT * 4) refuse((bytes * 4) / 3);
   const hash = await encodeLink(JSON.stringify(await inlineAssets(content)));
   return hash.length > LINK_LIMIT ? refuse(hash.length) : hash;

@@ -2,11 +2,11 @@ import type { Scene } from '@farol/engine';
 import { containerContent, type ContainerContent } from '@farol/engine/files';
 
 export interface ShareOptions {
-  /** Whether the scripts of the scene go along; default true. Without them components of theirs stay, as data. */
+  /** Whether the scene's scripts are included; default true. Without them their components are kept as data. */
   readonly withScripts?: boolean;
 }
 
-/** A scene as it is given away. */
+/** The content of a scene for sharing. */
 export function sharedContent(scene: Scene, { withScripts = true }: ShareOptions = {}): ContainerContent {
   const { file, files } = containerContent(scene);
   const assets = file.assets.filter(({ type }) => withScripts || type !== 'script');

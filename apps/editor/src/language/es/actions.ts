@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Actions, menus and keys, in Spanish. */
+/** Spanish texts of actions, menus and keys. */
 export const actions: Texts = {
   File: 'Archivo',
   Edit: 'Edición',

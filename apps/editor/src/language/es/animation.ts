@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** The component Animation, clips, and clips in a glTF, in Spanish. */
+/** Spanish texts of the component Animation, of clips, and of clips exported as glTF. */
 export const animation: Texts = {
   Animation: 'Animación',
   'Plays clips on the object and all below it.': 'Reproduce clips en el objeto y en todo lo que contiene.',

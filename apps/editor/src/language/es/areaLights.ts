@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Lights that shine from a rectangle, a disc or a tube. */
+/** Spanish texts of area lights. */
 export const areaLights: Texts = {
   'Rectangle light': 'Luz rectangular',
   'Disc light': 'Luz de disco',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Baked light in Spanish: panel, fields, edits and messages. */
+/** Spanish texts of baked light. */
 export const bake: Texts = {
   'Baked light': 'Luz precalculada',
   'Baked light is left out: its lights shine themselves':

@@ -1,4 +1,4 @@
-/** Walls and rooms. */
+/** Spanish texts of walls and rooms. */
 export const buildings: Readonly<Record<string, string>> = {
   Room: 'Habitación',
   Wall: 'Pared',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Components, their fields and what can be added, in Spanish. */
+/** Spanish texts of components, their fields, and the Add menu. */
 export const components: Texts = {
   Mesh: 'Malla',
   Light: 'Luz',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Steps of the history, in Spanish. */
+/** Spanish labels of steps of the history. */
 export const edits: Texts = {
   object: 'objeto',
   '{verb} {name}': '{verb} {name}',

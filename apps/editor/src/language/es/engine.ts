@@ -1,6 +1,6 @@
 import type { MessageTable } from '../messageTable';
 
-/** The engine's messages that people see most, those that hold others first. */
+/** Spanish translations of the engine's most common messages; messages that contain others come first. */
 export const engine: MessageTable = {
   // assets
   "The asset '{name}' could not be loaded: {reason}": "No se pudo cargar el recurso '{name}': {reason}",
@@ -17,7 +17,7 @@ export const engine: MessageTable = {
     "El recurso '{name}' no se descargó: {origin} no está permitido. Hay que abrir la escena de nuevo y permitirlo.",
   "The prefab '{name}' would hold itself, by its object '{object}': take that one out, or unpack it.":
     "El prefab '{name}' se contendría a sí mismo, por su objeto '{object}': hay que sacarlo, o desempaquetarlo.",
-  // what is wrong with a file
+  // faults of files
   'the file is empty: choose it again.': 'el archivo está vacío: hay que elegirlo de nuevo.',
   'its bytes are no PNG, JPEG or WebP: was another file renamed?':
     'sus bytes no son PNG, JPEG ni WebP: ¿se cambió el nombre de otro archivo?',

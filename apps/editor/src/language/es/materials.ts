@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Fields of materials, in Spanish. */
+/** Spanish texts of material fields. */
 export const materials: Texts = {
   'Green points down, as in maps made for DirectX.':
     'El verde apunta hacia abajo, como en los mapas hechos para DirectX.',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Notices, dialogs and errors, in Spanish. */
+/** Spanish texts of notices, dialogs and errors. */
 export const messages: Texts = {
   'There is no scene “{text}”: known are empty, {names}.': 'No hay ninguna escena «{text}»: existen empty, {names}.',
   'The scene': 'La escena',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** What is wrong with a typed number, in Spanish. */
+/** Spanish texts of errors in typed numbers. */
 export const numbers: Texts = {
   'There is one “)” too many.': 'Sobra un «)».',
   'Between “{before}” and “{after}” a sign such as + is missing.':

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Panels, dialogs and controls, in Spanish. */
+/** Spanish texts of panels, dialogs and controls. */
 export const panels: Texts = {
   'This panel has stopped: {message}': 'Este panel se ha detenido: {message}',
   'Show it again': 'Mostrarlo de nuevo',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Particles, and the editors of curves and gradients. */
+/** Spanish texts of particles, and of the editors of curves and gradients. */
 export const particles: Texts = {
   'Burst repeats': 'Repeticiones de la ráfaga',
   'How often the burst comes, one interval after another.': 'Cuántas veces llega la ráfaga, un intervalo tras otro.',

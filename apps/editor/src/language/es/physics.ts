@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Physics: bodies, colliders, joints and characters, in Spanish. */
+/** Spanish texts of physics: bodies, colliders, joints and characters. */
 export const physics: Texts = {
   Physics: 'Física',
   'How bodies move while the scene plays.': 'Cómo se mueven los cuerpos mientras se reproduce la escena.',

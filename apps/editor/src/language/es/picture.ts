@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** The picture: sky, tone mapping and effects, in Spanish. */
+/** Spanish texts of sky, tone mapping and effects. */
 export const picture: Texts = {
   'Tone mapping': 'Mapeo de tonos',
   'Exposure compensation': 'Compensación de exposición',

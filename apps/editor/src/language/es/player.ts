@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** What the page of an exported or linked scene says, in Spanish. */
+/** Spanish texts of the player, which shows exported and linked scenes. */
 export const player: Texts = {
   'Files of other hosts': 'Archivos de otros servidores',
   '… and {count} more': '… y {count} más',

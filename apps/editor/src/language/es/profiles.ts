@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Photometric profiles of lights, and shading models, in Spanish. */
+/** Spanish texts of photometric profiles and shading models. */
 export const profiles: Texts = {
   'No profile': 'Sin perfil',
   'Light profile': 'Perfil de luz',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Techniques, views and the Frame panel, in Spanish. */
+/** Spanish texts of techniques, debug views and the Frame panel. */
 export const rendering: Texts = {
   Compare: 'Comparar',
   'Two techniques, side by side.': 'Dos técnicas, una junto a otra.',

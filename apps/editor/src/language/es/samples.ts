@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Samples and their shadows, in Spanish. */
+/** Spanish texts of samples. */
 export const samples: Texts = {
   'Fire and sparks': 'Fuego y chispas',
   'Every spark is a light. Select “Sparks” and watch; change its rate, its curves, and what it lights.':

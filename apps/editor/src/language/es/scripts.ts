@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Scripts. */
+/** Spanish texts of script editing. */
 export const scripts: Texts = {
   'Text of the script': 'Texto del script',
   'Search scripts': 'Buscar scripts',

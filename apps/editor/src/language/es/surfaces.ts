@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Surfaces made of microshaders. */
+/** Spanish texts of surfaces made of microshaders. */
 export const surfaces: Texts = {
   'Play: waves, embers, rust and a hologram. Select a material in Assets, and move its values.':
     'Reproduce: olas, brasas, óxido y un holograma. Selecciona un material en Recursos y mueve sus valores.',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** The Timeline panel and what is done in it, in Spanish. */
+/** Spanish texts of the Timeline panel. */
 export const timeline: Texts = {
   Timeline: 'Línea de tiempo',
   'Add keys at the playhead': 'Añadir claves en el cursor',

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Triggers, pointer events and sound, in Spanish. */
+/** Spanish texts of triggers, pointer events and sound. */
 export const triggers: Texts = {
   'Audio Source': 'Fuente de sonido',
   'A sound that plays, from where the object is or everywhere.':

@@ -1,6 +1,6 @@
 import type { Texts } from '@farol/editing';
 
-/** Welcome and tour, in Spanish. */
+/** Spanish texts of the welcome page and the tour. */
 export const welcome: Texts = {
   'Leave the tour': 'Salir del recorrido',
   '{step} of {steps}': '{step} de {steps}',

@@ -129,10 +129,10 @@ export function arrangeObjects(
     const shifts = new Map<Container, number>();
     return tops.flatMap((original) => {
       const { parent, index } = placementOf(original, scene);
-      const own = placements.filter((each) => each.original === original);
+      const copies = placements.filter((each) => each.original === original);
       const shift = shifts.get(parent) ?? 0;
-      shifts.set(parent, shift + own.length);
-      return own.map(({ object, number }) => ({ object, parent, index: index + shift + number }));
+      shifts.set(parent, shift + copies.length);
+      return copies.map(({ object, number }) => ({ object, parent, index: index + shift + number }));
     });
   };
   const label = tCount(made.length, 'Duplicated {name} once', 'Duplicated {name} {count} times', {

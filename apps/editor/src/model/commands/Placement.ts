@@ -28,12 +28,12 @@ export function placementOf(object: GameObject, scene: Scene): Placement {
 
 /** The objects of a list that are not below another of the list, in tree order, each once. */
 export function topmost(objects: readonly GameObject[], scene: Scene): GameObject[] {
-  const wanted = new Set(objects);
+  const listed = new Set(objects);
   const found: GameObject[] = [];
   const visit = (object: GameObject): void => {
-    if (wanted.has(object)) found.push(object);
+    if (listed.has(object)) found.push(object);
     else object.children.forEach(visit);
   };
-  if (wanted.size > 0) scene.roots.forEach(visit);
+  if (listed.size > 0) scene.roots.forEach(visit);
   return found;
 }

@@ -1,18 +1,18 @@
 import type { Command } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 
-/** A microshader of a scene, and the text that it shall have; null for the renderer's own, or none. */
+/** A microshader of a scene, and its new text; null restores the renderer's own, or removes it. */
 export interface MicroShaderEdit {
   readonly name: string;
   readonly text: string | null;
 }
 
-/** Sets texts of microshaders, or takes them out. */
+/** Sets texts of microshaders, or removes them. */
 export class SetMicroShaders implements Command {
-  /** What there was before the first `do`. */
+  /** Texts before the first `do`. */
   private before: readonly MicroShaderEdit[] | null = null;
 
-  /** @param edits - each name at most once; texts that `parseMicroShader` takes */
+  /** @param edits - each name at most once; texts must be valid for `parseMicroShader` */
   constructor(
     readonly label: string,
     private readonly scene: Scene,

@@ -2,13 +2,13 @@ import { type Command, t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import type { Prefab } from '@farol/engine/prefabs';
 
-/** Puts a prefab into a scene, in the place of one of its id, or takes it out. Objects of the scene stay as they are. */
+/** Adds, replaces (by id) or removes a prefab. Objects of the scene stay as they are. */
 export class SetPrefab implements Command {
   readonly label: string;
   private before: Prefab | null = null;
   private order: readonly Prefab[] = [];
 
-  /** @param next - null takes it out */
+  /** @param next - null removes the prefab */
   constructor(
     private readonly scene: Scene,
     private readonly id: string,
@@ -30,7 +30,7 @@ export class SetPrefab implements Command {
     if (this.before && this.next) prefabs.set(this.before);
     else if (!this.before) prefabs.delete(this.id);
     else {
-      // back to its place among the others
+      // restores the prefab's place in the list
       for (const { id } of prefabs.list) prefabs.delete(id);
       for (const prefab of this.order) prefabs.set(prefab);
     }

@@ -1,8 +1,8 @@
 import type { Command } from '@farol/editing';
 
-/** Sets a plain property, such as `name` or `active` of GameObjects and `enabled` of components, of all targets. */
+/** Sets a plain property of all targets, such as `name` of GameObjects or `enabled` of components. */
 export class SetProperty<K extends string, V> implements Command {
-  /** What it was before the first `do`. */
+  /** Values before the first `do`. */
   private before: readonly V[] | null = null;
 
   constructor(

@@ -1,12 +1,12 @@
 import type { Command } from '@farol/editing';
 import type { Scene, SceneView } from '@farol/engine';
 
-/** Keeps a view with a scene, in place of another one, or forgets it. */
+/** Stores a view with a scene, or removes it. */
 export class SetView implements Command {
-  /** What was there before the first `do`; undefined until then. */
+  /** View before the first `do`; undefined until then. */
   private before: SceneView | null | undefined;
 
-  /** @param place - 1 to 9 @param view - null to forget it */
+  /** @param place - 1 to 9 @param view - null to remove the view */
   constructor(
     readonly label: string,
     private readonly scene: Scene,
@@ -19,7 +19,7 @@ export class SetView implements Command {
     return before === null && this.view === null;
   }
 
-  /** @throws RangeError for a place or a view that a scene refuses */
+  /** @throws RangeError for a place or a view that the scene refuses */
   do(): void {
     this.before ??= this.scene.views.get(this.place);
     this.scene.views.set(this.place, this.view);

@@ -2,8 +2,8 @@ import type { Command, CommandSelection } from '@farol/editing';
 import type { CameraComponent, Scene } from '@farol/engine';
 
 /**
- * A command that adds, takes out or moves. A scene that loses its camera chooses another one: this brings the active
- * camera to the same place after each `do` and each `undo`.
+ * A command that adds, removes or moves objects or components. A scene that loses its active camera chooses another
+ * one; this class makes each `do` and `undo` choose the same one.
  */
 export abstract class StructuralCommand implements Command {
   private cameraBefore: CameraComponent | null = null;
@@ -28,9 +28,9 @@ export abstract class StructuralCommand implements Command {
     this.scene.activeCamera = this.cameraBefore;
   }
 
-  /** Makes the change. What throws must have changed nothing. */
+  /** Makes the change. Must have changed nothing when it throws. */
   protected abstract apply(): void;
 
-  /** Takes it back. */
+  /** Undoes the change. */
   protected abstract revert(): void;
 }

@@ -1,13 +1,13 @@
 import type { Component, Scene } from '@farol/engine';
 import { StructuralCommand } from './StructuralCommand';
 
-/** A component of an object, and what comes to its place. */
+/** A component of an object, and the one that replaces it. */
 export interface ComponentSwap {
   readonly before: Component;
   readonly after: Component;
 }
 
-/** Puts components in the place of others: same object, same place among its components, same id, on or off as they were. */
+/** Replaces components: object, index among its components, id and `enabled` stay. */
 export class SwapComponents extends StructuralCommand {
   constructor(
     label: string,

@@ -8,16 +8,16 @@ import snow from './snow.surface?raw';
 import water from './water.surface?raw';
 import waves from './waves.surface?raw';
 
-/** A surface to begin with: its text, and the material that it is made for. */
+/** A built-in surface: its text, and values of the material made for it. */
 export interface BuiltinSurface {
-  /** '' for one of the thesis's light: see `thesisSurface`. */
+  /** '' for a surface built from the thesis's chunks by `thesisSurface`. */
   readonly source: string;
   readonly material: Readonly<Record<string, FieldValue>>;
-  /** It moves vertices: a plane, which has four, becomes a grid. */
+  /** Whether the surface moves vertices, so that a plane (four vertices) is replaced by a grid. */
   readonly needsGrid?: boolean;
 }
 
-/** By the id of the action that makes it. */
+/** Built-in surfaces, by the id of the action that adds one. */
 export const builtinSurfaces = {
   waves: { source: waves, material: { kind: 'physical', colour: [0.02, 0.12, 0.2], roughness: 0.15 }, needsGrid: true },
   water: { source: water, material: { kind: 'physical', colour: [0.02, 0.12, 0.2], roughness: 0.08 }, needsGrid: true },

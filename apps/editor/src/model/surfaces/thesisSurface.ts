@@ -2,10 +2,10 @@ import { t } from '@farol/editing';
 import { parseMicroShaderXML } from '@farol/renderer/authoring';
 import { textOfMicroShaders } from '@farol/renderer/surfaces';
 
-/** Where the thesis's own microshaders are served. */
+/** URL of the thesis's microshaders. */
 export const THESIS = 'microshaders/thesis.xml';
 
-/** The thesis's file of microshaders. @throws Error (as a rejection) when the server has none */
+/** Fetches the thesis's microshaders. @throws Error (as a rejection) when the server has none */
 export async function fetchThesis(): Promise<string> {
   const response = await fetch(THESIS);
   if (!response.ok)
@@ -18,7 +18,7 @@ export async function fetchThesis(): Promise<string> {
   return response.text();
 }
 
-/** A surface of the thesis's chunks: a Phong material under one light. @see thesis 3.1.2 */
+/** Surface made of the thesis's chunks: a Phong material under one light. @see thesis 3.1.2 */
 export async function thesisSurface(light: 'directional' | 'point' | 'spot'): Promise<string> {
   const chunks = parseMicroShaderXML(await fetchThesis(), THESIS);
   return textOfMicroShaders(chunks, ['surface', 'light', `light_${light}`, 'phong', 'phong_output']);

@@ -1,9 +1,9 @@
 import type { GameObject, Scene } from '@farol/engine';
 
-/** Numbers from 0 up to, not including, 1. */
+/** Generator of numbers in [0, 1). */
 export type Random = () => number;
 
-/** An integer from 0 up to, not including, `count`. */
+/** An integer in [0, `count`). */
 export const below = (random: Random, count: number): number => Math.floor(random() * count);
 
 export const pick = <T>(random: Random, list: readonly T[]): T => list[below(random, list.length)];

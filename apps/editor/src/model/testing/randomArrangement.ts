@@ -6,7 +6,7 @@ import { arrangeObjects } from '../arrange/arrangeObjects';
 import { topmost } from '../commands/Placement';
 import { below, pick, type Random } from './random';
 
-/** Settings of an arrangement: a line of five, a metre apart, unless some are named. */
+/** Settings of an arrangement: by default a line of five, 1 m apart. */
 export const arrangement = (settings: Partial<Arrangement> = {}): Arrangement => ({
   kind: 'line',
   count: 5,
@@ -32,7 +32,7 @@ export const arrangement = (settings: Partial<Arrangement> = {}): Arrangement =>
   ...settings,
 });
 
-/** A few copies of objects in some arrangement, often in a group, with lights that differ. */
+/** Copies objects in a random arrangement, often in a group, with varied lights. */
 export function randomArrangement(random: Random, scene: Scene, objects: readonly GameObject[]): Command {
   const settings = arrangement({
     kind: pick(random, ['line', 'ring', 'grid'] as const),

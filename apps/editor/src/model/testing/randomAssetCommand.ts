@@ -5,11 +5,11 @@ import { AddAssets } from '../commands/AddAssets';
 import type { EditorDocument } from '../EditorDocument';
 import { below, pick, type Random } from './random';
 
-/** Names of the textures that `randomAssetCommand` has imported. */
+/** Names of the textures imported by `randomAssetCommand`. */
 export const importedTextures = ({ assets }: EditorDocument): string[] =>
   assets.list('texture').filter((name) => !assets.isBuiltin(name));
 
-/** Imports a texture, or deletes one with all that names it. */
+/** Imports a texture, or deletes one with every reference to it. */
 export function randomAssetCommand(random: Random, document: EditorDocument): Command {
   const { assets, scene } = document;
   const imported = importedTextures(document);

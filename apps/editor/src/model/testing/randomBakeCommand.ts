@@ -6,7 +6,7 @@ import { setStatic } from '../edits';
 import type { EditorDocument } from '../EditorDocument';
 import { below, type Random } from './random';
 
-/** Baked light of the scene as it is, that no ray was cast for. */
+/** Baked light for the current scene, made without casting rays. */
 function bakeOf(scene: Scene): BakeData {
   const { meshes, lights } = bakeSources(scene);
   return {
@@ -26,7 +26,7 @@ function bakeOf(scene: Scene): BakeData {
   };
 }
 
-/** Bakes light anew, clears it, or makes more of the scene take part. */
+/** Bakes again, clears the baked light, or makes more of the scene static. */
 export function randomBakeCommand(random: Random, { scene, assets }: EditorDocument): Command {
   switch (below(random, 4)) {
     case 0:
@@ -45,7 +45,7 @@ export function randomBakeCommand(random: Random, { scene, assets }: EditorDocum
   }
 }
 
-/** Which lights shine and which meshes have lightmaps: what baked light makes of a scene, in words. */
+/** Description of which lights shine and which meshes have lightmaps. */
 export function litBy(scene: Scene): string {
   const words: string[] = [];
   scene.three.traverse((object) => {

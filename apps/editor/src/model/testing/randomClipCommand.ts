@@ -13,7 +13,7 @@ import { recordEdit } from '../timeline/recordEdit';
 import { below, pick, type Random } from './random';
 import { randomEdit } from './randomEdit';
 
-/** An edit of the clips of the library: a new one, its keys, events and length, a recorded edit of an object, one less. */
+/** A random edit of the library's clips: adds one, edits keys, events or length, records an edit, or removes one. */
 export function randomClipCommand(random: Random, document: EditorDocument, object: GameObject): Command {
   const { scene, assets } = document;
   const clips = assets.fieldAssets('clip') as ClipAsset[];

@@ -37,7 +37,7 @@ import { randomScriptCommand } from './randomScriptCommand';
 import { randomSurfaceCommand } from './randomSurfaceCommand';
 import { randomViewCommand } from './randomViewCommand';
 
-/** Some objects, often nested ones. */
+/** A random subset of about two objects, often nested. */
 const some = (random: Random, all: readonly GameObject[]): GameObject[] => {
   const chosen = all.filter(() => random() < 2 / all.length);
   return chosen.length > 0 ? chosen : [pick(random, all)];
@@ -53,7 +53,7 @@ function randomMicroShaders(random: Random, { scene }: EditorDocument): Command 
   );
 }
 
-/** Any edit that the editor has, of a scene of 6 to 40 objects. */
+/** A random edit of any kind, for a scene of 6 to 40 objects. */
 export function randomCommand(random: Random, document: EditorDocument): Command {
   const { scene, selection } = document;
   const all = objectsOf(scene);
@@ -142,7 +142,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return randomViewCommand(random, document);
     case 31:
     case 32:
-      // what is edited of scripts while the scene plays stays when it stops
+      // edits of scripts survive stopping, so that none is made while the scene plays
       return document.simulation.state === 'stopped'
         ? randomScriptCommand(random, document, some(random, all))
         : randomEdit(random, document, scene.settings);
@@ -166,7 +166,7 @@ export function randomCommand(random: Random, document: EditorDocument): Command
       return addPhysics(scene, some(random, all), pick(random, kinds));
     }
     default: {
-      // components of scripts that do not run have no fields that can be edited
+      // components of scripts that do not run have no editable fields
       const owners = pick(random, all).components.filter(({ fields }) =>
         Object.values(fields).some((field) => field.default !== undefined),
       );

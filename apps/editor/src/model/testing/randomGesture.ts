@@ -3,7 +3,7 @@ import { below, objectsOf, pick, type Random } from './random';
 import { randomCommand } from './randomCommand';
 import { randomEdit } from './randomEdit';
 
-/** A drag of many previews, kept or not; sometimes of different commands. */
+/** A drag of several previews, committed or discarded; sometimes of different commands. */
 export function randomGesture(random: Random, document: EditorDocument): void {
   const gesture = document.commands.begin();
   const owner = pick(random, objectsOf(document.scene))?.transform ?? document.scene.settings;

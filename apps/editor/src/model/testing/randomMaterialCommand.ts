@@ -18,7 +18,7 @@ import type { EditorDocument } from '../EditorDocument';
 import { below, pick, type Random } from './random';
 import { randomEdit } from './randomEdit';
 
-/** An edit of the materials and folders of the library: a new one, a value, another name or place, a copy, one less. */
+/** A random edit of the library's materials and folders: adds, changes, renames, moves, copies or removes one. */
 export function randomMaterialCommand(random: Random, document: EditorDocument): Command {
   const { assets, scene } = document;
   const materials = assets.materialAssets;

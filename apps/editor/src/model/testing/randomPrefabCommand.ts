@@ -17,7 +17,7 @@ import {
 } from '../prefabEdits';
 import { below, pick, type Random } from './random';
 
-/** Work with prefabs; where an object is in no instance, it becomes one. */
+/** A random edit of prefabs; an object outside instances is made one. */
 export function randomPrefabCommand(
   random: Random,
   { scene }: EditorDocument,
@@ -47,7 +47,7 @@ export function randomPrefabCommand(
       try {
         return applyInstance(scene, root, []);
       } catch (error) {
-        // the prefab would hold itself: refused, with nothing changed
+        // refused, and nothing changed: the prefab would contain itself
         if (!(error instanceof PrefabError)) throw error;
         return unpackInstance(scene, root, []);
       }

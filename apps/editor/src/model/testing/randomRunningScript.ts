@@ -5,7 +5,7 @@ import { addComponent } from '../edits';
 import type { EditorDocument } from '../EditorDocument';
 import { below, objectsOf, pick, type Random } from './random';
 
-/** Fields that texts of a script have: the same name is of another kind, has another default, or is not there. */
+/** Field tables that a script may declare: one name with several kinds and defaults, or missing. */
 const tables = [
   'rate: number(1, { help })',
   'rate: number(2, { help }), word: string("a", { help })',
@@ -27,7 +27,9 @@ export default class Spin extends component({ ${table} }) {
   }
 }`;
 
-/** Makes, edits, breaks, deletes or uses scripts. While the scene plays, where edits of scripts are kept, it makes none. */
+/**
+ * Makes, edits, breaks, deletes or uses scripts. Null while the scene plays, since edits of scripts survive stopping.
+ */
 export function randomRunningScript(random: Random, document: EditorDocument): Command | null {
   const { scene, assets, simulation } = document;
   if (simulation.state !== 'stopped') return null;

@@ -2,7 +2,7 @@ import { builtinComponents, GameObject, Scene } from '@farol/engine';
 import type { EditorDocument } from '../EditorDocument';
 import { objectsOf, pick, type Random } from './random';
 
-/** A scene with one object of each type of component, some below others. */
+/** A scene with one object for each type of component, some nested. */
 export function randomScene(random: Random, { assets }: EditorDocument): Scene {
   const scene = new Scene({ name: 'Start', assets });
   for (const type of [...builtinComponents.types.values()].slice(1)) {

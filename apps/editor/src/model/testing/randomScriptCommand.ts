@@ -5,7 +5,7 @@ import type { EditorDocument } from '../EditorDocument';
 import { addScript, addScriptComponent, duplicateScript, renameAnyAsset } from '../scriptEdits';
 import { below, pick, type Random } from './random';
 
-/** An edit of the scripts: a new one, with components or without, a text, another name or folder, a copy, one less. */
+/** A random edit of the scripts: adds, edits, renames, moves, copies or removes one. */
 export function randomScriptCommand(random: Random, { assets, scene }: EditorDocument, users: GameObject[]): Command {
   const scripts = assets.fieldAssets('script');
   const act = below(random, 6);

@@ -1,7 +1,7 @@
 import type { EditorDocument } from '../EditorDocument';
 import { below, pick, type Random } from './random';
 
-/** Plays, steps or stops, and lets some time pass. */
+/** Plays, steps or stops, and advances the time. */
 export function randomSimulation(random: Random, document: EditorDocument): void {
   const { simulation } = document;
   const act = below(random, 4);
@@ -11,7 +11,7 @@ export function randomSimulation(random: Random, document: EditorDocument): void
   simulation.advance(random() * 0.2);
 }
 
-/** Keeps what was edited while the scene played: one value, or all. */
+/** Keeps edits made while the scene played: one value, or all. */
 export function randomKeep(random: Random, { playEdits, scene }: EditorDocument): void {
   const change = pick(random, playEdits.changes);
   const isThere = ({ owner }: typeof change): boolean => !('isAttached' in owner) || owner.scene === scene;

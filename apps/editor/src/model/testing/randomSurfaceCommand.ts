@@ -10,7 +10,7 @@ import { below, pick, type Random } from './random';
 import { randomEdit } from './randomEdit';
 import { randomValue } from './randomValue';
 
-/** Texts of surfaces, that they declare other uniforms, or are broken. */
+/** Texts of surfaces: with different uniforms, and broken ones. */
 const texts: readonly string[] = [
   'uniform float height; // = 0.2 [0, 1]\n// reach: height\nvoid displace(inout VertexData v) { v.positionOS.y += height; }',
   'uniform float height; // = 0.4\nuniform vec3 tintColor; // = #ff8800\nvoid surface(inout SurfaceData s) { s.color *= tintColor; }',
@@ -19,7 +19,7 @@ const texts: readonly string[] = [
   'no surface',
 ];
 
-/** Waits for the renderer's code of surfaces, without which none has uniforms. */
+/** Waits for the renderer's code for surfaces; without it surfaces have no uniforms. */
 export function loadSurfaces(): Promise<void> {
   const assets = new AssetLibrary();
   return new Promise((resolve) => {
@@ -28,13 +28,13 @@ export function loadSurfaces(): Promise<void> {
   });
 }
 
-/** An edit of the surfaces: a new one, a text, a value, one worn by objects or taken off, another name, one less. */
+/** A random edit of the surfaces: adds, edits, uses, renames or removes one. */
 export function randomSurfaceCommand(random: Random, document: EditorDocument): Command {
   const { assets, scene } = document;
   const surfaces = assets.fieldAssets('surface');
   const wearers: SurfaceWearer[] = [...scene.componentsOf(ObjectRenderer), ...scene.componentsOf(ModelRenderer)];
   const some = wearers.filter(() => random() < 0.4);
-  // texts that are typed while the scene plays stay when it stops
+  // texts typed while the scene plays survive stopping
   const act = document.simulation.state === 'stopped' ? below(random, 12) : 5 + below(random, 7);
   if (act === 0 || (act < 4 && surfaces.length < 3))
     return addSurface(scene, `Surface ${below(random, 20)}`, pick(random, texts), {}, random() < 0.5 ? some : [])
@@ -68,7 +68,7 @@ export function randomSurfaceCommand(random: Random, document: EditorDocument): 
   return new SetFields('Set uniform', [{ owner, name, value }]);
 }
 
-/** The fields of an owner that are uniforms of a surface; null where there are none. */
+/** Fields of an owner that are uniforms of its surface; null when it has none. */
 function uniformsOf({ fields }: FieldOwner): string[] | null {
   const names = Object.keys(fields).filter((name) => fields[name].viewOf !== undefined);
   return names.length > 0 ? names : null;

@@ -3,11 +3,11 @@ import type { EditorDocument } from '../EditorDocument';
 import { importedTextures } from './randomAssetCommand';
 import { below, objectsOf, pick, type Random } from './random';
 
-/** Times of the keys of a curve. */
+/** Random times for keys of a curve, ascending. */
 const randomTimes = (random: Random): number[] =>
   Array.from({ length: 1 + below(random, 6) }, () => below(random, 11) / 10).toSorted((a, b) => a - b);
 
-/** A value that the field allows. */
+/** A random value that a field allows. */
 export function randomValue(random: Random, field: Field, document: EditorDocument): FieldValue {
   const between = (min = -20, max = 20): number => min + random() * (Math.min(max, min + 1000) - min);
   switch (field.kind) {

@@ -6,7 +6,7 @@ import { SetView } from '../commands/SetView';
 import type { EditorDocument } from '../EditorDocument';
 import { below, type Random } from './random';
 
-/** Keeps or forgets a view, or brings a camera to a view. */
+/** Stores or removes a view, or moves a camera to a view. */
 export function randomViewCommand(random: Random, { scene, selection }: EditorDocument): Command {
   const number = (): number => random() * 20 - 10;
   const position = [number(), number(), number()] as const;

@@ -4,14 +4,14 @@ import { compileScript, ScriptError, takeGiven } from '@farol/engine/scripts';
 import * as three from 'three';
 import { DocumentScripts } from '../DocumentScripts';
 
-/** The scripts of a document, run in Node. */
+/** Runs a document's scripts in Node. */
 export const scriptsInNode = (): DocumentScripts =>
   new DocumentScripts(() => ({
     modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
     compile: compileScript,
     run({ name, code }) {
       try {
-        // oxlint-disable-next-line no-eval -- in the page it is a script element that runs it
+        // oxlint-disable-next-line no-eval -- stands for the script element that runs the code in a page
         (0, eval)(code);
       } catch (error) {
         throw new ScriptError(name, (error as Error).message);

@@ -17,7 +17,7 @@ let lamp: GameObject;
 
 const position = { path: '', component: 'Transform', field: 'position' };
 
-/** Edits are noticed once the code that makes them is done. */
+/** Waits for the microtask in which the timeline notices edits. */
 const noticed = (): Promise<void> => Promise.resolve();
 
 const place = (object: GameObject): readonly number[] => object.transform.get('position') as readonly number[];

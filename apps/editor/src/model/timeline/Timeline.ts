@@ -10,12 +10,12 @@ import { keptSelection, type KeyEdit, type KeySelection } from './editKeys';
 import { componentOf, recordEdit } from './recordEdit';
 import { addressOf } from './trackTargets';
 
-/** Selections of keys that are remembered, each with the text of the clip that it was of. */
+/** Number of texts of clips whose selections are remembered, so that undo restores the selection. */
 const REMEMBERED = 200;
 
 const NONE: KeySelection = new Set();
 
-/** What of the clip is selected: keys, or events by their places. */
+/** Selected keys, or indices of selected events. */
 export interface ClipSelection {
   readonly keys: KeySelection;
   readonly events: readonly number[];
@@ -24,18 +24,18 @@ export interface ClipSelection {
 const NOTHING: ClipSelection = { keys: NONE, events: [] };
 
 /**
- * The clip that is edited, of which object, and where the playhead is. While it previews, the object is seen as the clip has
- * it at the playhead; while it records, edits of fields become keys there.
+ * The clip being edited, its object and the playhead. While previewing, the object shows the clip at the playhead;
+ * while recording, edits of fields become keys there.
  */
 export class Timeline implements EditRecorder {
-  /** Emits when another clip is edited, or the same one otherwise: its keys, what is selected, whether it records or plays. */
+  /** Emits when the clip is replaced or edited, and when selection, recording or playback changes. */
   readonly changed = new Signal();
   /** Emits when the playhead moves. */
   readonly moved = new Signal();
 
   private currentClip: ClipAsset | null = null;
   private currentRoot: GameObject | null = null;
-  /** The clip that was chosen by name for the object. */
+  /** Name of the clip that the user chose for the object. */
   private chosen: string | null = null;
   private text = '';
   private seconds = 0;
@@ -49,18 +49,18 @@ export class Timeline implements EditRecorder {
   private isWaiting = false;
   private endings: (() => void)[] = [];
 
-  /** @param redraw - called when the picture must be drawn anew */
+  /** @param redraw - called when the viewport must be redrawn */
   constructor(
     readonly document: EditorDocument,
     private readonly redraw: () => void,
   ) {}
 
-  /** The clip that is edited; null for none. */
+  /** The edited clip; null for none. */
   get clip(): ClipAsset | null {
     return this.currentClip;
   }
 
-  /** The object that the clip moves; null where there is none. */
+  /** The object that the clip animates; null when there is none. */
   get root(): GameObject | null {
     return this.currentRoot;
   }
@@ -73,12 +73,12 @@ export class Timeline implements EditRecorder {
     return this.currentClip ? durationOf(this.currentClip) : 1;
   }
 
-  /** Frames a second. */
+  /** Frames per second. */
   get frameRate(): number {
     return this.currentClip ? frameRateOf(this.currentClip) : 30;
   }
 
-  /** Where the playhead is: seconds from the beginning. */
+  /** Time of the playhead (s). */
   get time(): number {
     return this.seconds;
   }
@@ -91,22 +91,22 @@ export class Timeline implements EditRecorder {
     return this.records;
   }
 
-  /** Whether the clip plays by itself, while the scene does not. */
+  /** Whether the clip plays while the scene is stopped. */
   get isPlaying(): boolean {
     return this.plays;
   }
 
-  /** Whether the object is seen as the clip has it. */
+  /** Whether the object shows the clip at the playhead instead of its authored values. */
   get isPreviewing(): boolean {
     return this.previews;
   }
 
-  /** Whether the scene is played, so that the playhead follows it. */
+  /** Whether the scene plays or is paused, so that the playhead follows it. */
   get isFollowing(): boolean {
     return this.document.simulation.state !== 'stopped';
   }
 
-  /** Whether there is a clip and an object whose edits can become keys. */
+  /** Whether there is a clip and an object, so that edits can become keys. */
   get canRecord(): boolean {
     return this.canPreview;
   }
@@ -115,7 +115,7 @@ export class Timeline implements EditRecorder {
     return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
   }
 
-  /** The panel is shown. */
+  /** Called when the timeline panel is shown. */
   open(): void {
     if (this.isOpen) return;
     this.isOpen = true;
@@ -133,7 +133,7 @@ export class Timeline implements EditRecorder {
     this.refresh();
   }
 
-  /** The panel is left: the scene is seen as it was authored. */
+  /** Called when the panel is hidden: the scene shows its authored values again. */
   close(): void {
     if (!this.isOpen) return;
     this.endPreview();
@@ -142,13 +142,13 @@ export class Timeline implements EditRecorder {
     this.endings = [];
   }
 
-  /** Edits another clip of the library. @param name - null for the one that the object plays */
+  /** Selects the clip to edit. @param name - null for the one that the object plays */
   choose(name: string | null): void {
     this.chosen = name;
     this.refresh();
   }
 
-  /** Puts the playhead at a time (s), and shows the object there. */
+  /** Moves the playhead to a time (s), and shows the object at that time. */
   setTime(seconds: number): void {
     const time = Math.max(seconds, 0);
     if (this.isFollowing) return;
@@ -158,10 +158,10 @@ export class Timeline implements EditRecorder {
     if (isMoved) this.moved.emit();
   }
 
-  /** The time of the nearest frame. */
+  /** Rounds a time (s) to the nearest frame. */
   readonly snap = (time: number): number => roundTime(Math.round(time * this.frameRate) / this.frameRate);
 
-  /** Moves the playhead to a frame before or after. */
+  /** Moves the playhead by a number of frames, which may be negative. */
   stepFrames(count: number): void {
     this.setTime(roundTime((Math.round(this.seconds * this.frameRate) + count) / this.frameRate));
   }
@@ -187,7 +187,7 @@ export class Timeline implements EditRecorder {
     this.changed.emit();
   }
 
-  /** Called each frame while it plays, or while the scene does. */
+  /** Called each frame while the clip or the scene plays. */
   advance(deltaSeconds: number): void {
     if (this.isFollowing) {
       const { currentRoot: root, currentClip: clip } = this;
@@ -202,7 +202,7 @@ export class Timeline implements EditRecorder {
     }
   }
 
-  /** Shows the scene as it was authored; the playhead stays. */
+  /** Shows the authored values again; the playhead stays. */
   endPreview(): void {
     const wasOn = this.previews || this.records || this.plays;
     this.previews = false;
@@ -222,7 +222,7 @@ export class Timeline implements EditRecorder {
     this.changed.emit();
   }
 
-  /** Runs an edit of the clip as one step. */
+  /** Edits the clip, as one step. */
   edit(label: string, edit: KeyEdit | ClipData, events: readonly number[] = []): void {
     const { clip } = this;
     if (!clip) return;
@@ -231,7 +231,7 @@ export class Timeline implements EditRecorder {
     this.document.commands.run(setClip(label, clip, data));
   }
 
-  /** Begins a drag: many previews, each made of the clip as it is now, and one step. */
+  /** Begins a drag: any number of previews, each an edit of the clip as it is now, and one step in the end. */
   beginEdit(): ClipGesture | null {
     const { clip } = this;
     if (!clip) return null;
@@ -256,7 +256,7 @@ export class Timeline implements EditRecorder {
     };
   }
 
-  /** The value that edits of a field begin from: while it records, the one that is seen. */
+  /** The value that edits of a field start from: while recording, the one at the playhead. */
   valueOf(owner: FieldTarget, name: string): FieldValue | undefined {
     const component = this.records && componentOf(owner);
     if (!component || !this.currentRoot || !addressOf(this.currentRoot, component, name)) return undefined;
@@ -267,7 +267,7 @@ export class Timeline implements EditRecorder {
     const { clip, root, data, duration, seconds: time } = this;
     if (!clip || !root) return (command) => command;
     return (command) => {
-      // what moves objects in the tree reads where they are
+      // moving objects in the tree reads their poses, which must be the authored ones
       if (!(command instanceof SetFields)) this.interrupt();
       else if (this.records) return recordEdit(command, { clip, root, data, duration, time });
       else if (this.previews && this.isOfTrack(command, root)) this.endPreview();
@@ -275,7 +275,7 @@ export class Timeline implements EditRecorder {
     };
   }
 
-  /** Shows what was authored for as long as the code runs that asks for it. */
+  /** Shows the authored values until the current task ends, so that code that runs now reads them. */
   interrupt(): void {
     this.preview?.end();
     this.preview = null;
@@ -291,7 +291,7 @@ export class Timeline implements EditRecorder {
     });
   }
 
-  /** Another scene came. */
+  /** Called when another scene was opened. */
   private forget(): void {
     this.chosen = null;
     this.selections.clear();
@@ -302,7 +302,7 @@ export class Timeline implements EditRecorder {
     this.refresh();
   }
 
-  /** Finds the clip and its object anew. */
+  /** Looks up the clip and its object again. */
   private refresh(): void {
     const { document } = this;
     const asset = document.assetSelection.primary;
@@ -347,14 +347,14 @@ export class Timeline implements EditRecorder {
     this.shownChanged();
   }
 
-  /** Other values are seen in the picture, and in the inspector while it records. */
+  /** Called when the preview changed values shown by the viewport and, while recording, by the inspector. */
   private shownChanged(): void {
     this.redraw();
     this.document.previewed.emit();
   }
 
   private edited(): void {
-    // an edit of many fields tells of each
+    // an edit of many fields emits once for each
     if (this.isWaiting) return;
     this.isWaiting = true;
     queueMicrotask(() => {
@@ -365,7 +365,7 @@ export class Timeline implements EditRecorder {
     });
   }
 
-  /** The clip may have been edited, by an undo too: what was selected with this text is selected again. */
+  /** Called after edits, undo included: restores the selection that was made with the clip's present text. */
   private noticeText(): void {
     const { currentClip: clip } = this;
     const text = clip ? (clip.getAuthored('data') as string) : '';
@@ -382,7 +382,7 @@ export class Timeline implements EditRecorder {
     this.changed.emit();
   }
 
-  /** What shall be selected once the clip has these data. */
+  /** Sets the selection for the time when the clip has these data. */
   private expect(data: ClipData, selection: ClipSelection): void {
     this.remember();
     const text = writeClip(data);
@@ -400,9 +400,9 @@ export class Timeline implements EditRecorder {
 
 /** A drag that edits a clip. */
 export interface ClipGesture {
-  /** The clip as it was when the drag began. */
+  /** Data of the clip when the drag began. */
   readonly data: ClipData;
-  /** Shows an edit of `data`. */
+  /** Shows an edit of `data`, replacing the preview before. */
   preview(label: string, edit: KeyEdit | ClipData, events?: readonly number[]): void;
   previewDuration(label: string, seconds: number): void;
   commit(): void;

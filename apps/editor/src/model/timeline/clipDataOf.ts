@@ -1,13 +1,13 @@
 import { type ClipAsset, type ClipData, clipText, type ClipTrack } from '@farol/engine';
 import { EMPTY_CLIP } from './clipTracks';
 
-/** What was last read of a clip, or written to it: texts of many keys are read once. */
+/** Parsed data of each clip, with the text it was parsed from or written to; avoids parsing long texts again. */
 const known = new WeakMap<ClipAsset, { readonly text: string; readonly data: ClipData }>();
 
-/** The text of a whole clip. */
+/** Serialised text of each clip's data. */
 const texts = new WeakMap<ClipData, string>();
 
-/** The text of a track within that of its clip: of many tracks an edit changes few. */
+/** Serialised text of each track: an edit changes only some tracks. */
 const trackTexts = new WeakMap<ClipTrack, string>();
 
 const [BEFORE, AFTER] = ['{"tracks":[', '],"events":[]}'];
@@ -21,7 +21,7 @@ function textOfTrack(track: ClipTrack): string {
   return text;
 }
 
-/** The text of a clip, as of the engine's `clipText`: '' where nothing is in it. */
+/** Serialises a clip as the engine's `clipText` does; '' when it is empty. */
 export function writeClip(data: ClipData): string {
   const { tracks, events } = data;
   if (tracks.length === 0 && events.length === 0) return '';
@@ -34,7 +34,7 @@ export function writeClip(data: ClipData): string {
   return text;
 }
 
-/** The tracks and events of a clip; the same object until they are edited. Of a text that is none of a clip nothing is left. */
+/** Tracks and events of a clip: the same object until the clip is edited. Empty when the text is malformed. */
 export function clipDataOf(clip: ClipAsset): ClipData {
   const text = clip.getAuthored('data') as string;
   const last = known.get(clip);
@@ -43,13 +43,13 @@ export function clipDataOf(clip: ClipAsset): ClipData {
   try {
     data = clip.clip;
   } catch {
-    // whoever plays the clip tells of it
+    // the component that plays the clip reports it
   }
   known.set(clip, { text, data });
   return data;
 }
 
-/** Notes what a text that a clip is about to have says. */
+/** Stores the parsed data for a text that a clip is about to get. */
 export const noteClipData = (clip: ClipAsset, text: string, data: ClipData): void => {
   known.set(clip, { text, data });
 };

@@ -7,7 +7,7 @@ import { Sequence } from '../commands/Sequence';
 import { noteClipData, writeClip } from './clipDataOf';
 import { lastTime } from './clipTracks';
 
-/** What a clip is called in labels and menus: its name without the folder. */
+/** Display name of a clip: its name without the folder. */
 export const clipName = (clip: { readonly name: string }): string => splitName(clip.name).leaf;
 
 export const durationOf = (clip: ClipAsset): number => clip.duration;
@@ -15,8 +15,8 @@ export const durationOf = (clip: ClipAsset): number => clip.duration;
 export const frameRateOf = (clip: ClipAsset): number => clip.frameRate;
 
 /**
- * Gives a clip other tracks and events. It becomes as long as they are where they go beyond its end.
- * @param duration - how long it is at least (s); as long as it was when absent
+ * Replaces tracks and events of a clip, extending the clip when they go beyond its end.
+ * @param duration - least duration (s); the present one when absent
  */
 export function setClip(label: string, clip: ClipAsset, data: ClipData, duration = durationOf(clip)): SetFields {
   const text = writeClip(data);
@@ -27,14 +27,14 @@ export function setClip(label: string, clip: ClipAsset, data: ClipData, duration
   ]);
 }
 
-/** Makes a clip shorter or longer: its keys stay where they are. */
+/** Sets the duration of a clip; its keys stay. */
 export const setDuration = (clip: ClipAsset, duration: number): SetFields =>
   new SetFields(t('Set the duration of {name}', { name: clipName(clip) }), [
     { owner: clip, name: 'duration', value: duration },
   ]);
 
 /**
- * Adds a clip without tracks, and a component that plays it to an object that has none.
+ * Adds an empty clip, and a component that plays it when the object has none.
  * @param player - the component's class, and its field that names a clip
  * @returns the command, and the clip's name
  */
@@ -52,10 +52,10 @@ export function addClip(
   const steps: (() => Command)[] = [() => new AddAssets(assets, [made])];
   if (object && player) {
     const { type, field } = player;
-    const there = object.getComponent(type.typeName);
-    if (!there) steps.push(() => addComponent(scene, [object], type, { [field]: free }));
-    else if (there.getAuthored(field) === null)
-      steps.push(() => new SetFields(label, [{ owner: there, name: field, value: free }]));
+    const existing = object.getComponent(type.typeName);
+    if (!existing) steps.push(() => addComponent(scene, [object], type, { [field]: free }));
+    else if (existing.getAuthored(field) === null)
+      steps.push(() => new SetFields(label, [{ owner: existing, name: field, value: free }]));
   }
   return { command: new Sequence(label, steps), name: free };
 }

@@ -1,9 +1,9 @@
 import type { Component, ComponentClass, GameObject, Scene } from '@farol/engine';
 
-/** Type of the component that plays clips, and its field that names one. */
+/** Component type that plays clips, and its field that names the clip. */
 const PLAYER = { type: 'Animation', field: 'clip' } as const;
 
-/** What plays clips: its class, and the field that names the clip; null where the class is not known. */
+/** The component class that plays clips, and its field that names the clip; null where the class is unknown. */
 export function clipPlayer({ registry }: Scene): { readonly type: ComponentClass; readonly field: string } | null {
   const type = registry.types.get(PLAYER.type);
   return type ? { type, field: PLAYER.field } : null;
@@ -11,7 +11,7 @@ export function clipPlayer({ registry }: Scene): { readonly type: ComponentClass
 
 const componentOn = (object: GameObject): Component | null => object.getComponent(PLAYER.type);
 
-/** The object itself, or the nearest above it, that plays clips. */
+/** The closest object, from the given one upwards, that plays clips. */
 export function playerAbove(object: GameObject): GameObject | null {
   for (let at: GameObject | null = object; at; at = at.parent) if (componentOn(at)) return at;
   return null;
@@ -21,11 +21,11 @@ export function playerAbove(object: GameObject): GameObject | null {
 export const playerOfClip = (scene: Scene, clip: string): GameObject | null =>
   scene.componentsOf(PLAYER.type).find((component) => component.getAuthored(PLAYER.field) === clip)?.gameObject ?? null;
 
-/** The name of the clip that an object plays; null for none. */
+/** Name of the clip that an object plays; null for none. */
 export const playedClip = (object: GameObject): string | null =>
   (componentOn(object)?.getAuthored(PLAYER.field) as string | null | undefined) ?? null;
 
-/** How far the clip of an object has come (s); null while it does not play this one. */
+/** Time in a clip that an object plays (s); null while it does not play this clip. */
 export function playedTime(object: GameObject, clip: string): number | null {
   const { playing, time } = (componentOn(object) ?? {}) as { readonly playing?: unknown; readonly time?: unknown };
   return playing === clip && typeof time === 'number' ? time : null;

@@ -2,35 +2,35 @@ import { type ClipData, type ClipKey, type ClipTrack } from '@farol/engine';
 import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
 import { curveAt } from './easingCurve';
 
-/** What a track is of: see `ClipTrack`. */
+/** Path, component and field that a track animates, see `ClipTrack`. */
 export type TrackAddress = Pick<ClipTrack, 'path' | 'component' | 'field'>;
 
-/** Keys nearer to each other (s) are at the same time. */
+/** Keys closer than this (s) count as simultaneous. */
 export const SAME_TIME = 1e-5;
 
 export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < SAME_TIME;
 
-/** Names a track within its clip. */
+/** Id of a track within its clip. */
 export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
-/** The place of a time: the same for times that are the same. */
+/** Time in units of `SAME_TIME`, equal for simultaneous keys. */
 export const keyPlace = (time: number): number => Math.round(time / SAME_TIME);
 
-/** Names a key within its clip, as long as it stays at its time. @param track - `trackId` of its track */
+/** Id of a key within its clip, valid until its time changes. @param track - `trackId` of its track */
 export const keyId = (track: string, time: number): string => `${track}\n${keyPlace(time)}`;
 
-/** The track and the place that a key is named by. */
+/** The track and the time, as `keyPlace`, of a key's id. */
 export function splitKeyId(id: string): [track: string, place: number] {
   const at = id.lastIndexOf('\n');
   return [id.slice(0, at), Number(id.slice(at + 1))];
 }
 
-/** A time with the digits that are kept in the text of a clip. */
+/** Rounds a time (s) to the digits stored in a clip. */
 export const roundTime = (time: number): number => Number(time.toPrecision(9));
 
 export const EMPTY_CLIP: ClipData = { tracks: [], events: [] };
 
-/** Kinds of fields that tracks may be of. */
+/** Kinds of fields that can be animated. */
 const animatedKinds: ReadonlySet<Field['kind']> = new Set([
   'number',
   'angle',
@@ -41,11 +41,11 @@ const animatedKinds: ReadonlySet<Field['kind']> = new Set([
   'choice',
 ] as const);
 
-/** Whether a track may be of a field. */
+/** Whether a field can be animated. */
 export const isAnimatable = (field: Field | undefined): boolean =>
   field !== undefined && animatedKinds.has(field.kind) && !field.readOnly;
 
-/** Whether values go from one to the next; others step. */
+/** Whether a value can be interpolated; others step. */
 export const isNumeric = (value: FieldValue | undefined): boolean => typeof value === 'number' || isTriple(value);
 
 export const findTrack = (data: ClipData, address: TrackAddress): ClipTrack | undefined => {
@@ -53,7 +53,7 @@ export const findTrack = (data: ClipData, address: TrackAddress): ClipTrack | un
   return data.tracks.find((track) => track.path === path && track.component === component && track.field === field);
 };
 
-/** The value that is a share of the way from one to the other; the first where there is no way between them. */
+/** Interpolates linearly; gives `from` for values that cannot be interpolated. @param way - 0 to 1 */
 export function mixValues(from: FieldValue, to: FieldValue, way: number): FieldValue {
   if (typeof from === 'number' && typeof to === 'number') return from + (to - from) * way;
   if (isTriple(from) && isTriple(to)) {
@@ -62,7 +62,7 @@ export function mixValues(from: FieldValue, to: FieldValue, way: number): FieldV
   return from;
 }
 
-/** The index of the last key at or before a time; -1 when all are after it. */
+/** Index of the last key at or before a time; -1 when all are later. */
 export function keyBefore(keys: readonly ClipKey[], time: number): number {
   let [low, high] = [0, keys.length];
   while (low < high) {
@@ -73,7 +73,7 @@ export function keyBefore(keys: readonly ClipKey[], time: number): number {
   return low - 1;
 }
 
-/** The value of keys, at least one, at a time: the first one's before it, the last one's after it. */
+/** Interpolated value at a time, clamped to the first and the last key. @param keys - at least one */
 export function valueAt(keys: readonly ClipKey[], time: number): FieldValue {
   const i = keyBefore(keys, time);
   if (i < 0) return keys[0].value;
@@ -84,6 +84,6 @@ export function valueAt(keys: readonly ClipKey[], time: number): FieldValue {
   return mixValues(from.value, to.value, from.easing === 'bezier' ? curveAt(share, from.control) : share);
 }
 
-/** The time of the last key or event; 0 when there is none. */
+/** Time of the last key or event (s); 0 when there is none. */
 export const lastTime = ({ tracks, events }: ClipData): number =>
   Math.max(0, ...tracks.map(({ keys }) => keys.at(-1)?.time ?? 0), ...events.map(({ time }) => time));

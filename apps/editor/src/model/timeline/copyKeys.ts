@@ -2,13 +2,13 @@ import type { ClipData, ClipKey } from '@farol/engine';
 import { findTrack, keyId, roundTime, type TrackAddress, trackId } from './clipTracks';
 import { insertKeys, type KeyEdit, type KeySelection, rangeOfKeys, selectedIn } from './editKeys';
 
-/** Keys that were copied: their times are from the first one on. */
+/** Copied keys; times are relative to the first one. */
 export interface CopiedKeys {
   readonly kind: 'farol-keys';
   readonly tracks: readonly (TrackAddress & { readonly keys: readonly ClipKey[] })[];
 }
 
-/** Copies the selected keys; null when none is. */
+/** Copies the selected keys; null when there are none. */
 export function copyKeys(data: ClipData, selected: KeySelection): CopiedKeys | null {
   const range = rangeOfKeys(data, selected);
   if (!range) return null;
@@ -20,7 +20,7 @@ export function copyKeys(data: ClipData, selected: KeySelection): CopiedKeys | n
   return { kind: 'farol-keys', tracks };
 }
 
-/** Reads what `copyKeys` made from text; null when it is something else. */
+/** Parses text made from `copyKeys`; null when it is something else. */
 export function readCopiedKeys(text: string): CopiedKeys | null {
   if (!text.includes('"farol-keys"')) return null;
   try {
@@ -34,8 +34,8 @@ export function readCopiedKeys(text: string): CopiedKeys | null {
 }
 
 /**
- * Puts copied keys at a time; those that are there give way, and tracks that are not there are made.
- * @param onto - where keys of one track go; each to the track that it came from when absent
+ * Pastes keys at a time, replacing keys that are there and adding tracks that are missing.
+ * @param onto - track for copied keys of a single track; each goes to its own track when absent
  * @returns the clip, with the pasted keys selected
  */
 export function pasteKeys(data: ClipData, copied: CopiedKeys, time: number, onto?: TrackAddress): KeyEdit {

@@ -1,28 +1,28 @@
 import { type ClipKey, cubicBezier } from '@farol/engine';
 
-/** The inner control points of a Bézier curve from (0, 0) to (1, 1), as of CSS's `cubic-bezier`. */
+/** The inner control points x1, y1, x2, y2 of a Bézier curve from (0, 0) to (1, 1), as in CSS's `cubic-bezier`. */
 export type CurveControl = NonNullable<ClipKey['control']>;
 
 /** The control points of a straight line. */
 export const STRAIGHT: CurveControl = [1 / 3, 1 / 3, 2 / 3, 2 / 3];
 
-/** Named curves that the easing menu has. */
+/** Presets of the easing menu. */
 export const namedCurves = {
   easeIn: [0.42, 0, 1, 1],
   easeOut: [0, 0, 0.58, 1],
   easeInOut: [0.42, 0, 0.58, 1],
 } as const satisfies Record<string, CurveControl>;
 
-/** Parts of a curve that are smaller than this have no shape. */
+/** Parts of a curve smaller than this are treated as straight. */
 const SMALLEST = 1e-9;
-/** Halvings after which a number between 0 and 1 is exact. */
+/** Bisection steps that determine a number in [0, 1] to double precision. */
 const HALVINGS = 52;
 
-/** A coordinate of the curve at its parameter u, from 0 to 1. */
+/** One coordinate of the curve at its parameter u, 0 to 1. */
 const coordinate = (u: number, first: number, second: number): number =>
   3 * (1 - u) * (1 - u) * u * first + 3 * (1 - u) * u * u * second + u * u * u;
 
-/** The parameter where the share of the time is `share`, from 0 to 1; found by halving, since x only grows. */
+/** Curve parameter at a share of the time, 0 to 1; by bisection, since x is monotonic. */
 function parameterAt(share: number, [x1, , x2]: CurveControl): number {
   let [low, high] = [0, 1];
   for (let i = 0; i < HALVINGS; i++) {
@@ -33,7 +33,7 @@ function parameterAt(share: number, [x1, , x2]: CurveControl): number {
   return (low + high) / 2;
 }
 
-/** The share of the way that is gone at a share of the time. */
+/** Progress of the value at a share of the time, both 0 to 1. */
 export const curveAt = (share: number, [x1, y1, x2, y2]: CurveControl = STRAIGHT): number =>
   cubicBezier(x1, y1, x2, y2, share);
 
@@ -41,10 +41,10 @@ const mix = (a: number, b: number, t: number): number => a + (b - a) * t;
 
 /**
  * Splits a curve in two that together are the same curve.
- * @param share - of the time, above 0 and below 1
- * @returns the share of the way there, and the control points of both parts in their own shares. A part that begins and ends
- *   at the same share of the way has no shares: it becomes straight. A handle that would go beyond its part in time, as of
- *   curves that are steep in the middle, ends there.
+ * @param share - share of the time, above 0 and below 1
+ * @returns progress at the split, and both parts' control points relative to their own extent. A part that begins and
+ *   ends at the same progress becomes straight. A handle that would leave its part in time, as with curves steep in the
+ *   middle, is clamped.
  */
 export function splitCurve(
   share: number,
@@ -52,7 +52,7 @@ export function splitCurve(
 ): { way: number; before: CurveControl; after: CurveControl } {
   const u = parameterAt(share, control);
   const [x1, y1, x2, y2] = control;
-  /** De Casteljau: the points of both halves along one axis. */
+  /** De Casteljau subdivision: the points of both halves along one axis. */
   const halves = (first: number, second: number): [number, number, number, number, number] => {
     const a = mix(0, first, u);
     const b = mix(first, second, u);

@@ -1,11 +1,11 @@
 import type { ClipData, ClipEvent } from '@farol/engine';
 import { roundTime } from './clipTracks';
 
-/** Edits of the events of a clip. They are kept in order of time; several may be at one time. An event is known by its place. */
+/** Edits of the events of a clip, which are sorted by time and identified by index; several may share a time. */
 
 const inOrder = (a: ClipEvent, b: ClipEvent): number => a.time - b.time;
 
-/** A clip after an edit of events, and the places of those that it was of. */
+/** A clip after an edit of events, and the indices of the edited events. */
 export interface EventEdit {
   readonly data: ClipData;
   readonly places: readonly number[];
@@ -18,14 +18,14 @@ function sorted(data: ClipData, events: readonly ClipEvent[], edited: readonly C
 
 export const addEvent = (data: ClipData, event: ClipEvent): EventEdit => sorted(data, [...data.events, event], [event]);
 
-/** Gives an event another method, time or value; `value: undefined` takes the value away. */
+/** Changes method, time or value of an event; `value: undefined` removes the value. */
 export function changeEvent(data: ClipData, place: number, change: Partial<ClipEvent>): EventEdit {
   const { value, ...rest } = { ...data.events[place], ...change };
   const event: ClipEvent = value === undefined ? rest : { ...rest, value };
   return sorted(data, data.events.with(place, event), [event]);
 }
 
-/** Moves events; none goes before 0. @param by - seconds */
+/** Moves events; none goes before time 0. @param by - seconds */
 export function moveEvents(data: ClipData, places: readonly number[], by: number): EventEdit {
   const first = Math.min(...places.map((place) => data.events[place].time));
   const limited = Math.max(by, -first);
@@ -39,7 +39,7 @@ export function moveEvents(data: ClipData, places: readonly number[], by: number
   return sorted(data, events, [...moved.values()]);
 }
 
-/** Takes events away. */
+/** Removes events. */
 export const removeEvents = (data: ClipData, places: readonly number[]): ClipData => ({
   ...data,
   events: data.events.filter((_, i) => !places.includes(i)),

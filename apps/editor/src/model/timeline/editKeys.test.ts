@@ -65,7 +65,7 @@ describe('setKey', () => {
   test('a key on a Bézier curve leaves the curve as it is, of vectors too', () => {
     const random = createRandom(11);
     for (let i = 0; i < 60; i++) {
-      // handles that cross far in time cannot be parted exactly: see splitCurve
+      // handles that cross far in time cannot be split exactly, see splitCurve
       const control = [random() * 0.7, random() * 3 - 1, 0.3 + random() * 0.7, random() * 3 - 1] as const;
       const keys: ClipKey[] = [
         { time: 1, value: [0, 5, -2], easing: 'bezier', control },

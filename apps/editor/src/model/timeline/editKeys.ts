@@ -16,14 +16,14 @@ import {
 import { type CurveControl, splitCurve } from './easingCurve';
 
 /**
- * Edits of the keys of a clip: each gives another clip, and leaves the one it was given as it was. Keys that are not
- * touched, and tracks without such keys, are the same objects afterwards.
+ * Edits of the keys of a clip. Each returns a new clip and leaves the given one unchanged; untouched keys, and tracks
+ * without touched keys, stay the same objects.
  */
 
-/** Keys by their ids: see `keyId`. */
+/** Ids of keys, see `keyId`. */
 export type KeySelection = ReadonlySet<string>;
 
-/** A clip after an edit, and what its selected keys are called now. */
+/** A clip after an edit, and the new ids of its selected keys. */
 export interface KeyEdit {
   readonly data: ClipData;
   readonly selected: KeySelection;
@@ -35,14 +35,14 @@ const withTracks = (data: ClipData, tracks: readonly ClipTrack[]): ClipData => (
 
 const addressOf = ({ path, component, field }: TrackAddress): TrackAddress => ({ path, component, field });
 
-/** A key without what is the default. */
+/** A key without properties that have their default. */
 function makeKey(time: number, value: FieldValue, easing: Easing | undefined, control?: CurveControl): ClipKey {
   const key: ClipKey = { time, value };
   if (easing === undefined || easing === 'linear' || !isNumeric(value)) return key;
   return easing === 'bezier' && control ? { ...key, easing, control } : { ...key, easing };
 }
 
-/** The places in time of the selected keys, by track: read of the ids once for each selection. */
+/** Times of the selected keys, as `keyPlace`, by track; parsed once for each selection. */
 const placesByTrack = new WeakMap<KeySelection, ReadonlyMap<string, ReadonlySet<number>>>();
 
 function placesOf(selected: KeySelection): ReadonlyMap<string, ReadonlySet<number>> {
@@ -61,7 +61,7 @@ function placesOf(selected: KeySelection): ReadonlyMap<string, ReadonlySet<numbe
 
 const none = (): boolean => false;
 
-/** Tells of each key of a track whether it is selected. */
+/** A function that tells whether a key of a track is selected. */
 export function selectedIn(selected: KeySelection, track: TrackAddress): (key: ClipKey) => boolean {
   const places = selected.size === 0 ? undefined : placesOf(selected).get(trackId(track));
   return places ? ({ time }) => places.has(keyPlace(time)) : none;
@@ -102,40 +102,42 @@ export const allKeys = ({ tracks }: ClipData): Set<string> =>
     }),
   );
 
-/** What of a selection there still is. */
+/** The part of a selection that still exists. */
 export const keptSelection = (data: ClipData, selected: KeySelection): KeySelection =>
   new Set(selectedKeys(data, selected).map(({ key, track }) => keyId(trackId(track), key.time)));
 
-/** Puts keys into a track's: those that are at the same time give way. @param added - in any order, the last one of a time counts */
+/**
+ * Inserts keys into a track's, replacing simultaneous ones. @param added - in any order; the last one of a time counts
+ */
 export function insertKeys(keys: readonly ClipKey[], added: readonly ClipKey[]): ClipKey[] {
   const byPlace = new Map(added.map((key) => [keyPlace(key.time), key]));
   return [...keys.filter(({ time }) => !byPlace.has(keyPlace(time))), ...byPlace.values()].toSorted(inOrder);
 }
 
-/** Keys with one more, the curve before and after it as it was where the value is that of the curve. */
+/** Keys with one more. A key with the curve's own value splits the curve without changing its shape. */
 function insertKey(keys: readonly ClipKey[], time: number, value: FieldValue | undefined): ClipKey[] {
   const i = keyBefore(keys, time);
   const before = keys[i];
   if (before && isSameTime(before.time, time)) {
     return value === undefined ? [...keys] : keys.with(i, { ...before, value });
   }
-  const own = value ?? valueAt(keys, time);
+  const keyValue = value ?? valueAt(keys, time);
   const after = keys[i + 1];
   if (!before || !after || before.easing !== 'bezier') {
-    return keys.toSpliced(i + 1, 0, makeKey(time, own, before?.easing));
+    return keys.toSpliced(i + 1, 0, makeKey(time, keyValue, before?.easing));
   }
   const split = splitCurve((time - before.time) / (after.time - before.time), before.control);
   return keys.toSpliced(
     i,
     1,
     makeKey(before.time, before.value, 'bezier', split.before),
-    makeKey(time, own, 'bezier', split.after),
+    makeKey(time, keyValue, 'bezier', split.after),
   );
 }
 
 /**
- * Sets the value of a track at a time: of the key that is there, else of a new one. A track that is not there is made.
- * @param value - the curve's own, which keeps its shape, when absent; needed for a new track
+ * Sets the value of a track at a time, adding key and track when missing.
+ * @param value - when absent, the curve's own value, which keeps the shape; required for a new track
  */
 export function setKey(data: ClipData, address: TrackAddress, at: number, value?: FieldValue): ClipData {
   const time = roundTime(at);
@@ -152,14 +154,14 @@ export function setKey(data: ClipData, address: TrackAddress, at: number, value?
   );
 }
 
-/** Takes a track away, with its keys. */
+/** Removes tracks with their keys. */
 export const removeTracks = (data: ClipData, ids: ReadonlySet<string>): ClipData =>
   withTracks(
     data,
     data.tracks.filter((track) => !ids.has(trackId(track))),
   );
 
-/** Lets a track be of something else. @returns the same clip when there is a track of that already */
+/** Makes a track animate something else. @returns the same clip when a track for that exists already */
 export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddress): ClipData {
   const track = findTrack(data, from);
   if (!track || findTrack(data, to)) return data;
@@ -169,7 +171,7 @@ export function retargetTrack(data: ClipData, from: TrackAddress, to: TrackAddre
   );
 }
 
-/** Takes the selected keys away, and tracks that have none then. */
+/** Removes the selected keys, and tracks that are then empty. */
 export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
   const tracks = data.tracks.flatMap((track) => {
     const isSelected = selectedIn(selected, track);
@@ -181,7 +183,7 @@ export function deleteKeys(data: ClipData, selected: KeySelection): ClipData {
   return withTracks(data, tracks);
 }
 
-/** Gives the selected keys other times; keys that are met give way. @param timeOf - 0 or more */
+/** Changes the times of the selected keys, replacing other keys at these times. @param timeOf - new time, 0 or more */
 export function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time: number) => number): KeyEdit {
   const next = new Set<string>();
   const tracks = data.tracks.map((track) => {
@@ -197,7 +199,7 @@ export function retimeKeys(data: ClipData, selected: KeySelection, timeOf: (time
   return { data: withTracks(data, tracks), selected: next };
 }
 
-/** The times of the first and the last selected key; null when none is selected. */
+/** Times of the first and the last selected key (s); null when none is selected. */
 export function rangeOfKeys(data: ClipData, selected: KeySelection): { first: number; last: number } | null {
   let [first, last] = [Infinity, -Infinity];
   eachSelected(data, selected, ({ time }) => {
@@ -207,7 +209,7 @@ export function rangeOfKeys(data: ClipData, selected: KeySelection): { first: nu
   return first > last ? null : { first, last };
 }
 
-/** Moves the selected keys; none goes before 0. @param by - seconds */
+/** Moves the selected keys; none goes before time 0. @param by - seconds */
 export function moveKeys(data: ClipData, selected: KeySelection, by: number): KeyEdit {
   const range = rangeOfKeys(data, selected);
   if (!range) return { data, selected };
@@ -215,7 +217,7 @@ export function moveKeys(data: ClipData, selected: KeySelection, by: number): Ke
   return retimeKeys(data, selected, (time) => Math.max(time + limited, 0));
 }
 
-/** Stretches the time between the selected keys about one that stays. @param factor - 0 or more */
+/** Scales the times of the selected keys about a fixed time. @param factor - 0 or more */
 export function scaleKeys(
   data: ClipData,
   selected: KeySelection,
@@ -226,7 +228,7 @@ export function scaleKeys(
   return retimeKeys(data, selected, (time) => Math.max(snap(pivot + (time - pivot) * factor), 0));
 }
 
-/** Changes each selected key. */
+/** Replaces each selected key. */
 function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKey) => ClipKey): ClipData {
   const tracks = data.tracks.map((track) => {
     const isSelected = selectedIn(selected, track);
@@ -236,11 +238,11 @@ function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKe
   return withTracks(data, tracks);
 }
 
-/** How the selected keys go to those after them. Flags and choices always step. */
+/** Sets the easing from each selected key to the next. Flags and choices always step. */
 export const easeKeys = (data: ClipData, selected: KeySelection, easing: Easing, control?: CurveControl): ClipData =>
   changeKeys(data, selected, ({ time, value }) => makeKey(time, value, easing, control));
 
-/** Gives each selected key a value made of its own. */
+/** Sets the value of each selected key, computed from the key. */
 export const setValuesOfKeys = (
   data: ClipData,
   selected: KeySelection,

@@ -17,7 +17,7 @@ const track = (path: string) => ({
   keys: [{ time: 0.5, value: [1, 2, 3] as const }],
 });
 
-/** An animated object with an arm, and a lamp on it. */
+/** An animated object with an arm, and a lamp on the arm. */
 function machineOf(name: string): GameObject {
   const root = new GameObject(name);
   root.addComponent(Animation, { clip: 'Move' });
@@ -41,7 +41,7 @@ beforeEach(() => {
 
 const paths = (): string[] => clip.clip.tracks.map(({ path }) => path);
 
-/** Runs a command and looks where tracks are; then that undo and redo are of one step. */
+/** Runs a command and returns the tracks' paths, after checking that undo and redo are one step. */
 function pathsAfter(command: ReturnType<typeof renameObject>): string[] {
   const before = document.serialize();
   document.commands.run(command);

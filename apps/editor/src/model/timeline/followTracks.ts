@@ -13,16 +13,16 @@ import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
 import { playedClip } from './clipPlayer';
 import { trackId } from './clipTracks';
 
-/** What a path of a clip finds below one of the objects that play it. */
+/** An object found by a path of a clip, below one of the objects that play the clip. */
 interface Found {
   readonly root: GameObject;
   readonly object: GameObject;
 }
 
-/** By clip, then by path; without the root itself, which has no name in paths. */
+/** Objects found by tracks: by clip, then by path. The root itself has no name in paths, and is left out. */
 type TrackObjects = ReadonlyMap<ClipAsset, ReadonlyMap<string, readonly Found[]>>;
 
-/** What tracks of the clips that objects play find by their paths. */
+/** Objects found by the tracks of all clips that are played. */
 function trackObjects(scene: Scene): TrackObjects {
   const clips = new Map<ClipAsset, Map<string, Found[]>>();
   for (const { gameObject: root } of scene.componentsOf('Animation')) {
@@ -39,7 +39,7 @@ function trackObjects(scene: Scene): TrackObjects {
   return clips;
 }
 
-/** The path that finds all of several objects now; null where there is none. */
+/** The path that finds all of these objects now; null where there is none. */
 function commonPath(found: readonly Found[]): string | null {
   const paths = new Set(found.map(({ root, object }) => pathBelow(root, object)));
   return paths.size === 1 ? [...paths][0] : null;
@@ -51,7 +51,7 @@ function setTracks(label: string, clip: ClipAsset, data: ClipData): Command {
   return new SetFields(label, [{ owner: clip, name: 'data', value }]);
 }
 
-/** The edits that let tracks find by their paths what they found before. */
+/** Edits of tracks after which they find the objects found before. */
 function edits(label: string, before: TrackObjects): Command[] {
   const commands: Command[] = [];
   for (const [clip, byPath] of before) {
@@ -72,7 +72,7 @@ function edits(label: string, before: TrackObjects): Command[] {
   return commands;
 }
 
-/** The edits after which tracks of all clips that were of components of a type are of those of another. */
+/** Renames a component type in the tracks of all clips. */
 export function retypeTracks(label: string, { assets }: Scene, from: string, to: string): Command[] {
   return (assets.fieldAssets('clip') as ClipAsset[]).flatMap((clip) => {
     const data = clipDataOf(clip);
@@ -82,7 +82,7 @@ export function retypeTracks(label: string, { assets }: Scene, from: string, to:
   });
 }
 
-/** A command, and what tracks of clips need after it, as one step. */
+/** A command together with the edits of tracks that it needs, as one step. */
 class FollowTracks implements Command {
   private follow: Command | null = null;
 
@@ -125,9 +125,9 @@ class FollowTracks implements Command {
 }
 
 /**
- * A command that renames objects or moves them in the tree, after which tracks of own clips find the same objects as before,
- * in the same step. Tracks stay as they are where no path does so: the object is no longer below the one that plays the
- * clip, or others that play it would lose theirs.
+ * Wraps a command that renames or moves objects, so that tracks of the scene's clips find the same objects afterwards,
+ * in the same step. Tracks stay unchanged where no path does so: the object is no longer below the one that plays the
+ * clip, or another player of the clip would lose its object.
  */
 export const followTracks = (scene: Scene, command: Command): Command =>
   scene.componentsOf('Animation').length === 0 ? command : new FollowTracks(scene, command);

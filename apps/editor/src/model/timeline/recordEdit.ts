@@ -7,29 +7,29 @@ import { findTrack, type TrackAddress } from './clipTracks';
 import { setKey } from './editKeys';
 import { addressOf } from './trackTargets';
 
-/** What is recorded: a clip of an object, as it was when the edit began, and the time of the keys. */
+/** Clip and object that edits are recorded into, as they were when the edit began, and the time of the keys. */
 export interface Recording {
   readonly clip: ClipAsset;
   readonly root: GameObject;
   readonly data: ClipData;
   readonly duration: number;
-  /** Seconds from the beginning of the clip. */
+  /** Time of the keys (s). */
   readonly time: number;
 }
 
-/** The component that a field is of; null for settings and assets. */
+/** The component that owns a field; null for settings and assets. */
 export const componentOf = (owner: unknown): Component | null =>
   (owner as Partial<Component>).isAttached ? (owner as Component) : null;
 
-/** A value of a field of a component, for a key. */
+/** A component's field and its value for a key. */
 export interface KeyValue {
   readonly address: TrackAddress;
   readonly value: FieldValue;
-  /** What the field has without the clip: a new track begins with it. */
+  /** Authored value of the field, used for the first key of a new track. */
   readonly authored: FieldValue;
 }
 
-/** Sets keys at a time. A new track gets a key at the beginning too, with what was authored. */
+/** Sets keys at a time. A new track also gets a key at time 0 with the authored value. */
 export function withKeys(data: ClipData, values: readonly KeyValue[], time: number): ClipData {
   let next = data;
   for (const { address, value, authored } of values) {
@@ -40,8 +40,8 @@ export function withKeys(data: ClipData, values: readonly KeyValue[], time: numb
 }
 
 /**
- * The command that makes keys of an edit of fields: those of components of the animated object and of all below it. Other
- * fields are edited as asked. Commands that are no edits of fields are given back as they are.
+ * Turns an edit of fields into keys, for components of the animated object and of everything below it. Edits of other
+ * fields, and other commands, are returned unchanged.
  */
 export function recordEdit(command: Command, recording: Recording): Command {
   if (!(command instanceof SetFields)) return command;

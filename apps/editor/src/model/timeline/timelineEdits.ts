@@ -10,11 +10,11 @@ import { type KeyValue, withKeys } from './recordEdit';
 import type { Timeline } from './Timeline';
 import { type AnimatableField, addressOf, targetOf } from './trackTargets';
 
-/** What the panel, its keys and its menus do to the clip that is edited: each is one step of the history. */
+/** Edits of the timeline's clip by the panel, its keys and its menus; each is one step of the history. */
 
 const nameOf = ({ clip }: Timeline): string => (clip ? clipName(clip) : '');
 
-/** 'Moved 3 keys of Walk'. */
+/** Label such as 'Moved 3 keys of Walk'. */
 export const movedLabel = (timeline: Timeline, count: number): string =>
   tCount(count, 'Moved {count} key of {name}', 'Moved {count} keys of {name}', { name: nameOf(timeline) });
 
@@ -24,7 +24,9 @@ export const scaledLabel = (timeline: Timeline, count: number): string =>
 const addedLabel = (timeline: Timeline, count: number): string =>
   tCount(count, 'Added {count} key to {name}', 'Added {count} keys to {name}', { name: nameOf(timeline) });
 
-/** Adds keys at the playhead to tracks, of what their targets show now, else of the curve; and selects them. */
+/**
+ * Adds keys to tracks at the playhead, with the current value of the animated field, else of the curve; selects them.
+ */
 export function addKeys(timeline: Timeline, tracks: readonly ClipTrack[]): void {
   const { root, time } = timeline;
   let { data } = timeline;
@@ -33,14 +35,14 @@ export function addKeys(timeline: Timeline, tracks: readonly ClipTrack[]): void 
   if (tracks.length > 0) timeline.edit(addedLabel(timeline, tracks.length), { data, selected });
 }
 
-/** Adds a key to a track at a time, on its curve. */
+/** Adds a key to a track at a time, with the curve's value. */
 export function addKeyOnCurve(timeline: Timeline, track: ClipTrack, time: number): void {
   const data = setKey(timeline.data, track, time);
   const selected = new Set([keyId(trackId(track), time)]);
   if (data !== timeline.data) timeline.edit(addedLabel(timeline, 1), { data, selected });
 }
 
-/** Adds keys of the place, turn and size of the selected objects at the playhead. @returns whether there were any */
+/** Adds keys of position, rotation and scale of the selected objects at the playhead. @returns whether any was added */
 export function keyTransforms(timeline: Timeline): boolean {
   const { root, time, document } = timeline;
   if (!root) return false;
@@ -58,7 +60,7 @@ export function keyTransforms(timeline: Timeline): boolean {
   return true;
 }
 
-/** Adds a track for a field, with a key at the playhead of what the field is now. */
+/** Adds a track for a field, with a key of the present value at the playhead. */
 export function addTrack(timeline: Timeline, { address, object, field }: AnimatableField): void {
   const target = targetOf(timeline.root, address);
   if (!target || findTrack(timeline.data, address)) return;
@@ -78,14 +80,14 @@ export function deleteTracks(timeline: Timeline, tracks: readonly ClipTrack[]): 
   timeline.edit(label, { data: removeTracks(timeline.data, new Set(tracks.map(trackId))), selected: new Set() });
 }
 
-/** Lets tracks, whose object or component is gone, be of another object below the animated one. @param path - of that one */
+/** Makes tracks whose target is gone animate another object below the root. @param path - path of that object */
 export function retargetTracks(timeline: Timeline, tracks: readonly ClipTrack[], path: string, object: string): void {
   const data = tracks.reduce((each, track) => retargetTrack(each, track, { ...track, path }), timeline.data);
   const label = t('Gave the tracks of {name} to {object}', { name: nameOf(timeline), object });
   if (data !== timeline.data) timeline.edit(label, { data, selected: new Set() });
 }
 
-/** Deletes what is selected: keys, or events. */
+/** Deletes the selected keys or events. */
 export function deleteSelected(timeline: Timeline): void {
   const { data } = timeline;
   const { keys, events } = timeline.selection;
@@ -101,13 +103,15 @@ export function deleteSelected(timeline: Timeline): void {
   }
 }
 
-/** The selected keys as text of the clipboard; null when none is selected. */
+/** The selected keys as text for the clipboard; null when there are none. */
 export function copySelected({ data, selection }: Timeline): string | null {
   const copied = copyKeys(data, selection.keys);
   return copied && JSON.stringify(copied);
 }
 
-/** Pastes keys at the playhead. @param onto - the track that keys of one track go to; each to its own when absent */
+/**
+ * Pastes keys at the playhead. @param onto - track for copied keys of a single track; each goes to its own when absent
+ */
 export function paste(timeline: Timeline, copied: CopiedKeys, onto?: TrackAddress): void {
   const edit = pasteKeys(timeline.data, copied, timeline.time, onto);
   const name = nameOf(timeline);
@@ -117,7 +121,7 @@ export function paste(timeline: Timeline, copied: CopiedKeys, onto?: TrackAddres
   );
 }
 
-/** Copies the selected keys to right after the last of them. */
+/** Inserts copies of the selected keys after the last of them. */
 export function duplicateSelected(timeline: Timeline): void {
   const { data, selection, frameRate } = timeline;
   const copied = copyKeys(data, selection.keys);
@@ -131,7 +135,7 @@ export function duplicateSelected(timeline: Timeline): void {
   );
 }
 
-/** Moves the selected keys by frames. */
+/** Moves the selected keys by a number of frames. */
 export function nudgeSelected(timeline: Timeline, frames: number): void {
   const { data, selection, frameRate } = timeline;
   if (selection.keys.size === 0) return;
@@ -139,7 +143,7 @@ export function nudgeSelected(timeline: Timeline, frames: number): void {
   timeline.edit(movedLabel(timeline, selection.keys.size), edit);
 }
 
-/** How the selected keys go to those after them. */
+/** Sets the easing from each selected key to the next. */
 export function easeSelected(timeline: Timeline, easing: Easing, control?: CurveControl): void {
   const { data, selection } = timeline;
   if (selection.keys.size === 0) return;
@@ -155,5 +159,5 @@ export function addEventAt(timeline: Timeline, time: number): void {
   timeline.edit(t('Added an event to {name}', { name: nameOf(timeline) }), { data, selected: new Set() }, places);
 }
 
-/** Whether there is a key of a track at a time. */
+/** Whether a track has a key at a time. */
 export const hasKeyAt = ({ keys }: ClipTrack, time: number): boolean => keys.some((key) => isSameTime(key.time, time));

@@ -3,13 +3,15 @@ import { type Component, type GameObject, objectAtPath, pathBelow } from '@farol
 import { componentName } from '../componentName';
 import { isAnimatable, type TrackAddress } from './clipTracks';
 
-/** The component that a track changes; null when it is gone, or has no such field. */
+/** The component that a track animates; null when it is gone or lacks the field. */
 export function targetOf(root: GameObject | null, { path, component, field }: TrackAddress): Component | null {
   const target = root && objectAtPath(root, path)?.getComponent(component);
   return target && isAnimatable(target.fields[field]) ? target : null;
 }
 
-/** What a track of a field of a component would be of; null where none can be, or another object is found by the path. */
+/**
+ * Address of a track for a component's field; null when the field cannot be animated, or its path finds another object.
+ */
 export function addressOf(root: GameObject, component: Component, field: string): TrackAddress | null {
   if (!component.isAttached || !isAnimatable(component.fields[field])) return null;
   const { gameObject, typeName } = component;
@@ -21,13 +23,13 @@ export function addressOf(root: GameObject, component: Component, field: string)
 /** A field that a track can be added for. */
 export interface AnimatableField {
   readonly address: TrackAddress;
-  /** 'Cube', with the names above it but the root's. */
+  /** Names from below the root to the object, such as 'Arm/Cube'. */
   readonly object: string;
   readonly component: string;
   readonly field: string;
 }
 
-/** Every field of an object and of all below it that tracks may be of, in the order of the tree. */
+/** All fields that can be animated, of an object and everything below it, in tree order. */
 export function animatableFields(root: GameObject): AnimatableField[] {
   const list: AnimatableField[] = [];
   root.traverse((object) => {

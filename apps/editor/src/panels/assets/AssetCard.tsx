@@ -4,16 +4,19 @@ import { type AssetEntry, kindLabel } from '../../files/assetKinds';
 import { Thumbnail } from '../../ui/Thumbnail';
 
 interface AssetCardProps {
-  /** Another one each time the asset may look otherwise. */
+  /** A new object each time the asset may look different. */
   readonly entry: AssetEntry;
   readonly selected: boolean;
-  /** Names of all that is selected, which is dragged with it. */
+  /** Names of all selected assets, which are dragged together. */
   readonly dragged: readonly string[];
   onSelect(entry: AssetEntry, isAdded: boolean): void;
   onPlace(entry: AssetEntry): void;
 }
 
-/** One asset: picture and name; dragged into the scene, a field or a folder, or placed by a double click or Enter. */
+/**
+ * Card of an asset: picture and name. It can be dragged into the scene, a field or a folder, or placed by a double
+ * click or Enter.
+ */
 export const AssetCard = memo(function AssetCard(props: AssetCardProps): ReactNode {
   const { entry, selected, dragged, onSelect, onPlace } = props;
   const place = (event: KeyboardEvent): void => {

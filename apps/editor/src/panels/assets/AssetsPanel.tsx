@@ -42,20 +42,20 @@ const filters = (): SelectOption<Filter>[] => [
   ...kinds.map((kind): SelectOption<Filter> => ({ value: kind, label: kindLabel(kind, true) })),
 ];
 
-/** Whether every word of a search is in a name. */
+/** Whether a name contains every word of a search. */
 const matches = (label: string, search: string): boolean =>
   search
     .toLowerCase()
     .split(/\s+/)
     .every((word) => label.toLowerCase().includes(word));
 
-/** What a menu is asked for: a card, a folder, or the room beside them. */
+/** Target of a context menu: a card, a folder, or the empty space. */
 interface Pressed {
   readonly entry: AssetEntry | null;
   readonly folder: string | null;
 }
 
-/** Everything that can be placed or assigned, in folders; files that are dropped on it are imported. */
+/** Browser of assets and prefabs in folders; files dropped on it are imported. */
 export function AssetsPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
@@ -68,11 +68,11 @@ export function AssetsPanel(): ReactNode {
   const [wanted, setFolder] = useState('');
   const [isOver, setIsOver] = useState(false);
   const pressed = useRef<Pressed>({ entry: null, folder: null });
-  // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the library and the prefabs
+  // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision changes with the library and the prefabs
   const all = useMemo(() => assetEntries(document.scene), [document, document.scene, revision]);
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- as above
   const folders = useMemo(() => foldersOf(document.scene), [document.scene, revision]);
-  // one that is gone is left
+  // a folder that was removed is left
   const folder = folders.includes(wanted) ? wanted : '';
   const isFlat = search.trim() !== '';
   const fits = (entry: AssetEntry): boolean =>
@@ -84,7 +84,7 @@ export function AssetsPanel(): ReactNode {
   );
   const below = isFlat ? [] : folders.filter((path) => splitName(path).folder === folder);
 
-  /** Notes the card that a menu would be of: a long press of a finger opens one without telling where. */
+  /** Remembers the card under the pointer: a context menu opened by a long press does not report it. */
   const note = (event: { target: EventTarget }): void => {
     const element = event.target as HTMLElement;
     const name = element.closest<HTMLElement>('[data-asset]')?.dataset.asset;

@@ -3,7 +3,7 @@ import { Fragment, type ReactNode } from 'react';
 import { splitName } from '../../model/assetNames';
 import { FolderTarget } from './FolderTarget';
 
-/** Where one is among the folders; each step up takes what is dropped on it. */
+/** Path of the open folder; assets can be dropped on each parent. */
 export function FolderBar({ folder, onOpen }: { folder: string; onOpen(folder: string): void }): ReactNode {
   const parts = folder === '' ? [] : folder.split('/');
   return (

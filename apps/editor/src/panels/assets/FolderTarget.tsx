@@ -5,14 +5,14 @@ import { canMove, moveAssets } from '../../model/assetEdits';
 import { useEditor } from '../../ui/EditorContext';
 
 interface FolderTargetProps {
-  /** Its path; '' for the top. */
+  /** Path of the folder; '' for the top. */
   readonly folder: string;
   readonly className: string;
   readonly children: ReactNode;
   onOpen(folder: string): void;
 }
 
-/** A folder: opened by a click, or assets are dropped into it. */
+/** A folder, opened by a click; assets can be dropped into it. */
 export function FolderTarget({ folder, className, children, onOpen }: FolderTargetProps): ReactNode {
   const editor = useEditor();
   const [isOver, setIsOver] = useState(false);

@@ -7,14 +7,14 @@ import { Sequence } from '../../model/commands/Sequence';
 import { deletePrefab, instancesOf, renamePrefab } from '../../model/prefabEdits';
 import { renameAnyAsset } from '../../model/scriptEdits';
 
-/** @throws Error that says why, where an asset is not the user's to delete */
+/** @throws Error with the reason when an asset cannot be deleted */
 function checkRemovable({ document }: EditorApi, { isBuiltin, label, name }: AssetEntry): void {
   if (isBuiltin) throw new Error(t('{label} came with Farol, and cannot be deleted.', { label }));
   const model = document.assets.modelOf(name);
   if (model) throw new Error(t('{label} is a part of {model}: delete that.', { label, model }));
 }
 
-/** Deletes assets and prefabs, in one step; where one is used, the user is asked first, with every place by name. */
+/** Deletes assets and prefabs, in one step. When one is in use, first asks with a list of all places. */
 export async function removeEntries(editor: EditorApi, entries: readonly AssetEntry[]): Promise<void> {
   const { document, commands, dialogs } = editor;
   const { scene } = document;
@@ -54,7 +54,7 @@ export async function removeEntries(editor: EditorApi, entries: readonly AssetEn
   document.assetSelection.clear();
 }
 
-/** Asks for another name of an asset or a prefab. */
+/** Asks for a new name of an asset or a prefab. */
 export function renameEntry(editor: EditorApi, entry: AssetEntry): void {
   const { document, commands, dialogs } = editor;
   const { scene, assets } = document;

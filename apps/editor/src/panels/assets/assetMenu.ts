@@ -12,7 +12,7 @@ import { addScriptComponent } from '../../model/scriptEdits';
 import { duplicateAndShow } from '../scripts/scriptActions';
 import { removeEntries, renameEntry } from './assetDialogs';
 
-/** The assets that a menu of one is of: all that are selected, if it is among them. */
+/** The assets that a context menu acts on: all selected ones when the clicked asset is among them. */
 const chosenWith = ({ document }: EditorApi, { name }: AssetEntry): readonly string[] =>
   document.assetSelection.has(name) ? document.assetSelection.items : [name];
 
@@ -76,7 +76,7 @@ function surfaceEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
   ];
 }
 
-/** Selects the objects that use an asset, or are instances of a prefab. */
+/** Selects the objects that use an asset, or the instances of a prefab. */
 function selectUsers({ document }: EditorApi, { kind, name }: AssetEntry): void {
   const { scene } = document;
   const ids =
@@ -101,7 +101,7 @@ function moveEntries(editor: EditorApi, entry: AssetEntry, folders: readonly str
   return [{ label: t('Move to'), icon: 'folder', entries }];
 }
 
-/** Lines of the context menu of a card. @param folders - paths that there are */
+/** Context menu of a card. @param folders - paths of all folders */
 export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonly string[]): MenuEntry[] {
   const { document } = editor;
   const { kind, name } = entry;

@@ -9,7 +9,7 @@ const endings = [
   ...['.mp3', '.ogg', '.wav', '.m4a', '.flac'],
 ];
 
-/** Has the user choose files, and imports them. */
+/** Opens a file dialog, and imports the chosen files. */
 export async function chooseFiles(editor: EditorApi): Promise<void> {
   const files = await fileOpen({
     description: t('Models, textures, environments, sounds'),

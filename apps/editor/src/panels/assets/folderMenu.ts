@@ -6,14 +6,14 @@ import { joinName, splitName } from '../../model/assetNames';
 import { newScript } from '../../files/newScript';
 import { chooseFiles } from './chooseFiles';
 
-/** Adds a material to a folder, and shows its fields. */
+/** Adds a material to a folder, and selects it. */
 function newMaterial({ document, commands }: EditorApi, folder: string): void {
   const { command, name } = addMaterial(document.scene, joinName(folder, t('Material')), { kind: 'physical' });
   commands.run(command);
   document.assetSelection.set([name]);
 }
 
-/** Adds a surface to a folder, and shows its text. */
+/** Adds a surface to a folder, and opens its text. */
 async function newSurface(editor: EditorApi, folder: string): Promise<void> {
   const [{ builtinSurfaces }, { addSurface }] = await Promise.all([
     import('../../model/surfaces/builtinSurfaces'),
@@ -56,7 +56,7 @@ export function removeFolderAsked({ document, commands }: EditorApi, path: strin
   commands.run(removeFolder(document.scene, path));
 }
 
-/** Lines for what can be added to a folder. */
+/** Menu entries for adding things to a folder. */
 export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [
@@ -69,7 +69,7 @@ export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   ];
 }
 
-/** Lines of the context menu of a folder. */
+/** Context menu of a folder. */
 export function folderMenu(editor: EditorApi, path: string, open: (folder: string) => void): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [

@@ -18,7 +18,7 @@ const lightmaps = [
 ];
 const probes = ['bakeProbes', 'bakeProbeSpacing'];
 
-/** Bakes light into lightmaps and probes: what takes part, how finely, how far it is, and what is there. */
+/** Bakes light into lightmaps and probes: sources, quality, progress and result. */
 export function BakePanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
@@ -56,12 +56,12 @@ export function BakePanel(): ReactNode {
   );
 }
 
-/** What will be baked, and the mend where that is nothing. */
+/** Numbers of objects and lights to bake, with a remedy when there are none. */
 function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const { scene } = document;
-  // counted at rest: while a bake runs the meshes have others in their place
+  // not counted during a bake, when other meshes stand in for those of the scene
   const counts = usePoll(
     useCallback(() => {
       const { objects, lights, instanced } = bakeSources(document.scene);
@@ -111,7 +111,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
 
 interface MendProps {
   readonly text: string;
-  /** Null where nothing can be done at once. */
+  /** Label of a button that solves the problem at once; null for none. */
   readonly action: string | null;
   onMend(): void;
 }
@@ -167,7 +167,7 @@ const stageText = (stage: BakeState['stage']): string =>
     saving: t('Packing'),
   })[stage];
 
-/** Time as a clock has it, from seconds. */
+/** Text of the remaining time. @param seconds - rounded, at least 1 */
 function timeText(seconds: number): string {
   const whole = Math.max(1, Math.round(seconds));
   return whole < 60
@@ -199,7 +199,7 @@ const sizeText = (bytes: number): string =>
     ? t('{kilobytes} kB', { kilobytes: Math.ceil(bytes / 1e3) })
     : t('{megabytes} MB', { megabytes: (bytes / 1e6).toFixed(1) });
 
-/** What is baked, and whether it is of the scene as it is. */
+/** The baked light, and whether it is up to date with the scene. */
 function Result({ baker }: { baker: LightBaker }): ReactNode {
   const { document } = useEditor();
   const isOutOfDate = usePoll(

@@ -25,7 +25,9 @@ const sourceLabel = (source: ConsoleSource): string =>
 
 const kinds: readonly ConsoleKind[] = ['error', 'warning', 'info'];
 
-/** What was said: by shaders, files, assets, components, the picture and the page; the same once, with its count. */
+/**
+ * Messages of shaders, files, assets, components, the viewport and the page; repeated ones are shown once with a count.
+ */
 export function ConsolePanel(): ReactNode {
   const { log } = useEditor();
   const revision = useSignal(log.changed);
@@ -38,7 +40,7 @@ export function ConsolePanel(): ReactNode {
   );
   useEffect(() => {
     list.current?.lastElementChild?.scrollIntoView({ block: 'nearest' });
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- something more was said then
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- scrolls when a message is added
   }, [revision]);
   const toggle = (kind: ConsoleKind): void => {
     const next = new Set(hidden);
@@ -78,7 +80,7 @@ export function ConsolePanel(): ReactNode {
       {shown.length === 0 ? (
         <p className="panel-empty">{log.entries.length === 0 ? t('Nothing was said yet.') : t('Nothing like that.')}</p>
       ) : (
-        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
         <ul className="console" ref={list} tabIndex={0} aria-label={t('Messages')}>
           {shown.map((entry) => (
             <ConsoleLine key={entry.id} entry={entry} />

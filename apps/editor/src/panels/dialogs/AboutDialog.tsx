@@ -4,10 +4,10 @@ import type { ReactNode } from 'react';
 import { REVISION } from 'three';
 import { useEditor } from '../../ui/EditorContext';
 
-/** The licence's name, the same in every language. */
+/** Name of the licence, not translated. */
 const LICENCE = 'MIT';
 
-/** Says what the editor is, what it runs on, and under what terms. */
+/** Shows what the editor is, the device it runs on, and its licence. */
 export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
   const { viewport } = useEditor();
   const gl = viewport.webgl.getContext();

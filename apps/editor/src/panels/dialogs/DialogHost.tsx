@@ -21,7 +21,7 @@ const shapes: Partial<Record<DialogRequest['kind'], string>> = {
   welcome: 'welcome-dialog',
 };
 
-/** Shows the dialog that the editor asks for. */
+/** Shows the open dialog. */
 export function DialogHost(): ReactNode {
   const { dialogs } = useEditor();
   useSignal(dialogs.changed);
@@ -46,7 +46,7 @@ export function DialogHost(): ReactNode {
   );
 }
 
-/** Puts the focus into the first field of a dialog whose content was fetched after it opened. */
+/** Focuses the first field of a dialog whose content was fetched after it opened. */
 function FocusField({ popup }: { popup: RefObject<HTMLElement | null> }): null {
   useEffect(() => {
     const { activeElement } = document;
@@ -78,7 +78,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
       <Dialog.Title>{readableText(request.title)}</Dialog.Title>
       <Dialog.Description>{readableText(request.text)}</Dialog.Description>
       {request.kind === 'problems' && (
-        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys
+        // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- keys must reach a scrolling list
         <ul
           className="problems"
           tabIndex={0}

@@ -4,13 +4,13 @@ import { useEditor } from '../../ui/EditorContext';
 
 interface ExportButtonProps {
   readonly label: string;
-  /** What it makes, in a line. */
+  /** Description of the exported file, one line. */
   readonly note: string;
-  /** Makes the file and hands it to the user. @returns what the file could not take along, a line each */
+  /** Makes the file and downloads it. @returns a line for each thing that the format cannot hold */
   run(): Promise<readonly string[]>;
 }
 
-/** A part of the export dialog that makes a file; it says what the file lacks. */
+/** A section of the export dialog for one format, which lists what was left out. */
 export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode {
   const editor = useEditor();
   const [isBusy, setBusy] = useState(false);
@@ -31,7 +31,7 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
           type="button"
           className="button primary"
           aria-busy={isBusy}
-          // a button that is disabled loses the focus
+          // not `disabled`, since a disabled button loses the focus
           aria-disabled={isBusy}
           onClick={() => isBusy || editor.attempt(start)}
         >

@@ -22,7 +22,7 @@ async function saveHtml({ document, notices }: EditorApi, options: ShareOptions)
 
 async function saveGltf({ document, notices, viewport, timeline }: EditorApi): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.glb`;
-  // a preview of a clip is no part of the scene
+  // values shown by the timeline's preview must not be exported
   timeline?.endPreview();
   const { blob, leftOut } = await exportGltf(document.scene, viewport.webgl);
   await download(blob, fileName, t('glTF binary'));
@@ -30,7 +30,7 @@ async function saveGltf({ document, notices, viewport, timeline }: EditorApi): P
   return leftOut;
 }
 
-/** The scene's link, or why it has none. */
+/** The scene as a link, or why it cannot be one. */
 function useLink(editor: EditorApi, withScripts: boolean): { hash: string | null; problem: string | null } {
   const [link, setLink] = useState<{ hash: string | null; problem: string | null }>({ hash: null, problem: null });
   useEffect(() => {
@@ -65,12 +65,12 @@ function Copy({ text, label, disabled }: CopyProps): ReactNode {
   );
 }
 
-/** The ways to give a scene away: a page, a model, a link, a frame for another page. */
+/** Exports the scene: as a page, a model, a link, or a frame for another page. */
 export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { scene, scripts } = editor.document;
   const { name } = scene;
-  // scripts that do not run here would run for everybody
+  // scripts that are off here are exported only if the user agrees, since they would run for everybody
   const areOff = scripts.areThere && !scripts.isOn;
   const [areTaken, setTaken] = useState(false);
   const withScripts = !areOff || areTaken;

@@ -4,12 +4,12 @@ import type { Notice } from '../../model/Notices';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** How long a message stays (ms): a short one, an error, and each letter. */
+/** Display time (ms): of a short message, of an error, and more for each letter. */
 const SHOWN = 4000;
 const ERROR = 10_000;
 const READ = 70;
 
-/** Messages in the lower corner of the picture, where nothing else is. They stay while the pointer or the focus is on one. */
+/** Notices in a lower corner of the viewport. They stay while one is hovered or focused. */
 export function NoticeList(): ReactNode {
   const { notices } = useEditor();
   useSignal(notices.changed);
@@ -37,7 +37,7 @@ function NoticeItem({ notice, isRead, onClose }: { notice: Notice; isRead: boole
     if (lasts || isRead) return;
     const timer = setTimeout(onClose, Math.max(kind === 'error' ? ERROR : SHOWN, text.length * READ));
     return () => clearTimeout(timer);
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- begun anew when it is said again, or was read
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- restarts when repeated or hovered
   }, [id, kind, count, lasts, isRead]);
   return (
     <div className={`notice ${kind}`}>

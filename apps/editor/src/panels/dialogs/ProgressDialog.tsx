@@ -3,7 +3,7 @@ import { Dialog } from '@base-ui/react/dialog';
 import type { ReactNode } from 'react';
 import type { ProgressDialog as ProgressRequest } from '../../model/Dialogs';
 
-/** Says what takes long, and cancels it. */
+/** Shows the progress of a long task, with a button to cancel it. */
 export function ProgressDialog({ request, onClose }: { request: ProgressRequest; onClose(): void }): ReactNode {
   return (
     <>

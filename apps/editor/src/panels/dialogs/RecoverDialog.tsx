@@ -4,7 +4,7 @@ import type { ReactNode } from 'react';
 import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { SessionList } from './SessionList';
 
-/** Offers what tabs that were closed without warning have left. */
+/** Offers unsaved scenes of tabs that were closed. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
   return (
     <>

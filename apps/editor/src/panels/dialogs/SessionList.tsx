@@ -6,13 +6,13 @@ import { useEditor } from '../../ui/EditorContext';
 
 interface SessionListProps {
   readonly offer: RecoveryOffer;
-  /** Closes the dialog that the list is in. */
+  /** Closes the dialog that contains the list. */
   onClose(): void;
-  /** Called when the last one was thrown away. */
+  /** Called when the last session was discarded. */
   onEmpty(): void;
 }
 
-/** What tabs that were closed without warning have left; each can be brought back, or thrown away. */
+/** Unsaved scenes of tabs that were closed; each can be recovered or discarded. */
 export function SessionList({ offer, onClose, onEmpty }: SessionListProps): ReactNode {
   const editor = useEditor();
   const [sessions, setSessions] = useState(offer.sessions);
@@ -31,9 +31,9 @@ export function SessionList({ offer, onClose, onEmpty }: SessionListProps): Reac
             onClick={() =>
               editor.attempt(async () => {
                 await offer.discard(session);
-                const left = sessions.filter((each) => each !== session);
-                setSessions(left);
-                if (left.length === 0) onEmpty();
+                const remaining = sessions.filter((each) => each !== session);
+                setSessions(remaining);
+                if (remaining.length === 0) onEmpty();
               })
             }
           >

@@ -4,7 +4,7 @@ import { type ReactNode, useState } from 'react';
 import type { TextDialog as TextRequest } from '../../model/Dialogs';
 import { useEditor } from '../../ui/EditorContext';
 
-/** Asks for a line of text. Enter agrees, Escape does not. */
+/** Asks for a line of text. Enter accepts, Escape cancels. */
 export function TextDialog({ request, onClose }: { request: TextRequest; onClose(): void }): ReactNode {
   const editor = useEditor();
   const [value, setValue] = useState(request.value);

@@ -12,7 +12,7 @@ import { SheetTabs } from './SheetTabs';
 import { TAB_HEIGHT } from './tabHeight';
 import { type TabDrag, useTabDrag } from './useTabDrag';
 
-/** The style of a rectangle of the dock. */
+/** CSS position and size of a rectangle of the dock. */
 export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, number> => ({
   left: x,
   top: y,
@@ -21,8 +21,8 @@ export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, numb
 });
 
 /**
- * The panels. Each lies in the dock itself, not within its group, so that one that is moved elsewhere stays what it is:
- * the picture keeps its device, a list its place.
+ * The panels. Each is a child of the dock, not of its group, so that moving it does not remount it: the viewport keeps
+ * its GL context, a list its scroll position.
  */
 export function Dock({ children }: { children?: ReactNode }): ReactNode {
   const { panels, layout: panelLayout } = useEditor();
@@ -62,9 +62,13 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
         return { id, isInFront: rectangle !== null, rectangle };
       })
     : all.groups.flatMap(({ group }) => {
-        const there = placed.groups.find((each) => each.group.id === group.id);
-        const rectangle = there ? belowTabs(there.rectangle) : null;
-        return group.panels.map((id) => ({ id, isInFront: there !== undefined && id === group.active, rectangle }));
+        const placedGroup = placed.groups.find((each) => each.group.id === group.id);
+        const rectangle = placedGroup ? belowTabs(placedGroup.rectangle) : null;
+        return group.panels.map((id) => ({
+          id,
+          isInFront: placedGroup !== undefined && id === group.active,
+          rectangle,
+        }));
       });
   const picture = shown.find(({ id, isInFront }) => id === 'viewport' && isInFront)?.rectangle ?? null;
   const drag = useTabDrag(place, placed.groups);
@@ -91,7 +95,7 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
   );
 }
 
-/** Where the picture is, for what is shown in a corner of it: none of this while it is behind another panel. */
+/** Position of the viewport's lower left corner, for notices; undefined while it is behind another panel. */
 function pictureStyle(rectangle: Rectangle | null, height: number): CSSProperties | undefined {
   if (!rectangle) return undefined;
   return {
@@ -108,7 +112,7 @@ const belowTabs = ({ x, y, width, height }: Rectangle): Rectangle => ({
   height: Math.max(0, height - TAB_HEIGHT),
 });
 
-/** Where a dragged tab would come to be. */
+/** Marks where a dragged tab would be dropped. */
 function DropMark({ drag }: { drag: TabDrag | null }): ReactNode {
   if (!drag?.mark) return null;
   return <div className="drop-mark" style={styleOf(drag.mark)} />;

@@ -5,10 +5,10 @@ import { moveEdge, type PlacedEdge, SMALLEST } from '../../layout/placeLayout';
 import type { PanelRegistry } from '../../layout/PanelRegistry';
 import { useEditor } from '../../ui/EditorContext';
 
-/** CSS pixels that an arrow key moves an edge by. */
+/** Distance (CSS pixels) that an arrow key moves an edge. */
 const STEP = 16;
 
-/** A panel that is at one side of an edge, to name the edge by. */
+/** Title of the first panel at one side of an edge, for the edge's label. */
 function firstTitle(node: LayoutNode, panels: PanelRegistry): string {
   if (node.kind === 'split') return firstTitle(node.children[0], panels);
   return t(panels.get(node.active)?.title ?? node.active);
@@ -18,7 +18,7 @@ function splitAt(layout: LayoutNode, path: readonly number[]): LayoutNode {
   return path.reduce((node, i) => (node.kind === 'split' ? node.children[i] : node), layout);
 }
 
-/** The line between two places, which can be dragged, or moved by the arrow keys. */
+/** Divider between two places, dragged or moved by arrow keys. */
 export function DockEdge({ edge, layout }: { edge: PlacedEdge; layout: LayoutNode }): ReactNode {
   const { panels, layout: panelLayout } = useEditor();
   const { path, index, direction, rectangle, sizes } = edge;

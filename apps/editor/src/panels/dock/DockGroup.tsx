@@ -2,18 +2,18 @@ import { lazy, type PointerEvent, type ReactNode, Suspense } from 'react';
 import type { PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 
-// menus and their library come after the first frame
+// fetched after the first frame, with the library of menus
 const TabStrip = lazy(async () => ({ default: (await import('./TabStrip')).TabStrip }));
 
 interface DockGroupProps {
   readonly group: PanelGroup;
   readonly rectangle: Rectangle;
-  /** All that are shown. */
+  /** All visible groups. */
   readonly groups: readonly PlacedGroup[];
   onDrag(panel: string, event: PointerEvent): void;
 }
 
-/** The place of a group: its tabs; what is below them lies over it. */
+/** The tab strip of a group; its panel is drawn over the space below. */
 export function DockGroup({ group, rectangle, groups, onDrag }: DockGroupProps): ReactNode {
   const { x, y, width, height } = rectangle;
   return (

@@ -6,7 +6,7 @@ import { PanelBoundary } from '../../ui/PanelBoundary';
 interface DockPanelProps {
   readonly id: string;
   readonly isInFront: boolean;
-  /** Null while another panel has the whole window. */
+  /** Null while another panel fills the window. */
   readonly rectangle: Rectangle | null;
 }
 
@@ -18,7 +18,7 @@ const isSame = (a: DockPanelProps, b: DockPanelProps): boolean =>
   a.rectangle?.width === b.rectangle?.width &&
   a.rectangle?.height === b.rectangle?.height;
 
-/** A panel at its place: loaded when it is first in front, without effects while it is behind. */
+/** A panel at its place: fetched when first in front; its effects are off while it is behind. */
 export const DockPanel = memo(function DockPanel({ id, isInFront, rectangle }: DockPanelProps): ReactNode {
   const [wasInFront, setWasInFront] = useState(isInFront);
   if (isInFront && !wasInFront) setWasInFront(true);

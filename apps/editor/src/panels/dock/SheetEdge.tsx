@@ -3,19 +3,19 @@ import type { KeyboardEvent, PointerEvent, ReactNode } from 'react';
 import type { PlacedSheet } from '../../layout/smallWindow';
 import { useEditor } from '../../ui/EditorContext';
 
-/** What an arrow key moves it by, as a part of the dock. */
+/** Step of an arrow key, as a share of the dock. */
 const STEP = 0.05;
 
 interface SheetEdgeProps {
   readonly placed: PlacedSheet;
-  /** Part of the dock that the panel takes, from 0 to 1. */
+  /** Share of the dock that the panel takes, 0 to 1. */
   readonly share: number;
-  /** Of the dock (CSS pixels). */
+  /** Size of the dock (CSS pixels). */
   readonly width: number;
   readonly height: number;
 }
 
-/** The line between the picture and the panel of a small window: dragged, or moved by the arrow keys. */
+/** Divider between the viewport and the panel in a small window, dragged or moved by arrow keys. */
 export function SheetEdge({ placed, share, width, height }: SheetEdgeProps): ReactNode {
   const { layout } = useEditor();
   const { edge, tabs, isBelow } = placed;

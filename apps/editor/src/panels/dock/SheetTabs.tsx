@@ -7,11 +7,13 @@ import { Icon } from '../../ui/Icon';
 
 interface SheetTabsProps {
   readonly rectangle: Rectangle;
-  /** The panel beside the picture; null when there is none. */
+  /** The panel beside the viewport; null when there is none. */
   readonly sheet: string | null;
 }
 
-/** The tabs of a small window: the picture alone, or one panel beside it. A second press gives the picture its room back. */
+/**
+ * Tabs in a small window, where the viewport has at most one panel beside it. Pressing the open tab closes the panel.
+ */
 export function SheetTabs({ rectangle, sheet }: SheetTabsProps): ReactNode {
   const { panels, layout } = useEditor();
   const { x, y, width, height } = rectangle;

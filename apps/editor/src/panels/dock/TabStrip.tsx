@@ -22,14 +22,14 @@ interface TabStripProps {
   onDrag(panel: string, event: PointerEvent): void;
 }
 
-/** The focus goes where the tab has gone, once it is there. */
+/** Focuses a moved tab, once it is rendered at its new place. */
 function focusTab(panel: string): void {
   requestAnimationFrame(() => document.getElementById(`tab-${panel}`)?.focus());
 }
 
 /**
- * The tabs of a group. Arrow keys go from one to the next, Alt+Shift and an arrow key moves the panel, Delete closes it;
- * the menu has the same.
+ * The tabs of a group. Arrow keys go to the next one, Alt+Shift and an arrow key moves the panel, Delete closes it; the
+ * context menu offers these too.
  */
 export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
   const editor = useEditor();

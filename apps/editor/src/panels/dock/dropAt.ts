@@ -3,7 +3,7 @@ import type { DropSide } from '../../layout/LayoutNode';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import { TAB_HEIGHT } from './tabHeight';
 
-/** Parts of a group at each side where a panel is put beside it, not into it. */
+/** Share of a group at each side where a dropped panel is put beside the group, not into it. */
 const MARGIN = 0.25;
 
 function sideAt({ x, y, width, height }: Rectangle, px: number, py: number): DropSide {
@@ -15,7 +15,7 @@ function sideAt({ x, y, width, height }: Rectangle, px: number, py: number): Dro
   return nearest === v ? 'top' : 'bottom';
 }
 
-/** The half of a rectangle at a side, or all of it. */
+/** The half of a rectangle at a side; all of it for the centre. */
 function partOf({ x, y, width, height }: Rectangle, side: DropSide): Rectangle {
   const [w, h] = [width / 2, height / 2];
   switch (side) {
@@ -33,9 +33,9 @@ function partOf({ x, y, width, height }: Rectangle, side: DropSide): Rectangle {
 }
 
 /**
- * What happens to a panel that is dropped at a point of the dock (CSS pixels), and the place to mark meanwhile; null when
- * nothing does.
- * @param dock - the element that the tabs are in
+ * Result of dropping a panel at a point of the dock (CSS pixels), and the rectangle to mark meanwhile; null when it
+ * changes nothing.
+ * @param dock - the element that contains the tabs
  */
 export function dropAt(
   groups: readonly PlacedGroup[],
@@ -61,7 +61,7 @@ export function dropAt(
   }
   const side = sideAt(rectangle, x, y);
   const isOwn = group.panels.includes(panel);
-  // in its own group it only moves among the tabs, or to a side when others stay behind
+  // in its own group a panel only moves among the tabs, or to a side if others remain
   if (isOwn && (side === 'centre' || group.panels.length === 1)) return null;
   const extent = side === 'left' || side === 'right' ? rectangle.width : rectangle.height;
   return { drop: { group: group.id, side, extent }, mark: partOf(rectangle, side) };

@@ -4,7 +4,7 @@ import type { PlacedGroup } from '../../layout/placeLayout';
 
 type Side = Exclude<DropSide, 'centre'>;
 
-/** How far a rectangle is from another towards a side; null when it is not on that side, or not opposite to it. */
+/** Distance from a rectangle to another one at a side; null when the other is not there or does not face it. */
 function distance(from: PlacedGroup['rectangle'], to: PlacedGroup['rectangle'], side: Side): number | null {
   const isRow = side === 'left' || side === 'right';
   const overlap = isRow
@@ -21,18 +21,17 @@ function distance(from: PlacedGroup['rectangle'], to: PlacedGroup['rectangle'], 
 }
 
 /**
- * Where a panel goes that is sent towards a side: into the group that is there; where there is none, to that side of its
- * own group.
- * @returns null when it is alone at that side already
+ * Destination of a panel moved towards a side: the nearest group there, else a new group at that side of its own.
+ * @returns null when it is already alone at that side
  */
 export function dropTowards(groups: readonly PlacedGroup[], panel: string, side: Side): PanelDrop | null {
   const from = groups.find(({ group }) => group.panels.includes(panel));
   if (!from) return null;
   let nearest: PlacedGroup | null = null;
-  let least = Infinity;
+  let leastDistance = Infinity;
   for (const each of groups) {
     const gap = each === from ? null : distance(from.rectangle, each.rectangle, side);
-    if (gap !== null && gap < least) [nearest, least] = [each, gap];
+    if (gap !== null && gap < leastDistance) [nearest, leastDistance] = [each, gap];
   }
   if (nearest) return { group: nearest.group.id, side: 'centre' };
   if (from.group.panels.length === 1) return null;

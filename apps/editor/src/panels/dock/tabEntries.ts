@@ -20,7 +20,7 @@ const halves = (): [Exclude<DropSide, 'centre'>, string][] => [
   ['bottom', t('Lower half')],
 ];
 
-/** The menu of a panel's tab. */
+/** Context menu of a panel's tab. */
 export function tabEntries(
   { panels, layout }: EditorApi,
   panel: Panel,

@@ -1,2 +1,2 @@
-/** Height of the tabs of a group (CSS pixels): as a finger where one is used. */
+/** Height of a group's tabs (CSS pixels), larger for fingers. */
 export const TAB_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 30;

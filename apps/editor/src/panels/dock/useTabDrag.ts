@@ -4,17 +4,17 @@ import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
 import { dropAt } from './dropAt';
 
-/** A press that moves farther than this (CSS pixels) is a drag. */
+/** Distance (CSS pixels) from which a press is a drag. */
 const REACH = 6;
 
 export interface TabDrag {
   readonly panel: string;
   readonly drop: PanelDrop | null;
-  /** Where the panel would be; null where it cannot go. */
+  /** Rectangle that the panel would get; null where it cannot be dropped. */
   readonly mark: Rectangle | null;
 }
 
-/** Drags tabs by mouse, finger or pen. Escape ends it without effect. */
+/** Drags tabs by mouse, finger or pen. Escape cancels. */
 export function useTabDrag(
   place: RefObject<HTMLElement | null>,
   groups: readonly PlacedGroup[],

@@ -10,7 +10,7 @@ import { usePoll } from '../../ui/usePoll';
 import { WipePainter } from '../../viewport/painters/WipePainter';
 import { Section } from '../inspector/Section';
 
-/** The technique in use beside another one, their difference, and how far they are apart. */
+/** Compares the technique in use with another one: images, difference and measurements. */
 export function CompareSection(): ReactNode {
   const editor = useEditor();
   const { viewport, microShaders } = editor;

@@ -5,13 +5,13 @@ import { usePoll } from '../../ui/usePoll';
 
 const ms = (value: number | null): string => (value === null ? '–' : value.toFixed(value < 10 ? 2 : 1));
 
-/** What each effect took of the last frame, by its pass: time of the page's thread, and of the GPU where that can be measured. */
+/** Time of each effect in the last frame: on the CPU, and on the GPU where it can be measured. */
 export function EffectCosts(): ReactNode {
   const { viewport } = useEditor();
   const rows = usePoll(
     useCallback(() => {
       const { info, effects } = viewport.farol;
-      // an effect that draws more than once in a frame has one record
+      // an effect with several draws in a frame has one record
       const passes = new Map(info.passes.map((pass) => [pass.name, pass]));
       return effects
         .flatMap(({ name }) => passes.get(name) ?? [])

@@ -12,7 +12,7 @@ import { TechniqueLimit } from '../inspector/TechniqueLimit';
 
 const shown = ['antialiasing', ...Object.keys(effectFields)];
 
-/** What takes part in the picture beside the technique: settings of the scene, and effects of plugins. */
+/** Effects of the scene's settings, and effects of plugins. */
 export function EffectsSection(): ReactNode {
   const { commands, document, viewport } = useEditor();
   const { addedEffects } = viewport;

@@ -15,7 +15,7 @@ import { ViewsSection } from './ViewsSection';
 
 const megabytes = (bytes: number): string => `${(bytes / 2 ** 20).toFixed(1)} MB`;
 
-/** How the picture is made: technique and view, times of the passes, all views at once, two techniques beside each other. */
+/** Settings and measurements of rendering: technique, debug view, times of passes, comparison of techniques. */
 export function FramePanel(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;
@@ -58,7 +58,7 @@ export function FramePanel(): ReactNode {
   );
 }
 
-/** What was drawn, by what, and why by that. */
+/** Counts of the last frame, and the technique that was used with the reason for it. */
 function Figures(): ReactNode {
   const { viewport } = useEditor();
   const text = usePoll(

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import './overlay.css';
 
-/** What the colours of light count and overdraw stand for. */
+/** Colour scale of the debug views for light count and overdraw. */
 export function HeatScale(): ReactNode {
   const { viewport } = useEditor();
   const { heatMapMaximum } = viewport.farol;
@@ -17,7 +17,7 @@ export function HeatScale(): ReactNode {
       <div className="heat-colours" />
       <div className="heat-marks">
         {marks.map((mark, i) => (
-          // oxlint-disable-next-line react/no-array-index-key -- marks of the scale
+          // oxlint-disable-next-line react/no-array-index-key -- the marks have fixed places
           <span key={i}>{i === 4 ? `${mark}+` : mark}</span>
         ))}
       </div>

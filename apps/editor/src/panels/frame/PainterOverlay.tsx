@@ -7,7 +7,7 @@ import { gridViews, ViewsPainter } from '../../viewport/painters/ViewsPainter';
 import { WipePainter } from '../../viewport/painters/WipePainter';
 import './overlay.css';
 
-/** What lies over a picture of several parts: names of the views, or where two techniques meet. */
+/** Overlay of a viewport with several images: names of the views, or the border between two techniques. */
 export function PainterOverlay(): ReactNode {
   const { viewport } = useEditor();
   useSignal(viewport.changed);
@@ -17,7 +17,7 @@ export function PainterOverlay(): ReactNode {
   return null;
 }
 
-/** A name over each view; a click shows the view alone. */
+/** Names above the views of the grid; a click shows that view alone. */
 function ViewNames(): ReactNode {
   const { viewport } = useEditor();
   useSignal(viewport.resized);

@@ -12,7 +12,7 @@ type Kind = 'cpu' | 'gpu';
 
 const ms = (value: number | null): string => (value === null ? '–' : value.toFixed(value < 10 ? 2 : 1));
 
-/** Times of the passes over the last frames, stacked; means of those of the last frame. */
+/** Stacked graph of the times of passes over the last frames, and a table of their means. */
 export function PassesSection(): ReactNode {
   const { viewport } = useEditor();
   const recorder = useMemo(() => new FrameRecorder(), []);
@@ -37,7 +37,7 @@ export function PassesSection(): ReactNode {
     return () => endings.forEach((end) => end());
   }, [viewport, recorder, kind]);
 
-  // a picture at rest is drawn once, so that there is something to see
+  // an idle viewport draws one frame, so that there are times to show
   useEffect(() => viewport.invalidate(), [viewport]);
 
   const rows = usePoll(
@@ -107,7 +107,7 @@ export function PassesSection(): ReactNode {
                     {name}
                   </th>
                   {figures.map((figure, i) => (
-                    // oxlint-disable-next-line react/no-array-index-key -- a column
+                    // oxlint-disable-next-line react/no-array-index-key -- the columns have fixed places
                     <td key={i}>{figure}</td>
                   ))}
                 </tr>

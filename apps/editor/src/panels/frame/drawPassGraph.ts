@@ -4,17 +4,17 @@ const COLOURS = ['#5f9df5', '#ffa044', '#7cc35a', '#d79be8', '#f0696f', '#4fc4c4
 
 const known = new Map<string, string>();
 
-/** The colour that stands for a pass; the same all along. */
+/** Colour of a pass in the graph, kept as long as the page is open. */
 export function passColour(name: string): string {
   let colour = known.get(name);
   if (!colour) known.set(name, (colour = COLOURS[known.size % COLOURS.length]));
   return colour;
 }
 
-/** Tops that the graph may have (ms). */
+/** Possible maxima of the graph's axis (ms). */
 const TOPS = [0.5, 1, 2, 4, 8, 16.7, 33.3, 66.7, 133, 267, 533, 1067, 2133, 4267];
 
-/** Draws the times of the passes, one upon the other, the last frame at the right. */
+/** Draws the stacked times of the passes, the last frame at the right. */
 export function drawPassGraph(canvas: HTMLCanvasElement, recorder: FrameRecorder, kind: 'cpu' | 'gpu'): void {
   const context = canvas.getContext('2d')!;
   const ratio = devicePixelRatio;

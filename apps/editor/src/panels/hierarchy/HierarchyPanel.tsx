@@ -22,10 +22,10 @@ import './hierarchy.css';
 import { HierarchyRow, rowState } from './HierarchyRow';
 import { useObjectTree } from './useObjectTree';
 
-/** CSS pixels; more for fingers. */
+/** Height of a row (CSS pixels), larger for fingers. */
 const ROW_HEIGHT = matchMedia('(pointer: coarse)').matches ? 40 : 24;
 
-/** The tree of GameObjects: only rows in sight are in the page. */
+/** The tree of GameObjects; only visible rows are rendered. */
 export function HierarchyPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
@@ -33,7 +33,7 @@ export function HierarchyPanel(): ReactNode {
   const pressed = useRef<string | undefined>(undefined);
   const [query, setQuery] = useState('');
   const { tree, rows, ...selection } = useObjectTree((index) => virtualizer.scrollToIndex(index), query);
-  // oxlint-disable-next-line react/incompatible-library -- nothing here is memoised by hand
+  // oxlint-disable-next-line react/incompatible-library -- this component memoises nothing by hand
   const virtualizer = useVirtualizer({
     count: rows.length,
     getScrollElement: () => scroller.current,
@@ -56,11 +56,11 @@ export function HierarchyPanel(): ReactNode {
     [tree],
   );
 
-  /** Notes the row that a menu would be of: a long press of a finger opens one without telling where. */
+  /** Remembers the row under the pointer: a context menu opened by a long press does not report it. */
   const note = (event: { target: EventTarget }): void => {
     pressed.current = (event.target as HTMLElement).closest<HTMLElement>('[data-object-id]')?.dataset.objectId;
   };
-  /** The menu of what is not selected selects it. */
+  /** Selects the row of a context menu, unless it is selected already. */
   const selectPressed = (): void => {
     const id = pressed.current;
     if (id === undefined) document.selection.clear();

@@ -13,16 +13,16 @@ interface HierarchyRowProps {
   readonly tree: TreeInstance<string>;
   readonly item: ItemInstance<string>;
   readonly object: GameObject;
-  /** From the top of the tree, and how high it is (CSS pixels). */
+  /** Distance from the top of the tree, and height (CSS pixels). */
   readonly top: number;
   readonly height: number;
-  /** See `rowState`: the row is rendered again when this differs. */
+  /** Text of `rowState`; the row is rendered again when it changes. */
   readonly state: string;
   /** Called when the row is clicked. */
   onSelect(item: ItemInstance<string>, event: MouseEvent): void;
 }
 
-/** Everything that a row shows, as one text. */
+/** Everything that a row shows, as one text to compare. */
 export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>, object: GameObject): string {
   const { level, setSize, posInSet } = item.getItemMeta();
   return [
@@ -41,7 +41,7 @@ export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>,
   ].join('\n');
 }
 
-/** One GameObject: fold, icon, name, and whether it is shown. */
+/** Row of one GameObject: fold, icon, name, and switches. */
 export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps): ReactNode {
   const { tree, item, object, top, height, onSelect } = props;
   const editor = useEditor();
@@ -87,7 +87,7 @@ export const HierarchyRow = memo(function HierarchyRow(props: HierarchyRowProps)
           aria-label={t('Name of {name}', { name: object.name })}
           onClick={(event) => event.stopPropagation()}
           onFocus={({ currentTarget }) => currentTarget.select()}
-          // not abortRenaming, which would take the focus from where it went
+          // not abortRenaming, which would pull the focus back into the tree
           onBlur={() => tree.applySubStateUpdate('renamingItem', null)}
           onKeyDown={(event) => {
             event.stopPropagation();

@@ -5,15 +5,15 @@ import type { IconName } from '../../style/iconPaths';
 interface RowSwitchProps {
   readonly name: string;
   readonly isOn: boolean;
-  /** Whether it counts as on, by itself or by an object above. */
+  /** Whether the state is inherited from an object above. */
   readonly isInherited: boolean;
-  /** What it does when off, and when on, and the key that does it. */
+  /** Label when off, label when on, and the key that toggles. */
   readonly words: readonly [string, string, string];
   readonly icons: readonly [IconName, IconName];
   onChange(isOn: boolean): void;
 }
 
-/** A switch at the end of a row. Keys reach what it does by the row itself. */
+/** A switch at the end of a row. Not reachable by Tab, since the row itself has a key for it. */
 export function RowSwitch({ name, isOn, isInherited, words, icons, onChange }: RowSwitchProps): ReactNode {
   const word = words[isOn ? 1 : 0];
   return (

@@ -1,9 +1,9 @@
 import type { GameObject, Scene } from '@farol/engine';
 
-/** The words of a query, in small letters. */
+/** The words of a query, in lower case. */
 export const wordsOf = (query: string): string[] => query.toLowerCase().split(/\s+/).filter(Boolean);
 
-/** Whether each word is part of the object's name, of the name of one of its components, or of a tag. */
+/** Whether each word occurs in the object's name, in the name of one of its components, or in a tag. */
 function matches({ name, components, tags }: GameObject, words: readonly string[]): boolean {
   const lower = name.toLowerCase();
   return words.every(

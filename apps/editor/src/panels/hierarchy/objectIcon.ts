@@ -12,7 +12,7 @@ import {
 import { isInstanceRoot } from '@farol/engine/prefabs';
 import type { IconName } from '../../style/iconPaths';
 
-/** The icon that says what a GameObject is. */
+/** Icon for a GameObject, by its kind or its components. */
 export function objectIcon(object: GameObject): IconName {
   if (isInstanceRoot(object)) return 'prefab';
   const light = object.getComponent(Light);

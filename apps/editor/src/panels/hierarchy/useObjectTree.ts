@@ -19,10 +19,10 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { matching, wordsOf } from './matching';
 import { rowFocusFeature, useRowFocus } from './useRowFocus';
 
-/** Id of what all objects are below; no GameObject has it. */
+/** Id of the tree's hidden root; no GameObject has it. */
 const ROOT = '/';
 
-/** Pixels that each level is set in by. */
+/** Indentation per level (CSS pixels). */
 export const INDENT = 14;
 
 type Item = ItemInstance<string>;
@@ -32,17 +32,17 @@ type Handler = (event: KeyboardEvent, tree: TreeInstance<string>) => void;
 /** The tree of the document's GameObjects. */
 export interface ObjectTree {
   readonly tree: TreeInstance<string>;
-  /** The rows as they are rendered. */
+  /** The visible rows, in order. */
   readonly rows: readonly Item[];
-  /** Selects one row; ranges begin there. */
+  /** Selects one row, which becomes the start of ranges. */
   select(item: Item): void;
-  /** Selects from the row that ranges begin at to another, which is then the one chosen last. */
+  /** Selects the range up to a row, which becomes the primary selection. */
   selectTo(item: Item): void;
-  /** Selects one row more, or one less; ranges begin there. */
+  /** Adds a row to the selection or removes it; the row becomes the start of ranges. */
   toggle(item: Item): void;
 }
 
-/** A key that moves the focus by rows. @param to - the row that it goes to, of all rows and of the one with the focus */
+/** A key that moves the focus. @param to - gives the row to focus, from all rows and the focused one */
 const rowKey = (
   hotkey: string,
   to: (rows: readonly Item[], focused: number) => Item | undefined,
@@ -72,7 +72,7 @@ const above = (rows: readonly Item[], focused: number): Item | undefined => rows
 
 /**
  * The tree of the document's GameObjects, with selection, renaming, and re-parenting by drag and by keyboard.
- * @param query - when there is one, what matches it, side by side; see `matchesQuery`
+ * @param query - search; when it is not empty, matching objects are listed without nesting
  */
 export function useObjectTree(scrollTo: (index: number) => void, query: string): ObjectTree {
   const editor = useEditor();
@@ -99,7 +99,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   };
   const selectTo = (item: Item): void => {
     const { selection } = document;
-    // what was selected elsewhere begins a range too
+    // an object selected elsewhere, such as in the viewport, starts a range too
     const begin = anchor.current !== null && selection.has(anchor.current) ? anchor.current : selection.primary;
     const items = tree.getItems();
     const from = items.findIndex((each) => each.getId() === begin);
@@ -119,7 +119,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     rootItemId: ROOT,
     indent: INDENT,
     getItemName: (item) => document.scene.findById(item.getId())?.name ?? '',
-    // every object can hold others
+    // every object can have children
     isItemFolder: () => true,
     dataLoader: { getItem: (id) => id, getChildren: childIds },
     state: { selectedItems: ids as string[], expandedItems },
@@ -141,12 +141,12 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       if (object && name.trim()) editor.commands.run(renameObject(object, name.trim()));
     },
     hotkeys: {
-      // F2 is an action of the editor's, wherever the focus is
+      // F2 is an action of the editor, available with any focus
       renameItem: { hotkey: 'F2', isEnabled: () => false, handler: () => {} },
-      // the field's own handler leaves the keys of input methods alone
+      // not the tree's keys: the field's own handler ignores keys of input methods
       completeRenaming: { hotkey: 'Enter', isEnabled: () => false, handler: () => {} },
       abortRenaming: { hotkey: 'Escape', isEnabled: () => false, handler: () => {} },
-      // Ctrl+A is an action too: everything, folded or not
+      // Ctrl+A is an action of the editor: it selects everything, folded or not
       selectAll: { hotkey: 'Control+KeyA', isEnabled: () => false, handler: () => {} },
       focusNextItem: rowKey('ArrowDown', below, select),
       focusPreviousItem: rowKey('ArrowUp', above, select),
@@ -171,7 +171,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
   useEffect(() => tree.rebuildTree(), [tree, structure, expandedItems, query]);
   useEffect(() => document.opened.subscribe(() => setExpandedItems([])), [document]);
 
-  // what is selected elsewhere, in the picture or by an undo, is shown here
+  // scrolls to objects selected elsewhere, as in the viewport or by an undo
   const primary = document.selection.primary;
   useEffect(() => {
     const above: string[] = [];
@@ -179,7 +179,7 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     for (let parent = object?.parent; parent; parent = parent.parent) above.push(parent.id);
     setExpandedItems((expanded) => (above.every((id) => expanded.includes(id)) ? expanded : [...expanded, ...above]));
   }, [document, primary]);
-  /** What is yet to be shown: its row may come with a later rendering than the selection. */
+  /** Id of an object to scroll to, whose row may be rendered later than the selection changes. */
   const toShow = useRef<string | null>(null);
   const rows = tree.getItems();
   const show = (): void => {

@@ -1,11 +1,11 @@
 import type { FeatureImplementation, TreeInstance } from '@headless-tree/core';
 import { useEffect, useRef } from 'react';
 
-/** Whether the row of the tree's focused item is to have the focus once it is rendered. */
+/** `rowFocus` in the tree's data: whether the focused item's row gets the focus once it is rendered. */
 const isAsked = (tree: TreeInstance<string>): { rowFocus?: boolean } =>
   tree.getDataRef<{ rowFocus?: boolean }>().current;
 
-/** Gives the focus to the row of the tree's focused item; that of the first one where this item has gone. */
+/** Focuses the row of the tree's focused item, or the first row when that item is gone. */
 function focusRow(tree: TreeInstance<string>): void {
   if (tree.getItems().length === 0) return;
   if (tree.getFocusedItem().getItemMeta().index < 0) tree.getItems()[0].setFocused();
@@ -15,8 +15,8 @@ function focusRow(tree: TreeInstance<string>): void {
 }
 
 /**
- * The focus goes to the row of the tree's focused item at once, or with the rendering that brings this row, however late:
- * the library's own waits for a row by timers, and takes the first row when that takes long.
+ * Focuses the row of the tree's focused item at once, or as soon as it is rendered. The library's own feature waits by
+ * timers, and takes the first row when rendering takes long.
  */
 export const rowFocusFeature: FeatureImplementation<string> = {
   key: 'row-focus',
@@ -28,7 +28,7 @@ export const rowFocusFeature: FeatureImplementation<string> = {
   },
 };
 
-/** Keeps the focus in a tree when the row that has it goes, by a deletion or by a move: keys go on. */
+/** Keeps the focus in the tree when the focused row is removed or moved, so that keys still work. */
 export function useRowFocus(tree: TreeInstance<string>): void {
   const isInside = useRef(false);
   useEffect(() => {
@@ -36,7 +36,7 @@ export function useRowFocus(tree: TreeInstance<string>): void {
       isInside.current = event.target instanceof Element && event.target.closest('[role="tree"]') !== null;
       isAsked(tree).rowFocus = false;
     };
-    // a click on what takes no focus leaves the tree too
+    // a click on something that takes no focus leaves the tree too
     const pressed = (event: PointerEvent): void => {
       isInside.current &&= event.target instanceof Element && event.target.closest('.hierarchy, .popup') !== null;
     };
@@ -47,7 +47,7 @@ export function useRowFocus(tree: TreeInstance<string>): void {
       document.removeEventListener('pointerdown', pressed);
     };
   }, [tree]);
-  // after each rendering: rows come and go in one that follows that of the edit
+  // after each rendering, since rows change one rendering after the edit
   useEffect(() => {
     const isLost = isInside.current && document.activeElement === document.body;
     if (isLost || isAsked(tree).rowFocus) focusRow(tree);

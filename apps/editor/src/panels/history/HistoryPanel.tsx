@@ -3,7 +3,7 @@ import { type ReactNode, useEffect, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './history.css';
 
-/** What was done, oldest first, and what was undone; a click goes there. */
+/** The steps of the history, oldest first, with undone ones; a click goes to a step. */
 export function HistoryPanel(): ReactNode {
   const { commands } = useEditor();
   useSignal(commands.changed);
@@ -11,7 +11,7 @@ export function HistoryPanel(): ReactNode {
   const list = useRef<HTMLOListElement>(null);
   useEffect(() => {
     list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- the present step is another one then
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- scrolls when the current step changes
   }, [history.length]);
   const goTo = (steps: number): void => {
     while (commands.history.length > steps && commands.undo());
@@ -22,7 +22,7 @@ export function HistoryPanel(): ReactNode {
     <section className="panel" aria-label={t('History')}>
       <ol className="history" ref={list}>
         {labels.map((label, steps) => (
-          // oxlint-disable-next-line react/no-array-index-key -- a step is its place in the history
+          // oxlint-disable-next-line react/no-array-index-key -- a step is identified by its place in the history
           <li key={steps}>
             <button
               type="button"

@@ -6,7 +6,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
-/** What can be done with a clip of a model that Animations play. @param props.components - Animations, memoised */
+/** Buttons for a model's clip that Animations play. @param props.components - Animations, memoised */
 export function AnimationBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document, commands, notices } = editor;

@@ -20,7 +20,8 @@ import { Section } from './Section';
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
- * @param props.components - the key says which: others need another section, so that an edit under way keeps its owners
+ * @param props.components - read once: the React key must change with them, so that an edit in progress keeps its
+ *   owners
  */
 export function ComponentSection(props: { components: readonly Component[] }): ReactNode {
   const [components] = useState(props.components);
@@ -32,7 +33,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
   const isTransform = typeName === 'Transform';
   const mixed = components.some((component) => component.enabled !== enabled);
 
-  // one of the engine's own is no script's
+  // built-in components have no script
   const script = builtinComponents.types.has(typeName) ? null : scriptOfType(editor.document.scene, typeName);
   const menu = (): MenuEntry[] => componentEntries(editor, components);
 

@@ -6,13 +6,13 @@ import { Icon } from '../../ui/Icon';
 import { usePreferences } from '../../ui/usePreferences';
 
 interface FieldGroupProps {
-  /** Under this name it is remembered whether the group is folded. */
+  /** Key under which the folded state is stored. */
   readonly id: string;
   readonly title: string;
   readonly children: ReactNode;
 }
 
-/** Fields of a section that belong together; they fold, and stay so. */
+/** A foldable group of fields in a section; its state is remembered. */
 export function FieldGroup({ id, title, children }: FieldGroupProps): ReactNode {
   const { preferences } = useEditor();
   const isFiltering = useIsFiltering();

@@ -7,14 +7,14 @@ import { FieldGroup } from './FieldGroup';
 import { FieldRow } from './FieldRow';
 import { useLiveTexts } from './useLiveTexts';
 
-/** The texts that a field can be chosen from, each on a line; null where any text goes. */
+/** Choices of a text field, one per line; null when it takes any text. */
 function choicesOf(owner: FieldOwner, field: Field): string | null {
   if (field.kind !== 'string' || field.choices === undefined) return null;
   const list = (owner as unknown as Readonly<Record<string, unknown>>)[field.choices];
   return Array.isArray(list) ? list.join('\n') : '';
 }
 
-/** A field as all owners show it: of lights of several types, none's own unit. */
+/** Field to show for all owners. When their units differ (lights of several types), the unit is left out. */
 function shownField(owners: readonly FieldOwner[], name: string): Field {
   const [first, ...others] = owners.map((owner) =>
     variantOfField(owner.fields[name], (other) => owner.getAuthored(other)),
@@ -23,23 +23,23 @@ function shownField(owners: readonly FieldOwner[], name: string): Field {
 }
 
 interface FieldListProps {
-  /** Memoised, at least one. */
+  /** At least one; memoised. */
   readonly owners: readonly FieldOwner[];
-  /** These alone, in this order; all when absent. */
+  /** Names of the fields to show, in this order; all when absent. */
   readonly names?: readonly string[];
 }
 
 const isDefault = (owner: FieldOwner, name: string): boolean =>
   sameValue(owner.getAuthored(name), owner.fields[name].default);
 
-/** The fields of a component, or of several of one type, that matter at present. */
+/** The relevant fields of a component, or of several of one type. */
 export function FieldList({ owners, names }: FieldListProps): ReactNode {
   const { document, commands } = useEditor();
   useOwnersRevision(owners);
   useSignal(document.previewed);
   const places = useLiveTexts(owners.length === 1 ? owners[0] : null);
   const [owner] = owners;
-  // uniforms of the surface that is worn come and go with its text
+  // uniforms of a surface become fields, and change with its text
   useSignal(document.assetsChanged);
   const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => owners.every(({ fields }) => Object.hasOwn(fields, name)))
@@ -66,7 +66,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   return inGroups(owner, rows);
 }
 
-/** Fields of a group stand together below its title, after those that are in none. */
+/** Puts the fields of each group below its title, after fields without a group. */
 function inGroups(owner: FieldOwner, rows: readonly ReactElement[]): ReactNode {
   const groupOf = ({ key }: ReactElement): string | undefined => owner.fields[key!].group;
   const groups = new Set(rows.map(groupOf));

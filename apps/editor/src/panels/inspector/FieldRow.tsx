@@ -15,20 +15,20 @@ interface FieldRowProps {
   readonly owners: readonly FieldOwner[];
   readonly name: string;
   readonly field: Field;
-  /** Null where the owners differ. */
+  /** Null when the owners' values differ. */
   readonly value: FieldValue;
   readonly mixed: boolean;
-  /** Of a vector whose values differ: the coordinates that all have in common, as JSON. */
+  /** For vectors whose values differ: the coordinates that are equal in all owners, as JSON. */
   readonly parts: string;
-  /** Whether all have the default. */
+  /** Whether all owners have the default value. */
   readonly isDefault: boolean;
-  /** Takes the element that says where simulation has taken the value. */
+  /** Elements that show simulated values, by field; the row adds its own. */
   readonly places: Map<string, HTMLElement>;
-  /** The texts that there are to choose from, each on a line; null where any text goes. */
+  /** Choices of a text field, one per line; null when it takes any text. */
   readonly choices: string | null;
 }
 
-/** A field with its label: dragged, typed or chosen, it is edited in one step of history. */
+/** Label and editor of a field. Dragging, typing or choosing a value is one step of history. */
 export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode {
   const { owners, name, field, value, mixed, parts, isDefault, places, choices } = props;
   const editor = useEditor();
@@ -36,7 +36,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     () => new FieldGesture(editor.commands, owners, name, () => ownersName(owners)),
     [editor, owners, name],
   );
-  // one editor for each kind: the table's type says so, which a union of its members cannot
+  // each kind has its editor, as the table's type ensures; a union cannot express that
   const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
   const label = labelOfField(name, field);
   const description = describeField(field);

@@ -8,7 +8,7 @@ import { AssetInspector } from '../material/AssetInspector';
 import { ObjectInspector } from './ObjectInspector';
 import { SceneInspector } from './SceneInspector';
 
-/** The values of what is selected; below them the help of the field under the pointer, or with the focus. */
+/** Fields of the selection, and below them the help of the hovered or focused field. */
 export function InspectorPanel(): ReactNode {
   const editor = useEditor();
   const { document } = editor;
@@ -18,11 +18,11 @@ export function InspectorPanel(): ReactNode {
   const [{ help, of: helpOf }, showHelp] = useState<{ help: string; of: unknown }>({ help: '', of: null });
   const [filter, setFilter] = useState('');
   const words = useMemo(() => wordsOfFilter(filter), [filter]);
-  // who walks through the tree by a key that is held down waits for the tree alone
+  // deferred, so that walking through the tree with a held key does not wait for the inspector
   const ids = useDeferredValue(document.selection.ids);
 
   const asset = document.assetSelection.primary;
-  // help of what is no longer selected is out of date
+  // help for a previous selection is hidden
   const subject = asset ?? ids;
   const setHelp = (text: string): void => showHelp({ help: text, of: subject });
   const show = (event: PointerEvent | FocusEvent): void => {

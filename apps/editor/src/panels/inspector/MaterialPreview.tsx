@@ -9,13 +9,16 @@ import { Icon } from '../../ui/Icon';
 import { TurningBall } from '../../ui/TurningBall';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
-/** The material as it is drawn now; null where there is none of its own, or several. */
+/** The material that an object is drawn with; null when it has none, or several. */
 function materialOf(component: Component): Material | null {
   const mesh = component instanceof ObjectRenderer ? component.three : null;
   return mesh && !Array.isArray(mesh.material) ? mesh.material : null;
 }
 
-/** A ball of the material, and what can be made of it. @param props.components - ObjectRenderers, memoised */
+/**
+ * Preview sphere of an object's material, and buttons to make a library material of it. @param props.components -
+ * ObjectRenderers, memoised
+ */
 export function MaterialPreview({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
@@ -32,8 +35,8 @@ export function MaterialPreview({ components }: { components: readonly Component
   const show = (material: string): void => document.assetSelection.set([material]);
   const attempt = (run: () => void) => (): void => editor.attempt(run);
   const make = attempt(() => {
-    const wanted = t('{name} material', { name: first.gameObject.name });
-    const made = addMaterial(document.scene, wanted, valuesOfOwnMaterial(first), renderers);
+    const materialName = t('{name} material', { name: first.gameObject.name });
+    const made = addMaterial(document.scene, materialName, valuesOfOwnMaterial(first), renderers);
     commands.run(made.command);
     show(made.name);
   });

@@ -8,7 +8,10 @@ import { Icon } from '../../ui/Icon';
 import { ModelTree } from '../material/ModelTree';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
-/** What can be done with models that are drawn whole. @param props.components - ModelRenderers, memoised */
+/**
+ * Buttons for models that are drawn as one object, such as unpacking. @param props.components - ModelRenderers,
+ * memoised
+ */
 export function ModelBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document } = editor;

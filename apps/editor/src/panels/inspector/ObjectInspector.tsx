@@ -14,7 +14,7 @@ import { componentIcon, wordsOf } from './componentIcons';
 import { PrefabBar } from '../prefab/PrefabBar';
 import { ComponentSection } from './ComponentSection';
 
-/** The components that all objects have, one of each object to a group, in the order of the first object. */
+/** The components that all objects have: a group for each type, in the first object's order. */
 function sharedComponents(objects: readonly GameObject[]): (readonly Component[])[] {
   const [first, ...others] = objects;
   if (others.length === 0) return first.components.map((component) => [component]);
@@ -25,23 +25,29 @@ function sharedComponents(objects: readonly GameObject[]): (readonly Component[]
   });
 }
 
-/** No type of components is called so. */
+/** Menu value for a new script; not the name of a component type. */
 const NEW_SCRIPT = 'new script…';
 
 const keys = new WeakMap<Component, number>();
 let count = 0;
 
-/** Tells one component from another that came to its place with the same id. */
+/** A number for each component, since another component with the same id may take its place. */
 function keyOf(component: Component): number {
   let key = keys.get(component);
   if (key === undefined) keys.set(component, (key = count++));
   return key;
 }
 
-/** What every object has, and what only older files have: an Animation does what an Animator did. */
+/**
+ * Types missing from the Add menu: every object has a Transform; Animator is only read from older files, Animation
+ * replaces it.
+ */
 const notAdded: ReadonlySet<string> = new Set(['Transform', 'Animator']);
 
-/** The selected GameObjects: name, whether they are active, and their components. @param props.ids - at least one */
+/**
+ * Inspector of the selected GameObjects: name, whether they are active, and their components. @param props.ids - at
+ * least one
+ */
 export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: readonly string[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
@@ -49,10 +55,10 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
   const { objects, groups } = useMemo(() => {
     const found = ids.flatMap((id) => document.scene.findById(id) ?? []);
     return { objects: found, groups: found.length > 0 ? sharedComponents(found) : [] };
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the objects and their components
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the revision stands for the components
   }, [document, structure, ids]);
   const [first] = objects;
-  // the selection is about to change
+  // the objects were removed, and the selection is about to change
   if (!first) return null;
   const isOne = objects.length === 1;
   const mixed = objects.some(({ active }) => active !== first.active);

@@ -6,7 +6,7 @@ import { EditSurface } from '../material/EditSurface';
 import { Icon } from '../../ui/Icon';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
 
-/** What can be done with the surface that objects wear. @param props.components - memoised; nothing is shown for those that wear none */
+/** Buttons for the surface of objects. @param props.components - memoised; nothing is shown when none has a surface */
 export function ObjectSurfaceBar({ components }: { components: readonly Component[] }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
@@ -29,7 +29,7 @@ export function ObjectSurfaceBar({ components }: { components: readonly Componen
   const material = name === null ? null : document.assets.materialAsset(name);
   const worn = material?.get('surface') as string | null | undefined;
   if (!material || !worn || !renderers.every((each) => each.material === name && each.shader === null)) return null;
-  const own = async (): Promise<void> => {
+  const makeOwnValues = async (): Promise<void> => {
     const { ownSurfaceValues } = await import('../../model/surfaceEdits');
     commands.run(ownSurfaceValues(renderers, material));
   };
@@ -39,7 +39,7 @@ export function ObjectSurfaceBar({ components }: { components: readonly Componen
         type="button"
         className="button framed"
         title={t('The values of the surface for this object alone; others of the material keep theirs')}
-        onClick={() => editor.attempt(own)}
+        onClick={() => editor.attempt(makeOwnValues)}
       >
         <Icon name="sliders" />
         <span>{t('Own values of {surface}', { surface: worn })}</span>

@@ -6,7 +6,7 @@ import { Section } from './Section';
 
 const names = ['gravity'];
 
-/** What the scene as a whole says of its physics. */
+/** Physics settings of the scene. */
 export function PhysicsSection({ settings }: { settings: SceneSettings }): ReactNode {
   const owners = useMemo(() => [settings], [settings]);
   return (

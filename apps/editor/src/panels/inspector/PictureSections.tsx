@@ -31,7 +31,7 @@ const effects = [
   ...['vignette', 'vignetteDarkness', 'vignetteSize'],
 ];
 
-/** All that makes the picture of the scene beside its objects. What is off shows one switch. */
+/** Rendering settings of the scene. A feature that is off shows only its switch. */
 export function PictureSections({ settings }: { settings: SceneSettings }): ReactNode {
   const owners = useMemo(() => [settings], [settings]);
   return (

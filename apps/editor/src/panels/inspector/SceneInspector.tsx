@@ -10,7 +10,7 @@ import { PhysicsSection } from './PhysicsSection';
 import { PictureSections } from './PictureSections';
 import { Section } from './Section';
 
-/** The scene as a whole, shown while no object is selected. */
+/** Settings of the scene, shown while no object is selected. */
 export function SceneInspector(): ReactNode {
   const { document, commands } = useEditor();
   useSignal(document.structure);

@@ -6,19 +6,19 @@ import { useEditor } from '../../ui/EditorContext';
 import { usePreferences } from '../../ui/usePreferences';
 
 interface SectionProps {
-  /** Under this name it is remembered whether the section is folded. */
+  /** Key under which the folded state is stored. */
   readonly id: string;
   readonly title: string;
   readonly help: string;
   readonly icon: IconName;
-  /** Whether it is folded until the user says otherwise. */
+  /** Whether the section is folded by default. */
   readonly isFoldedAtFirst?: boolean;
   /** Controls at the right of the title. */
   readonly controls?: ReactNode;
   readonly children: ReactNode;
 }
 
-/** A part of the inspector that can be folded. */
+/** A foldable section of the inspector. */
 export function Section(props: SectionProps): ReactNode {
   const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
   const { preferences } = useEditor();

@@ -16,7 +16,7 @@ function leftOut({ label, needs = 'depth' }: EffectEntry, techniques: Techniques
     : t('This technique has no G-buffer: no {effect}. {names} have it.', words);
 }
 
-/** Lines for all that a scene asks for and its technique cannot do. */
+/** Features that the scene uses but its technique does not support, a line each. */
 function linesOf(settings: SceneSettings, techniques: Techniques, hasDecals: boolean): string[] {
   const abilities = techniqueAbilities(techniques, settings.technique);
   const lines = Object.values<EffectEntry>(effects)
@@ -29,7 +29,7 @@ function linesOf(settings: SceneSettings, techniques: Techniques, hasDecals: boo
   return lines;
 }
 
-/** Tells what the scene asks for and its technique cannot do; nothing where it can do all. */
+/** Warns of scene features that its technique does not support. */
 export function TechniqueLimit({ settings }: { settings: SceneSettings }): ReactNode {
   const { document, viewport } = useEditor();
   useSignal(document.structure);

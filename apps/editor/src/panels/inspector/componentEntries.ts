@@ -6,7 +6,7 @@ import { addComponent, moveComponents, removeComponents, resetFields, setValues 
 import type { MenuEntry } from '../../api/MenuEntry';
 import { wordsOf } from './componentIcons';
 
-/** The menu of a component of the selected objects. @param components - one of each object */
+/** Menu of a component of the selected objects. @param components - one of each object */
 export function componentEntries(editor: EditorApi, components: readonly Component[]): MenuEntry[] {
   const { commands, document, clipboard } = editor;
   const [first] = components;

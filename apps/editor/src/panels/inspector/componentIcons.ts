@@ -24,7 +24,7 @@ const icons: Readonly<Record<string, IconName>> = {
   EventTrigger: 'trigger',
 };
 
-/** The icon of a type of component. */
+/** Icon of a component type. */
 export const componentIcon = (typeName: string): IconName => icons[typeName] ?? 'object';
 
 export { componentName as wordsOf } from '../../model/componentName';

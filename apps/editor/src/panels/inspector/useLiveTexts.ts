@@ -4,7 +4,7 @@ import { useEffect, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { keysText } from '../../ui/keysText';
 
-/** Milliseconds between two readings of values that move. */
+/** Interval between readings of simulated values (ms). */
 const INTERVAL = 100;
 
 function liveText(value: FieldValue, isAngle: boolean): string {
@@ -13,10 +13,10 @@ function liveText(value: FieldValue, isAngle: boolean): string {
 }
 
 /**
- * Says beside each field where simulation has taken its value, some times a second while the scene plays. The text is
- * written to the page itself: it costs no rendering.
+ * Shows the simulated value beside each field, several times per second while the scene plays. Writes to the DOM
+ * directly, without rendering.
  * @param owner - null for none
- * @returns the elements to write to, by field; each field puts its own in
+ * @returns the elements to write to, by field; each field adds its own
  */
 export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement> {
   const { simulation } = useEditor().document;
@@ -32,7 +32,7 @@ export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement>
           state === 'stopped' || sameValue(value, owner.getAuthored(name))
             ? ''
             : t('now {value}', { value: liveText(value, owner.fields[name].kind === 'euler') });
-        // a change of the text node alone: no element comes or goes, so no style is looked for anew
+        // only the text node changes: replacing elements would recalculate styles
         const node = place.firstChild as Text | null;
         if ((node?.data ?? '') === text) continue;
         if (node) node.data = text;
@@ -44,7 +44,7 @@ export function useLiveTexts(owner: FieldOwner | null): Map<string, HTMLElement>
     if (!isPlaying) return;
     const timer = setInterval(write, INTERVAL);
     return () => clearInterval(timer);
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- a step while it stands still moves values too
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- single steps while paused change values too
   }, [owner, places, state, isPlaying, revision]);
   return places;
 }

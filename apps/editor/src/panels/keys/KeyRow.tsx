@@ -7,11 +7,11 @@ import { useKeyBindings } from '../../ui/useKeyBindings';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
 
-/** An action with its keys: each can be taken away, and others added by pressing them. */
+/** An action with its keys, which can be removed; others are added by pressing them. */
 export function KeyRow({ action, label }: { action: Action; label: string }): ReactNode {
   const editor = useEditor();
   const [isListening, setListening] = useState(false);
-  /** Pressed, and another action's already. */
+  /** A pressed key that another action has already; null for none. */
   const [asked, setAsked] = useState<string | null>(null);
   const bindings = useKeyBindings();
   const keys = bindings.keysOf(action);

@@ -11,7 +11,7 @@ import { KeyRow } from './KeyRow';
 import './keys.css';
 import { otherKeys } from './otherKeys';
 
-/** Every action with its keys, which can be changed here, and what mouse and other keys do. */
+/** Every action with its editable keys, and the fixed functions of mouse and other keys. */
 export function KeysPage(): ReactNode {
   const editor = useEditor();
   const bindings = useKeyBindings();

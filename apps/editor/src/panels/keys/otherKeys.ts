@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 
-/** What the mouse, and keys that are no actions, do. */
+/** Fixed functions of the mouse, and of keys that are not actions. */
 export const otherKeys = (): [string, string][] => [
   [t('Left button'), t('Select; drag: orbit')],
   [t('Middle button, or Shift and left'), t('Pan')],

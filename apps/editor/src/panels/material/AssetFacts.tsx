@@ -8,7 +8,7 @@ import { ModelInside } from './ModelInside';
 const kilobytes = (bytes: number): string =>
   bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
 
-/** What an asset is: size, triangles, bytes; what is inside a model. */
+/** Facts of an asset: size, triangles, bytes; the contents of a model. */
 export function AssetFacts({ entry }: { entry: AssetEntry }): ReactNode {
   const { document } = useEditor();
   const { assets } = document;

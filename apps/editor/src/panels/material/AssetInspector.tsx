@@ -16,7 +16,7 @@ import { SurfaceAssetBar } from './SurfaceAssetBar';
 import { UsedBy } from './UsedBy';
 import './material.css';
 
-/** The asset that is selected in the Assets panel: its name, its fields or facts, and what uses it. */
+/** Inspector of the asset selected in the Assets panel: name, fields or facts, and users. */
 export function AssetInspector({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** Shows the text of the surface. */
+/** Button that opens the text of a surface. */
 export function EditSurface({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   return (

@@ -11,7 +11,7 @@ import { useOwnersRevision } from '../../ui/useOwnersRevision';
 import { EditSurface } from './EditSurface';
 import { isMapField, type MaterialSection, materialSections, placementFields } from './materialSections';
 
-/** A material of the library: a ball that can be turned, and its fields in sections. */
+/** Inspector of a library material: a preview sphere that can be rotated, and its fields in sections. */
 export function MaterialInspector({ material }: { material: MaterialAsset }): ReactNode {
   const owners = useMemo(() => [material], [material]);
   const revision = useOwnersRevision(owners);
@@ -68,7 +68,7 @@ function SectionOfMaterial({ material, owners, section }: SectionOfMaterialProps
   );
 }
 
-/** How a map lies on the surface; folded until asked for. */
+/** UV placement of a map, folded by default. */
 function Placement({ owners, map }: { owners: readonly MaterialAsset[]; map: string }): ReactNode {
   const [isChosen, setOpen] = useState(false);
   const isFiltering = useIsFiltering();

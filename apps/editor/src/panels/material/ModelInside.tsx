@@ -4,7 +4,7 @@ import type { ReactNode } from 'react';
 import { Section } from '../inspector/Section';
 import { ModelTree } from './ModelTree';
 
-/** What is inside a model: its tree, to be looked at, and its clips. */
+/** Contents of a model: its tree of objects, and its clips. */
 export function ModelInside({ model }: { model: Model }): ReactNode {
   return (
     <>

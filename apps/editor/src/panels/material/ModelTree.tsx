@@ -6,10 +6,10 @@ import { Icon } from '../../ui/Icon';
 import type { IconName } from '../../style/iconPaths';
 import './material.css';
 
-/** Objects of a model that are listed. */
+/** Number of objects listed at most. */
 const MOST = 200;
 
-/** Levels that are open at first. */
+/** Levels unfolded at first. */
 const OPEN_LEVELS = 2;
 
 function iconOf(object: Object3D): IconName {
@@ -19,7 +19,7 @@ function iconOf(object: Object3D): IconName {
   return 'isCamera' in object ? 'camera' : 'object';
 }
 
-/** What of an object only a whole model keeps; '' for nothing. */
+/** Features of an object that are lost when its model is unpacked, such as a skeleton; '' for none. */
 function keptWhole(object: Object3D): string {
   if ('isSkinnedMesh' in object) return t('with a skeleton');
   if ('isInstancedMesh' in object) return t('with instances');
@@ -29,14 +29,14 @@ function keptWhole(object: Object3D): string {
 
 const countOf = (root: Object3D): number => root.children.reduce((sum, child) => sum + 1 + countOf(child), 0);
 
-/** The objects of a model as a tree that opens and folds, to be looked at. */
+/** The objects of a model as a foldable tree, read-only. */
 export function ModelTree({ model }: { model: Model }): ReactNode {
   const tree = useMemo(() => {
-    let left = MOST;
+    let remaining = MOST;
     const listOf = (objects: readonly Object3D[], depth: number): ReactNode => {
       const lines: ReactNode[] = [];
       for (const object of objects) {
-        if (left-- <= 0) break;
+        if (remaining-- <= 0) break;
         const line = (
           <span className="model-node">
             <Icon name={iconOf(object)} size={12} />

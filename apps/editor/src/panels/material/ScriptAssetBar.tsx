@@ -4,7 +4,7 @@ import { addScriptComponent } from '../../model/scriptEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** What can be done with a script, what it makes, and what is wrong with it. */
+/** Buttons for a script asset, the component type that it defines, and its errors. */
 export function ScriptAssetBar({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

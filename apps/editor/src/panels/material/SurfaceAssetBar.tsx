@@ -4,7 +4,7 @@ import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** What can be done with a surface, the uniforms that it declares, and what is wrong with it. */
+/** Buttons for a surface asset, its uniforms, and its errors. */
 export function SurfaceAssetBar({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

@@ -5,21 +5,21 @@ import { usagesOf } from '../../model/assetUsages';
 import { instancesOf } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
-/** Places that are listed; more are counted. */
+/** Number of places listed; the rest is counted. */
 const MOST = 50;
 
-/** What uses an asset: each place selects its object. */
+/** Places that use an asset; clicking one selects its object. */
 export function UsedBy({ name }: { name: string }): ReactNode {
   const { document, commands } = useEditor();
   useSignal(commands.changed);
-  // previews of a drag make no step
+  // the last command, since previews during a drag need no update
   const step = commands.last;
   const { scene } = document;
   const usages = useMemo(() => {
     const instances = scene.prefabs.get(name) ? instancesOf(scene, name) : [];
     if (instances.length > 0) return instances.map(({ id, name: place }) => ({ place, field: '', object: id }));
     return usagesOf(scene, name);
-    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the step stands for what the scene holds
+    // oxlint-disable-next-line react-hooks/exhaustive-deps -- the step changes whenever the scene does
   }, [scene, name, step]);
   const objects = [...new Set(usages.flatMap(({ object }) => object ?? []))];
   return (

@@ -1,20 +1,20 @@
 import { t } from '@farol/editing';
 import { materialAssetFields, materialMapNames, surfaceMaps, uvFieldEndings } from '@farol/engine/fields';
 
-/** Fields of a material that belong together. */
+/** A section of material fields. */
 export interface MaterialSection {
-  /** Under this name it is remembered whether it is folded. */
+  /** Key under which the folded state is stored. */
   readonly id: string;
-  /** In the language that is shown. */
+  /** Title in the user's language. */
   title(): string;
   help(): string;
   readonly fields: readonly string[];
   readonly isFoldedAtFirst?: boolean;
-  /** What makes the material be drawn forward while it is not 0, in every technique that keeps surfaces in a G-buffer. */
+  /** Name of a field that, unless 0, makes techniques with a G-buffer draw the material in a forward pass. */
   readonly forward?: string;
 }
 
-/** How the fields of a material are grouped: each is in one section, but for those that place a map. */
+/** Sections of a material's fields. Each field is in one section, except for UV placement of maps. */
 export const materialSections: readonly MaterialSection[] = [
   {
     id: 'Surface',
@@ -127,10 +127,10 @@ const maps: ReadonlySet<string> = new Set(materialMapNames);
 
 export const isMapField = (name: string): boolean => maps.has(name);
 
-/** The fields that say how a map lies on the surface. */
+/** The fields for the UV placement of a map. */
 export const placementFields = (map: string): string[] => uvFieldEndings.map((ending) => map + ending);
 
-/** Fields that no section shows; none but those that place maps. */
+/** Fields in no section, other than those for UV placement; empty, as a test checks. */
 export function fieldsLeftOut(): string[] {
   const shown = new Set(materialSections.flatMap(({ fields }) => fields));
   for (const map of materialMapNames) for (const name of placementFields(map)) shown.add(name);

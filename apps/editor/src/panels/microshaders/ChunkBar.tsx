@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** Name and state of the chunk, and what can be done to it. */
+/** Name, state and buttons of a microshader. */
 export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string): void }): ReactNode {
   const editor = useEditor();
   const { microShaders } = editor;

@@ -4,14 +4,14 @@ import type { MicroShaderProblemText } from '../../microshaders/TextDrafts';
 import { useEditor } from '../../ui/EditorContext';
 
 interface ChunkErrorsProps {
-  /** As the entries name it. */
+  /** Name of the microshader in the console's entries. */
   readonly name: string;
-  /** As the panel does. */
+  /** Name of the microshader in the panel. */
   readonly shown: string;
   readonly problem: MicroShaderProblemText;
 }
 
-/** What the compiler says, by chunk and line; a click goes there. */
+/** Compiler messages by microshader and line; a click goes there. */
 export function ChunkErrors({ name, shown, problem }: ChunkErrorsProps): ReactNode {
   const editor = useEditor();
   const { entries, message } = problem;

@@ -16,7 +16,7 @@ interface ChunkListProps {
   onChoose(name: string): void;
 }
 
-/** The chunks by name; those of the scene first, marked where they are edited or broken. */
+/** Microshaders by name, the scene's first; edited and broken ones are marked. */
 export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkListProps): ReactNode {
   const editor = useEditor();
   const { microShaders, viewport } = editor;
@@ -33,7 +33,7 @@ export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkLis
   const { technique } = viewport.farol.info;
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another one is marked then
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- scrolls when another one is chosen
   }, [current]);
   const keyDown = (event: KeyboardEvent): void => {
     const at = found.indexOf(current);

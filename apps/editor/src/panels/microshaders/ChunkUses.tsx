@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
 
-/** What a chunk depends on, what depends on it, and who draws with it. */
+/** Dependencies of a microshader, its dependents, and the programs that use it. */
 export function ChunkUses({ name, uses }: { name: string; uses: MicroShaderUses }): ReactNode {
   const editor = useEditor();
   const { microShaders } = editor;

@@ -14,7 +14,7 @@ import { SurfaceUses } from './SurfaceUses';
 import { SURFACE, surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { useMicroShaderUses } from './useMicroShaderUses';
 
-/** The microshaders: which there are, where they are used, and their texts, compiled while they are typed. */
+/** Microshaders and surfaces: list, uses, and an editor that compiles while the user types. */
 export function MicroShadersPanel(): ReactNode {
   const editor = useEditor();
   const { microShaders } = editor;
@@ -37,7 +37,7 @@ export function MicroShadersPanel(): ReactNode {
     microShaders.finish();
     surfaces.finish();
   }, [microShaders, surfaces]);
-  // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another chunk: what was edited is a step
+  // oxlint-disable-next-line react/exhaustive-effect-dependencies -- edits become a step when another one is chosen
   useEffect(() => finish, [finish, name]);
 
   const texts = shownSurface === null ? microShaders : surfaces;

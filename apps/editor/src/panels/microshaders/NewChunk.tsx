@@ -4,7 +4,7 @@ import { type ReactNode, type SyntheticEvent, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** A button that asks for a name and makes a chunk of the scene's own. */
+/** Button that asks for a name, and adds a microshader to the scene. */
 export function NewChunk({ onMade }: { onMade(name: string): void }): ReactNode {
   const { microShaders } = useEditor();
   const [isOpen, setOpen] = useState(false);

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { usagesOf } from '../../model/assetUsages';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
-/** The uniforms that a surface declares, what it includes, and which materials and objects wear it. */
+/** Uniforms of a surface, microshaders that it includes, and materials and objects that use it. */
 export function SurfaceUses({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const { document } = editor;

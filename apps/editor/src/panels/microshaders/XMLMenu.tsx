@@ -14,11 +14,11 @@ const fileType = () => ({
   extensions: ['.xml'],
 });
 
-/** Import and export of microshaders as the thesis's file of XML. */
+/** Imports and exports microshaders in the thesis's XML format. */
 export function XMLMenu(): ReactNode {
   const editor = useEditor();
   const { microShaders, notices } = editor;
-  const take = async (text: string, name: string): Promise<void> => {
+  const importText = async (text: string, name: string): Promise<void> => {
     const { importMicroShaders } = await import('../../files/importMicroShaders');
     const names = await importMicroShaders(editor, text, name);
     if (names === null) return;
@@ -33,10 +33,10 @@ export function XMLMenu(): ReactNode {
   };
   const open = async (): Promise<void> => {
     const file = await fileOpen(fileType());
-    await take(await file.text(), file.name);
+    await importText(await file.text(), file.name);
   };
   const thesis = async (): Promise<void> => {
-    await take(await fetchThesis(), 'thesis.xml');
+    await importText(await fetchThesis(), 'thesis.xml');
   };
   const save = async (): Promise<void> => {
     const chunks = microShaders.exported();

@@ -6,7 +6,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 
 const known = new WeakMap<EditorApi, MicroShaderUses>();
 
-/** Where microshaders are used in an editor; found once, when it is first asked for. Their texts as written come with it. */
+/** Finds where microshaders are used, on first use in an editor. Also loads their unprocessed texts. */
 export function useMicroShaderUses(): MicroShaderUses {
   const editor = useEditor();
   let uses = known.get(editor);

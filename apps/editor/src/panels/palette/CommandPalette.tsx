@@ -11,7 +11,7 @@ import { matchItems } from './matchItems';
 import './palette.css';
 import { objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
-/** Everything that can be done, found by typing; objects of the scene too. */
+/** Palette of all actions, and objects of the scene, found by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const [query, setQuery] = useState('');
@@ -31,7 +31,7 @@ export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {
   const run = (item: PaletteItem | undefined): void => {
     if (!item) return;
     onClose();
-    // the focus is back where it was when the command runs
+    // deferred, so that the focus is back at its former place when the command runs
     requestAnimationFrame(() => editor.attempt(() => item.run()));
   };
   const keyDown = (event: KeyboardEvent): void => {

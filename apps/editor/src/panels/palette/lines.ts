@@ -1,2 +1,2 @@
-/** Lines of the command palette that are shown at most. */
+/** Number of lines shown in the command palette. */
 export const LINES = 60;

@@ -1,11 +1,11 @@
-/** Something that can be found by its label. */
+/** An item that can be found by its label. */
 export interface Findable {
   readonly label: string;
-  /** What it belongs to, such as 'Technique'. */
+  /** Group shown with the item, such as 'Technique'. */
   readonly group: string;
 }
 
-/** How well a text has the letters of a query in their order; 0 when it has not. */
+/** Rank of a text for a query whose letters it contains in order; 0 when it does not. */
 function score(text: string, query: string): number {
   const whole = text.indexOf(query);
   if (whole >= 0) return 1000 - whole + (whole === 0 || /[\s:-]/.test(text[whole - 1]) ? 500 : 0);
@@ -14,14 +14,14 @@ function score(text: string, query: string): number {
   for (const letter of query) {
     const next = text.indexOf(letter, at + 1);
     if (next < 0) return 0;
-    // letters that begin words, or follow one another, say more
+    // letters that begin words, or follow one another, rank higher
     sum += next === at + 1 ? 8 : next === 0 || /[\s:-]/.test(text[next - 1]) ? 6 : 1;
     at = next;
   }
   return sum / text.length;
 }
 
-/** The items that have every word of a query, best first; all of them, in their order, for an empty one. */
+/** The items that match every word of a query, best first; all of them, in their order, for an empty query. */
 export function matchItems<T extends Findable>(items: readonly T[], query: string): T[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return [...items];

@@ -12,9 +12,9 @@ import type { Findable } from './matchItems';
 export interface PaletteItem extends Findable {
   readonly id: string;
   readonly icon?: IconName;
-  /** Key shown at the right. */
+  /** Keyboard shortcut shown at the right. */
   readonly keys?: string;
-  /** Whether it is what there is now, such as the technique in use. */
+  /** Whether the item is the current choice, such as the technique in use. */
   readonly isCurrent?: boolean;
   run(): unknown;
 }
@@ -34,16 +34,16 @@ const groups = (): Readonly<Record<string, string>> => ({
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1).replaceAll('-', ' ');
 
-/** What an action belongs to, by the first part of its id. */
+/** Group of an action, by the first part of its id. */
 export const groupOf = (id: string): string => {
   const first = id.split('.')[0];
   return groups()[first] ?? capital(first);
 };
 
-/** Objects are listed by name only when this many are found at most. */
+/** Objects are listed only when the search finds no more than this many. */
 export const OBJECTS = 30;
 
-/** Everything that can be done now. */
+/** All items available now. */
 export function paletteItems(editor: EditorApi): PaletteItem[] {
   const { document } = editor;
   const done = allActions(editor)
@@ -67,7 +67,7 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   return [...done, ...added];
 }
 
-/** The objects of the scene, as lines that select them. */
+/** Items that select an object of the scene. */
 export function objectItems(editor: EditorApi): PaletteItem[] {
   const { document, viewport } = editor;
   const items: PaletteItem[] = [];

@@ -26,16 +26,16 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-/** Gives itself for whatever is asked of it: a part of the editor whose state no label needs. */
+/** Stub for parts of the editor whose state affects no label: any property or call returns the stub again. */
 const anything: object = new Proxy(() => anything, {
   get: (_, key) => (key === Symbol.toPrimitive ? () => 0 : key === Symbol.iterator ? undefined : anything),
 });
 
-/** Something that gives `anything` for what it has not. */
+/** An object that falls back to the stub for missing properties. */
 const lenient = <T extends object>(known: T): T =>
   new Proxy(known, { get: (target, key) => (key in target ? target[key as keyof T] : anything) });
 
-/** All of an editor that labels, and what can be done now, depend on. */
+/** An editor with the parts that labels and available actions depend on. */
 function makeEditor(): EditorApi {
   const registry = new Registry('an action', actions);
   const panelRegistry = new PanelRegistry(panels);
@@ -75,7 +75,7 @@ it('has every action in the menus, those of plugins too', () => {
   expect(all.filter((action) => !lines.has(labelOf(action, editor))).map(({ id }) => id)).toEqual([]);
   const edit = menuEntries(editor, 'edit');
   expect(edit.some((entry) => entry !== 'separator' && entry.label === 'Plugins')).toBe(true);
-  // a line between groups is never the first or the last, and never beside another
+  // no separator is first, last or beside another one
   for (const menu of menuNames) {
     const marks = menuEntries(editor, menu).map((entry) => (entry === 'separator' ? '-' : 'x'));
     expect(marks.join('')).toMatch(/^x+(-x+)*$/);

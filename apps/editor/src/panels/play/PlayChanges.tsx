@@ -7,7 +7,7 @@ import { Icon } from '../../ui/Icon';
 import { keysText } from '../../ui/keysText';
 import './play.css';
 
-/** A value as the inspector has it. */
+/** Text of a value, formatted as in the inspector. */
 function valueText(value: FieldValue, kind: string): string {
   if (value === null) return t('none');
   const isAngle = kind === 'angle' || kind === 'euler';
@@ -18,7 +18,7 @@ function valueText(value: FieldValue, kind: string): string {
   return typeof value === 'boolean' ? (value ? t('on') : t('off')) : String(value);
 }
 
-/** What was edited while the scene played, after it was stopped: each value can be kept. */
+/** Edits made while the scene played, shown after it stopped; each value can be kept. */
 export function PlayChanges(): ReactNode {
   const editor = useEditor();
   const { playEdits, edited } = editor.document;

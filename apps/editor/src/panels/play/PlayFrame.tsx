@@ -8,7 +8,7 @@ import { useSoundWaits } from '../../ui/useAudioOutput';
 import { useKeyBindings } from '../../ui/useKeyBindings';
 import './playFrame.css';
 
-/** The frame round the picture of a scene that plays or is paused, and what that means for edits. */
+/** Frame round the viewport while the scene plays or is paused, with a note on what becomes of edits. */
 export function PlayFrame(): ReactNode {
   const { simulation } = useEditor().document;
   useSignal(simulation.changed);

@@ -2,7 +2,7 @@ import { useLayoutEffect } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './playFrame.css';
 
-/** Tints the whole window while the scene plays or is paused, wherever the picture is. */
+/** Tints the whole window while the scene plays or is paused. */
 export function PlayTint(): null {
   const { simulation } = useEditor().document;
   useSignal(simulation.changed);

@@ -14,7 +14,7 @@ const textOf = (reason: OffReason): string =>
     ),
   })[reason];
 
-/** Over the picture while scripts of the scene are off: why, and whether they shall run. */
+/** Banner while the scene's scripts are off: the reason, and buttons to run them or not. */
 export function ScriptsBar(): ReactNode {
   const editor = useEditor();
   const { scripts } = editor.document;

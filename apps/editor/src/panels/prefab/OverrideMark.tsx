@@ -17,11 +17,11 @@ function textOf(value: FieldValue): string {
 interface OverrideMarkProps {
   readonly owners: readonly FieldOwner[];
   readonly name: string;
-  /** What the field is called. */
+  /** Label of the field. */
   readonly label: string;
 }
 
-/** Shown beside a field of an instance that differs from its prefab: takes the prefab's value, or gives it this one. */
+/** Marks a field of an instance that differs from its prefab, with buttons to revert the value or to apply it. */
 export function OverrideMark({ owners, name, label }: OverrideMarkProps): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

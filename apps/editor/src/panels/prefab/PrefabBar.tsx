@@ -9,7 +9,7 @@ import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
 import './prefab.css';
 
-/** Of what prefab the selected object is an instance, how it differs, and what can be done about it. */
+/** Prefab of the selected instance, its overrides, and buttons to revert, apply or unpack. */
 export function PrefabBar({ object }: { object: GameObject }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;

@@ -3,10 +3,10 @@ import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import type { ScriptProblem } from './scriptProblems';
 
-/** Problems that are listed; more are counted. */
+/** Number of problems listed; the rest is counted. */
 const MOST = 50;
 
-/** What is wrong with a script, by line; a click goes there. */
+/** Problems of a script by line; a click goes there. */
 export function ProblemList({ name, list }: { name: string; list: readonly ScriptProblem[] }): ReactNode {
   const editor = useEditor();
   return (

@@ -4,13 +4,13 @@ import { Icon } from '../../ui/Icon';
 
 interface ScriptBarProps {
   readonly name: string;
-  /** Whether the text cannot be read. */
+  /** Whether the script has a syntax error. */
   readonly isBroken: boolean;
-  /** How many things are wrong with it. */
+  /** Number of problems. */
   readonly problems: number;
-  /** Whether TypeScript's service answers. */
+  /** Whether TypeScript's language service is ready. */
   readonly isReady: boolean;
-  /** Why it cannot; null where it can. */
+  /** Why the language service is unavailable; null when it is not. */
   readonly failure: string | null;
 }
 
@@ -21,7 +21,7 @@ function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): stri
   return isReady ? '' : t('Completion is being fetched…');
 }
 
-/** Name and state of the script. */
+/** Name and state of a script. */
 export function ScriptBar(props: ScriptBarProps): ReactNode {
   const { name, isBroken, problems } = props;
   const isWrong = isBroken || problems > 0;

@@ -11,11 +11,11 @@ import { removeScript, scriptMenu } from './scriptActions';
 interface ScriptListProps {
   readonly names: readonly string[];
   readonly current: string | null;
-  /** Whether what is typed in a script cannot be read. */
+  /** Whether the present text of a script has a syntax error. */
   isBroken(name: string): boolean;
 }
 
-/** The scripts of the scene by name, in their folders; made, renamed, copied and deleted here. */
+/** The scene's scripts in their folders, to add, rename, copy and delete. */
 export function ScriptList({ names, current, isBroken }: ScriptListProps): ReactNode {
   const editor = useEditor();
   const [query, setQuery] = useState('');
@@ -25,7 +25,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
   const found = names.filter((name) => name.toLowerCase().includes(words));
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest' });
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another one is marked then
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- scrolls when another one is chosen
   }, [current]);
 
   const finishRename = (name: string, typed: string | null): void => {
@@ -116,7 +116,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
   );
 }
 
-/** The name of a script while it is typed. @param props.onDone - gets it, or null where the user turned back */
+/** Field for renaming a script. @param props.onDone - called with the new name, or null when cancelled */
 function NameInput({ name, onDone }: { name: string; onDone(typed: string | null): void }): ReactNode {
   const isDone = useRef(false);
   const done = (typed: string | null): void => {

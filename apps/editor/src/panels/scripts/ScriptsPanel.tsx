@@ -15,7 +15,7 @@ import './scripts.css';
 import { useScriptEditing } from './useScriptEditing';
 import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
 
-/** The scripts of the scene: which there are, and their texts, which run while they are typed. */
+/** The scene's scripts: list and editor; a text runs while it is typed. */
 export function ScriptsPanel(): ReactNode {
   const editor = useEditor();
   const editing = useScriptEditing();
@@ -28,7 +28,7 @@ export function ScriptsPanel(): ReactNode {
   }
   const { names } = editing;
   const name = names.includes(shown) ? shown : (names.at(0) ?? null);
-  // oxlint-disable-next-line react/exhaustive-effect-dependencies -- another script: what was typed is a step
+  // oxlint-disable-next-line react/exhaustive-effect-dependencies -- edits become a step when another script is chosen
   useEffect(() => () => editing.finish(), [editing, name]);
 
   const language = useScriptLanguage(editing);

@@ -17,14 +17,14 @@ export async function removeScript(editor: EditorApi, script: string): Promise<v
   if (entry) await removeEntries(editor, [entry]);
 }
 
-/** Selects the objects that have a component of a script. @throws Error where none has */
+/** Selects the objects that have a component of a script. @throws Error when there are none */
 function selectUsers({ document }: EditorApi, script: string): void {
   const ids = usagesOf(document.scene, script).flatMap(({ object }) => object ?? []);
   if (ids.length === 0) throw new Error(t('No object uses it.'));
   document.selection.set([...new Set(ids)]);
 }
 
-/** Lines of the menu of a script. @param rename - has its name typed */
+/** Context menu of a script. @param rename - starts renaming in place */
 export function scriptMenu(editor: EditorApi, script: string, rename: () => void): MenuEntry[] {
   const { document, commands } = editor;
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);

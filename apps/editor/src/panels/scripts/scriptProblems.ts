@@ -2,13 +2,13 @@ import { t } from '@farol/editing';
 import type { DocumentScripts } from '../../model/DocumentScripts';
 import type { ScriptDiagnostic } from '../../scripts/language/LanguageAnswers';
 
-/** Something wrong with a script, whoever says so. */
+/** A problem of a script, from TypeScript, the compiler or a run. */
 export type ScriptProblem = Pick<ScriptDiagnostic, 'message' | 'line' | 'severity'> &
   Partial<Pick<ScriptDiagnostic, 'from' | 'to'>>;
 
 /**
- * What is wrong with a script: what it threw while the scene played, why it cannot run, and what TypeScript finds. What two
- * say of one line is said once.
+ * Problems of a script: what it threw while the scene played, compile errors, and TypeScript's diagnostics. Duplicates
+ * in a line are left out.
  */
 export function problemsOf(
   name: string,
@@ -23,7 +23,7 @@ export function problemsOf(
     problems.push({ line, severity: 'error', message: t('{component} of {object} threw: {reason}', words) });
   }
   const error = scripts.errors.get(name);
-  // of a text that cannot be read TypeScript says more
+  // for syntax errors TypeScript's message is the better one
   const isTold = found.some(({ kind, line }) => kind === 'syntax' || line === error?.line);
   if (error && !isTold) problems.push({ line: error.line, severity: 'error', message: error.problem });
   return [...problems, ...found];

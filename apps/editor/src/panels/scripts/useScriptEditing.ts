@@ -4,7 +4,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 
 const known = new WeakMap<EditorApi, ScriptEditing>();
 
-/** The scripts of an editor as texts that are edited. */
+/** Texts of an editor's scripts that are being edited. */
 export function useScriptEditing(): ScriptEditing {
   const editor = useEditor();
   let editing = known.get(editor);

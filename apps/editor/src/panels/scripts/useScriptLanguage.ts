@@ -5,12 +5,12 @@ import { ScriptLanguage } from '../../scripts/language/ScriptLanguage';
 import type { ScriptEditing } from '../../scripts/ScriptEditing';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 
-/** How long after the last key a text is checked (ms). */
+/** Delay between the last key press and checking a text (ms). */
 const DELAY = 250;
 
 const known = new WeakMap<EditorApi, ScriptLanguage>();
 
-/** TypeScript's service for the scripts of an editor. */
+/** TypeScript's language service for the scripts of an editor. */
 export function useScriptLanguage(editing: ScriptEditing): ScriptLanguage {
   const editor = useEditor();
   let language = known.get(editor);
@@ -23,7 +23,10 @@ export function useScriptLanguage(editing: ScriptEditing): ScriptLanguage {
 
 const none: readonly ScriptDiagnostic[] = [];
 
-/** What TypeScript finds wrong with a script, soon after it was typed. @param texts - of all scripts: one may need another */
+/**
+ * TypeScript's diagnostics for a script, updated soon after typing. @param texts - of all scripts, since they may
+ * import each other
+ */
 export function useDiagnostics(
   language: ScriptLanguage,
   name: string | null,
@@ -39,7 +42,7 @@ export function useDiagnostics(
     const timer = setTimeout(() => {
       language.ask('diagnostics', name).then(
         (list) => isLate || setFound({ name, list }),
-        // why there is no answer is told by the language itself
+        // failures are reported by the language service itself
         () => {},
       );
     }, DELAY);
@@ -47,7 +50,7 @@ export function useDiagnostics(
       isLate = true;
       clearTimeout(timer);
     };
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- the texts are what is checked
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- the check depends on the texts of all scripts
   }, [language, name, texts]);
   return found.name === name ? found.list : none;
 }

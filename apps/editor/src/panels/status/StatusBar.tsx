@@ -5,10 +5,10 @@ import { Icon } from '../../ui/Icon';
 import { usePoll } from '../../ui/usePoll';
 import './status.css';
 
-/** How often the figures are read, a second. */
+/** Readings of the statistics per second. */
 const RATE = 4;
 
-/** What is edited, and the figures of the last frame. */
+/** File and selection, messages about drafts, and statistics of the last frame. */
 export function StatusBar(): ReactNode {
   const { document, viewport, commands, file, fileChanged, drafts, notices } = useEditor();
   useSignal(document.selection.changed);

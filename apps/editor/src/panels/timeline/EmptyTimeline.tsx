@@ -6,7 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { newClip } from './newClip';
 
-/** What the panel shows while no clip is edited. */
+/** Content of the timeline panel while no clip is edited. */
 export function EmptyTimeline({ timeline }: { timeline: Timeline }): ReactNode {
   const editor = useEditor();
   const played = timeline.root && playedClip(timeline.root);

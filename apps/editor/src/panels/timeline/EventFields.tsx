@@ -42,7 +42,7 @@ export function EventFields({ view }: { view: TimelineView }): ReactNode {
   );
 }
 
-/** Typed as a whole: a step at the end. */
+/** Field for an event's time; one step of history when typing ends. */
 function EventTime({
   view,
   time,

@@ -7,7 +7,7 @@ import { MenuButton } from '../../ui/MenuButton';
 import type { GroupRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
 
-/** Gives tracks, whose object was renamed or is gone, to another one that has the component. */
+/** Assigns tracks whose object was renamed or removed to another object that has the component. */
 export function LostTracks({ view, row }: { view: TimelineView; row: GroupRow }): ReactNode {
   const { timeline } = view;
   const entries = (): MenuEntry[] => {

@@ -12,7 +12,7 @@ import { KeyGesture } from './KeyGesture';
 import type { TrackRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
 
-/** Time and value of what is selected. */
+/** Time and value of the selected keys or events. */
 export function SelectedFields({ view }: { view: TimelineView }): ReactNode {
   const { timeline } = view;
   useSignal(timeline.changed);
@@ -57,7 +57,7 @@ function TimeField({ view, times }: { view: TimelineView; times: readonly number
   );
 }
 
-/** The field that all selected keys are of, when they are of like ones. */
+/** The field that the selected keys belong to, when all are of similar fields; else null. */
 function fieldOf(view: TimelineView): { field: Field; row: TrackRow } | null {
   const { data, selection } = view.timeline;
   const tracks = new Set(selectedKeys(data, selection.keys).map(({ track }) => track));

@@ -39,7 +39,7 @@ function Tool({ label, icon, keys, className = '', pressed, disabled, onClick }:
   );
 }
 
-/** Recording, playing, the clip, and what is selected of it. */
+/** Toolbar of the timeline: recording, playback, the clip, and fields of the selected keys. */
 export function TimelineBar({ view }: { view: TimelineView }): ReactNode {
   const { timeline } = view;
   const editor = useEditor();

@@ -4,7 +4,7 @@ import { TimelineCorner } from './TimelineCorner';
 import { TimelineSheet } from './TimelineSheet';
 import { TrackList } from './TrackList';
 
-/** Names at the left, keys or curves at the right; they scroll together. */
+/** Names of tracks at the left, keys or curves at the right; they scroll together. */
 export function TimelineBody({ view }: { view: TimelineView }): ReactNode {
   const scroller = useRef<HTMLDivElement>(null);
   const [height, setHeight] = useState(0);

@@ -9,7 +9,7 @@ import { NumberInput } from '../../ui/NumberInput';
 import { SearchMenu, type SearchMenuItem } from '../../ui/SearchMenu';
 import { RULER, SUMMARY, type TimelineView } from './TimelineView';
 
-/** Beside the ruler: the time, how long the clip is, and new tracks. */
+/** Corner beside the ruler: time of the playhead, duration of the clip, and a button for new tracks. */
 export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
   const { timeline, unit } = view;
   const editor = useEditor();

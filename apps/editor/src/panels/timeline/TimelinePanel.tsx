@@ -10,7 +10,7 @@ import { TimelineBody } from './TimelineBody';
 import { timelineRows } from './timelineRows';
 import { TimelineView } from './TimelineView';
 
-/** Clips: their keys over time, their curves and their events. */
+/** Editor of clips: keys over time, curves and events. */
 export function TimelinePanel(): ReactNode {
   const editor = useEditor();
   const timeline = timelineOf(editor);

@@ -15,21 +15,21 @@ import {
 import { type KeyMarks, markNear, marksOfTracks, firstMark } from './keyMarks';
 import { HEADER, RULER, type TimelineView } from './TimelineView';
 
-/** What a press leads to. Places are CSS pixels of the canvas. */
+/** Handler of a press and its drag. Positions are CSS pixels of the canvas. */
 export interface SheetDrag {
-  /** The press has become a drag. */
+  /** Called when the press becomes a drag. */
   begin?(): void;
   move(x: number, y: number, event: PointerEvent): void;
-  /** @param keeps - whether what it led to shall stay */
+  /** @param keeps - whether the result is kept */
   end(keeps: boolean): void;
-  /** The pointer went up where it went down. */
+  /** Called when the pointer is released without a drag. */
   click?(event: PointerEvent): void;
 }
 
-/** A press that moves by fewer pixels is a click. */
+/** Distance (CSS pixels) below which a press is a click. */
 const SLOP = 3;
 
-/** Adds to a selection, or takes away from it what is selected already. */
+/** Adds keys to a selection, or removes them when all are selected already. */
 export function toggled(selected: KeySelection, ids: readonly string[]): KeySelection {
   const next = new Set(selected);
   const isAll = ids.every((id) => selected.has(id));
@@ -40,14 +40,17 @@ export function toggled(selected: KeySelection, ids: readonly string[]): KeySele
   return next;
 }
 
-/** What pointers do on the canvas of the timeline: scrub, select, drag keys, events and handles, box, pan and zoom. */
+/**
+ * Pointer input on the timeline's canvas: scrubbing, selecting, dragging keys, events and handles, box selection,
+ * panning and zooming.
+ */
 export class TimelinePointer {
   private readonly timeline: Timeline;
-  /** Fingers that are down, by their ids. */
+  /** Positions of fingers that are down, by pointer id. */
   private readonly fingers = new Map<number, { x: number; y: number }>();
   private current: { drag: SheetDrag; end(keeps: boolean): void } | null = null;
 
-  /** @param scroll - scrolls the lines by CSS pixels */
+  /** @param scroll - scrolls the tracks vertically (CSS pixels) */
   constructor(
     private readonly view: TimelineView,
     private readonly element: HTMLElement,
@@ -80,14 +83,14 @@ export class TimelinePointer {
       }
     }
     if (this.current || event.button > 1) return;
-    // no selection of text, no scrolling by the middle button
+    // prevents text selection, and scrolling by the middle button
     event.preventDefault();
     const reach = event.pointerType === 'touch' ? 16 : 7;
     const drag = event.button === 1 ? this.pan(x, y) : this.dragAt(x, y, reach, event);
     if (drag) this.run(event, drag);
   }
 
-  /** Follows the pointer until it goes up, or Escape is pressed. */
+  /** Follows the pointer until it is released, or Escape is pressed. */
   private run(down: PointerEvent, drag: SheetDrag): void {
     const { element, fingers } = this;
     const over = new AbortController();
@@ -144,7 +147,7 @@ export class TimelinePointer {
       const bar = selectionBar(view);
       const marks = marksOfTracks(timeline.data.tracks);
       const mark = markNear(marks, view.time(x), reach / view.scale);
-      /** How far the pointer is from a place of the line (CSS pixels). */
+      /** Horizontal distance from the pointer to a position (CSS pixels). */
       const far = (at: number): number => Math.abs(x - at);
       const toMark = mark < 0 ? Infinity : far(view.x(marks.times[mark]));
       if (bar && far(bar.x1 + GRIP) <= Math.min(reach, toMark)) return this.scale(true, x);
@@ -169,7 +172,7 @@ export class TimelinePointer {
     return (marks && this.dragMarks(marks, x, reach, event)) ?? this.boxOrPan(x, y, event);
   }
 
-  /** Whether a place of the ruler is the handle of the duration, and not the playhead's. */
+  /** Whether a position on the ruler is the handle of the duration, rather than the playhead. */
   private isAtEnd(x: number, reach: number): boolean {
     const { view, timeline } = this;
     const end = view.x(timeline.duration) + 3;
@@ -202,7 +205,7 @@ export class TimelinePointer {
     };
   }
 
-  /** Selects by a press: what is selected already stays so, since it may be dragged. */
+  /** Selects pressed keys. Keys that are selected already stay so, since they may be dragged. */
   private choose(ids: readonly string[], event: PointerEvent): void {
     const { timeline } = this;
     const { keys } = timeline.selection;
@@ -223,7 +226,7 @@ export class TimelinePointer {
     return { ...this.moveSelected(marks.times[at], x), click: () => this.chooseAlone(ids, event) };
   }
 
-  /** Moves what is selected. @param anchor - the time that snaps to frames @param from - where it was pressed */
+  /** Moves the selection. @param anchor - time that snaps to frames @param from - position of the press */
   private moveSelected(anchor: number, from: number): SheetDrag {
     const { view, timeline } = this;
     let gesture: ClipGesture | null = null;
@@ -240,7 +243,10 @@ export class TimelinePointer {
     };
   }
 
-  /** Stretches the selected keys. @param isEnd - by the last one, about the first; else the other way round @param from - where it was pressed */
+  /**
+   * Scales the selected keys in time. @param isEnd - drags the last key, about the first; else the reverse @param from
+   * - position of the press
+   */
   private scale(isEnd: boolean, from: number): SheetDrag | null {
     const { view, timeline } = this;
     const { keys } = timeline.selection;
@@ -286,7 +292,7 @@ export class TimelinePointer {
     };
   }
 
-  /** On nothing a mouse draws a box around what shall be selected, and a finger moves what is seen. */
+  /** A press on empty space: a mouse draws a selection box, a finger pans. */
   private boxOrPan(x: number, y: number, event: PointerEvent): SheetDrag {
     const { timeline, view } = this;
     const adds = event.shiftKey || event.ctrlKey || event.metaKey;
@@ -345,7 +351,7 @@ export class TimelinePointer {
     };
   }
 
-  /** Two fingers: pan, nearer and farther. */
+  /** Two fingers: pan and zoom. */
   private pinch(): SheetDrag {
     const { view, fingers } = this;
     const read = (): { x: number; distance: number } => {

@@ -10,12 +10,12 @@ import { RULER, type TimelineView } from './TimelineView';
 
 interface TimelineSheetProps {
   readonly view: TimelineView;
-  /** CSS pixels. */
+  /** Height (CSS pixels). */
   readonly height: number;
   readonly scroller: RefObject<HTMLDivElement | null>;
 }
 
-/** Ruler, keys and curves on one canvas, over which lie the elements that have the focus. */
+/** Canvas with ruler, keys and curves, and focusable elements on top. */
 export function TimelineSheet({ view, height, scroller }: TimelineSheetProps): ReactNode {
   const sheet = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -63,7 +63,7 @@ export function TimelineSheet({ view, height, scroller }: TimelineSheetProps): R
   );
 }
 
-/** Draws at most once a frame, when something has changed. */
+/** Draws at most once per animation frame, when something has changed. */
 function useDrawing(
   view: TimelineView,
   sheet: RefObject<HTMLDivElement | null>,
@@ -96,11 +96,11 @@ function useDrawing(
       media.removeEventListener('change', ask);
       for (const end of endings) end();
     };
-    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- refs, which stay the same
+    // oxlint-disable-next-line react/exhaustive-effect-dependencies -- refs never change
   }, [view, sheet, canvas, probe]);
 }
 
-/** The playhead as a slider, for keys and readers of the screen. */
+/** The playhead as a slider, for keyboard and screen readers. */
 function Playhead({ view }: { view: TimelineView }): ReactNode {
   const { timeline } = view;
   useSignal(timeline.moved);
@@ -128,7 +128,7 @@ function Playhead({ view }: { view: TimelineView }): ReactNode {
   );
 }
 
-/** Tells readers of the screen what is selected. */
+/** Announces the selection to screen readers. */
 function SelectionText({ view }: { view: TimelineView }): ReactNode {
   const { timeline } = view;
   useSignal(timeline.changed);

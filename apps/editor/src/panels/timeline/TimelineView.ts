@@ -4,17 +4,17 @@ import type { TimelineRow } from './timelineRows';
 
 const isCoarse = matchMedia('(pointer: coarse)').matches;
 
-/** Heights of the ruler and of the line of all keys below it (CSS pixels): fingers need more. */
+/** Height of the ruler, and of the row of all keys below it (CSS pixels); larger for fingers. */
 export const RULER = isCoarse ? 40 : 24;
 export const SUMMARY = isCoarse ? 40 : 24;
 export const HEADER = RULER + SUMMARY;
 
-/** Room before time 0, so that a key there is seen whole (CSS pixels). */
+/** Padding left of time 0, so that a key there is fully visible (CSS pixels). */
 const PAD = 14;
 
 const [SMALLEST, LARGEST] = [2, 20_000];
 
-/** What a box is drawn around: in CSS pixels of the canvas. */
+/** Selection box (CSS pixels of the canvas). */
 export interface Box {
   readonly x0: number;
   readonly y0: number;
@@ -22,30 +22,30 @@ export interface Box {
   readonly y1: number;
 }
 
-/** How the timeline is looked at: its scales and what is folded. It is no part of the document. */
+/** View state of the timeline: scales, scrolling, folded rows. Not part of the document. */
 export class TimelineView {
-  /** Emits when the lines, or the tools above them, are others. */
+  /** Emits when rows or the tools above them change. */
   readonly changed = new Signal();
-  /** Emits when the canvas must be drawn anew. */
+  /** Emits when the canvas must be redrawn. */
   readonly drawAsked = new Signal();
 
   mode: 'keys' | 'curves' = 'keys';
   unit: 'seconds' | 'frames' = 'seconds';
   folded: ReadonlySet<string> = new Set();
   unfolded: ReadonlySet<string> = new Set();
-  /** Ids of lines that are chosen: of the curve view's curves, those that are shown. */
+  /** Ids of the chosen rows; the curve view shows only their curves, if any. */
   chosen: ReadonlySet<string> = new Set();
   rows: readonly TimelineRow[] = [];
   readonly rowHeight = isCoarse ? 40 : 24;
 
-  /** Of the canvas (CSS pixels). */
+  /** Size of the canvas (CSS pixels). */
   width = 0;
   height = 0;
   scrollTop = 0;
-  /** The time at the left, and CSS pixels a second. */
+  /** Time at the left edge (s), and CSS pixels per second. */
   start = 0;
   scale = 200;
-  /** The value in the middle of the curve view, and CSS pixels for 1. */
+  /** Value at the centre of the curve view, and CSS pixels per unit. */
   middleValue = 0;
   valueScale = 40;
   box: Box | null = null;
@@ -85,12 +85,12 @@ export class TimelineView {
     return this.middleValue + (HEADER + (this.height - HEADER) / 2 - y) / this.valueScale;
   }
 
-  /** Top of a line (CSS pixels of the canvas). */
+  /** Top of a row (CSS pixels of the canvas). */
   rowTop(index: number): number {
     return HEADER + index * this.rowHeight - this.scrollTop;
   }
 
-  /** The place of the line at a height; -1 for the header and below the last one. */
+  /** Index of the row at a height; -1 for the header and below the last one. */
   rowAt(y: number): number {
     if (y < HEADER) return -1;
     const index = Math.floor((y - HEADER + this.scrollTop) / this.rowHeight);
@@ -127,7 +127,7 @@ export class TimelineView {
     this.draw();
   }
 
-  /** Nearer or farther, about what is at a place of the canvas. */
+  /** Scales the time axis about a position of the canvas. */
   zoom(factor: number, x: number): void {
     const time = this.time(x);
     this.scale = this.limit(this.scale * factor);
@@ -142,14 +142,14 @@ export class TimelineView {
     this.draw();
   }
 
-  /** Moves what is seen, by CSS pixels. */
+  /** Scrolls by CSS pixels. */
   pan(x: number, y = 0): void {
     this.start = Math.max(this.start - x / this.scale, 0);
     if (this.mode === 'curves') this.middleValue += y / this.valueScale;
     this.draw();
   }
 
-  /** Brings a time into sight. */
+  /** Scrolls until a time is visible. */
   reveal(time: number): void {
     const x = this.x(time);
     if (x >= PAD && x <= this.width - PAD) return;

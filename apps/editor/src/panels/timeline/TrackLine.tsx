@@ -13,7 +13,7 @@ interface TrackLineProps {
   readonly view: TimelineView;
   readonly row: TimelineRow;
   readonly index: number;
-  /** Whether Tab leads to it. */
+  /** Whether the row is the one reached by Tab. */
   readonly isCurrent: boolean;
   readonly isChosen: boolean;
   onFold(isOpen: boolean): void;
@@ -30,7 +30,7 @@ function valueText(value: FieldValue, field: Field | null, channel: number | nul
   return typeof value === 'boolean' ? (value ? t('On ## a flag') : t('Off ## a flag')) : String(value);
 }
 
-/** The value of a track at the playhead. */
+/** Value of a track at the playhead, with a field to edit it. */
 function CurrentValue({
   view,
   row,
@@ -67,7 +67,7 @@ function KeyButton({ view, row }: { view: TimelineView; row: TrackRow }): ReactN
   );
 }
 
-/** The name of a line, its value at the playhead, and its buttons. */
+/** Name of a row, its value at the playhead, and its buttons. */
 export function TrackLine(props: TrackLineProps): ReactNode {
   const { view, row, index, isCurrent, isChosen, onFold, onRemove } = props;
   const isOpen = row.kind === 'group' || row.kind === 'track' ? row.isOpen : null;

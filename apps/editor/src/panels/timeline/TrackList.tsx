@@ -8,13 +8,13 @@ import { HEADER, type TimelineView } from './TimelineView';
 
 interface TrackListProps {
   readonly view: TimelineView;
-  /** Of what is in sight, and how far it is scrolled (CSS pixels). */
+  /** Height of the visible part, and its scroll position (CSS pixels). */
   readonly height: number;
   readonly scrollTop: number;
   readonly scroller: RefObject<HTMLDivElement | null>;
 }
 
-/** The names of the lines; only those in sight are made. */
+/** Names of the rows; only visible ones are rendered. */
 export function TrackList({ view, height, scrollTop, scroller }: TrackListProps): ReactNode {
   const { timeline, rows, rowHeight } = view;
   useSignal(timeline.changed);
@@ -23,10 +23,10 @@ export function TrackList({ view, height, scrollTop, scroller }: TrackListProps)
   const current = Math.max(chosen, 0);
   const first = Math.max(Math.floor(scrollTop / rowHeight) - 2, 0);
   const last = Math.min(first + Math.ceil(Math.max(height, 0) / rowHeight) + 5, rows.length);
-  const shown = [...rows.keys()].slice(first, last);
-  // the line that has the focus stays
-  if (current < first) shown.unshift(current);
-  else if (current >= last && current < rows.length) shown.push(current);
+  const rendered = [...rows.keys()].slice(first, last);
+  // the focused row stays rendered
+  if (current < first) rendered.unshift(current);
+  else if (current >= last && current < rows.length) rendered.push(current);
 
   const goTo = (index: number): void => {
     const row = rows[Math.min(Math.max(index, 0), rows.length - 1)];
@@ -78,7 +78,7 @@ export function TrackList({ view, height, scrollTop, scroller }: TrackListProps)
       style={{ height: rows.length * rowHeight }}
       onKeyDown={keyDown}
     >
-      {shown.map((index) => (
+      {rendered.map((index) => (
         <TrackLine
           key={rows[index].id}
           view={view}

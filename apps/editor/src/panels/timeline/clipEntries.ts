@@ -6,10 +6,10 @@ import { clipPlayer, playedClip } from '../../model/timeline/clipPlayer';
 import type { Timeline } from '../../model/timeline/Timeline';
 import { newClip } from './newClip';
 
-/** Frames a second that are offered; the inspector of the clip takes any. */
+/** Frame rates offered in the menu; the clip's inspector takes any. */
 const RATES = [12, 24, 25, 30, 60] as const;
 
-/** The menu of clips: which is edited, a new one, and what it is of. */
+/** Menu of clips: chooses the one to edit, adds one, and changes the current one. */
 export function clipEntries(editor: EditorApi, timeline: Timeline): MenuEntry[] {
   const { document, commands } = editor;
   const { clip, root } = timeline;

@@ -1,4 +1,4 @@
-/** Colours of the canvas, as the theme has them. */
+/** Colours of the timeline's canvas in the current theme. */
 export interface TimelineColours {
   readonly text: string;
   readonly dim: string;
@@ -15,7 +15,7 @@ export interface TimelineColours {
 
 const names = ['text', 'dim', 'line', 'line-strong', 'panel', 'strip', 'hover', 'accent', 'selected', 'error'] as const;
 
-/** Reads the theme's colours. @param probe - an element of the panel that nobody sees */
+/** Reads the theme's colours. @param probe - a hidden element of the panel */
 export function readColours(probe: HTMLElement): TimelineColours {
   const colourOf = (name: string): string => {
     probe.style.color = `var(--${name})`;

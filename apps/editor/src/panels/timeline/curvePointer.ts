@@ -18,7 +18,7 @@ export interface CurveKey {
   readonly id: string;
 }
 
-/** The handle that is nearest to a place, within a reach (CSS pixels). */
+/** The handle closest to a position, within a reach (CSS pixels). */
 export function nearestHandle(view: TimelineView, x: number, y: number, reach: number): CurveHandle | null {
   let nearest: CurveHandle | null = null;
   let least = reach;
@@ -29,7 +29,7 @@ export function nearestHandle(view: TimelineView, x: number, y: number, reach: n
   return nearest;
 }
 
-/** Calls `visit` with each key of the shown curves and its place on the canvas. */
+/** Calls `visit` with each key of the shown curves and its position on the canvas. */
 function eachKey(view: TimelineView, visit: (key: CurveKey, x: number, y: number) => void): void {
   for (const curve of shownCurves(view)) {
     curve.row.track.keys.forEach((key, index) => {
@@ -38,7 +38,7 @@ function eachKey(view: TimelineView, visit: (key: CurveKey, x: number, y: number
   }
 }
 
-/** The key of a curve that is nearest to a place. */
+/** The key of a curve closest to a position, within a reach (CSS pixels). */
 export function nearestCurveKey(view: TimelineView, x: number, y: number, reach: number): CurveKey | null {
   let nearest: CurveKey | null = null;
   let least = reach;
@@ -59,7 +59,7 @@ export function keysInCurveBox(view: TimelineView, { x0, y0, x1, y1 }: Box): str
   return ids;
 }
 
-/** The track of the curve that is nearest to a place; null when none is near. */
+/** The track of the curve closest to a position; null when none is near. */
 export function trackOfCurveAt(view: TimelineView, x: number, y: number): ClipTrack | null {
   let nearest: ClipTrack | null = null;
   let least = 14;
@@ -72,7 +72,7 @@ export function trackOfCurveAt(view: TimelineView, x: number, y: number): ClipTr
   return nearest;
 }
 
-/** A value with another number in one coordinate. */
+/** Replaces one coordinate of a value. */
 const withNumber =
   (curve: ShownCurve, change: (shown: number) => number) => (before: ClipTrack['keys'][0]['value']) => {
     const next = curve.fromShown(change(curve.shownOf({ time: 0, value: before })));
@@ -80,16 +80,18 @@ const withNumber =
     return [0, 1, 2].map((i) => (i === curve.channel ? next : before[i])) as unknown as typeof before;
   };
 
-/** Numbers of a field that has limits stay within them. */
+/** Clamps a number to the limits of its field. */
 function limited({ row, fromShown }: ShownCurve, shown: number, toShown: (value: number) => number): number {
   const { min = -Infinity, max = Infinity } = (row.field ?? {}) as { min?: number; max?: number };
-  const least = row.field?.kind === 'colour' ? 0 : min;
+  const lowest = row.field?.kind === 'colour' ? 0 : min;
   const value = fromShown(shown);
-  if (value < least) return toShown(least);
+  if (value < lowest) return toShown(lowest);
   return value > max ? toShown(max) : shown;
 }
 
-/** Drags the selected keys: all by time, and those of the grabbed curve by value. Shift keeps to one of the two. */
+/**
+ * Drags the selected keys: all of them in time, those of the grabbed curve in value. Shift restricts to one direction.
+ */
 export function dragCurveKey(
   view: TimelineView,
   { curve, index }: CurveKey,
@@ -128,7 +130,7 @@ export function dragCurveKey(
   };
 }
 
-/** A value with as many digits as can be told apart by a pixel. */
+/** Rounds a value to the digits that a pixel can resolve. */
 function roundRise(value: number, { valueScale }: TimelineView): number {
   const digits = Math.min(Math.max(Math.ceil(Math.log10(valueScale)), 0), 10);
   return Number(value.toFixed(digits));

@@ -10,11 +10,11 @@ import { HEADER, type TimelineView } from './TimelineView';
 
 type Context = CanvasRenderingContext2D;
 
-/** A handle of a Bézier curve: of the way from key `index` of a curve to the next one. */
+/** A handle of the Bézier curve from key `index` to the next one. */
 export interface CurveHandle {
   readonly curve: ShownCurve;
   readonly index: number;
-  /** 0 leaves the key, 1 comes to the next one. */
+  /** 0 is the handle at key `index`, 1 the one at the next key. */
   readonly end: 0 | 1;
   readonly x: number;
   readonly y: number;
@@ -25,7 +25,7 @@ const point = (view: TimelineView, curve: ShownCurve, key: ClipKey): [number, nu
   view.y(curve.shownOf(key)),
 ];
 
-/** Where the inner control points of the way from a key to the next one are. */
+/** Canvas positions of the inner control points between two keys. */
 function controlPoints(view: TimelineView, curve: ShownCurve, from: ClipKey, to: ClipKey): [number, number][] {
   const [x1, y1, x2, y2] = from.control ?? STRAIGHT;
   const [xa, ya] = point(view, curve, from);
@@ -36,7 +36,7 @@ function controlPoints(view: TimelineView, curve: ShownCurve, from: ClipKey, to:
   ];
 }
 
-/** The handles that are shown: those of selected keys. */
+/** The visible handles: those of selected keys. */
 export function curveHandles(view: TimelineView): CurveHandle[] {
   const { keys: selected } = view.timeline.selection;
   const handles: CurveHandle[] = [];
@@ -105,9 +105,9 @@ function drawKeys(context: Context, view: TimelineView, colours: TimelineColours
 }
 
 function drawValues(context: Context, view: TimelineView, colours: TimelineColours): void {
-  const least = 32 / view.valueScale;
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= least)!;
+  const leastStep = 32 / view.valueScale;
+  const power = 10 ** Math.floor(Math.log10(leastStep));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= leastStep)!;
   context.font = '10px system-ui, sans-serif';
   for (const i of marksBetween(view.value(view.height), view.value(HEADER), step)) {
     const y = Math.round(view.y(i * step));
@@ -118,7 +118,7 @@ function drawValues(context: Context, view: TimelineView, colours: TimelineColou
   }
 }
 
-/** Draws the curves of the chosen lines, their keys, and the handles of selected ones. */
+/** Draws the curves of the chosen rows, their keys, and the handles of selected keys. */
 export function drawCurves(context: Context, view: TimelineView, colours: TimelineColours): void {
   drawValues(context, view, colours);
   const curves = shownCurves(view);

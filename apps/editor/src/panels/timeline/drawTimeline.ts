@@ -9,12 +9,12 @@ import { HEADER, RULER, SUMMARY, type TimelineView } from './TimelineView';
 /** Half of the width of a key (CSS pixels). */
 export const KEY = 5;
 
-/** How far beyond the selected keys the ends of their bar are, by which they are scaled (CSS pixels). */
+/** Distance from the outer selected keys to the ends of the selection bar, by which they are scaled (CSS pixels). */
 export const GRIP = 9;
 
 type Context = CanvasRenderingContext2D;
 
-/** The marks of a line; null for one that has other ones, or none. */
+/** The marks of a row; null for one without keys or with another kind of marks. */
 export function marksOfRow(row: TimelineRow): KeyMarks | null {
   if (row.kind === 'group') return marksOfTracks(row.tracks);
   if (row.kind === 'track') return marksOfTrack(row.track);
@@ -29,7 +29,7 @@ function diamond(context: Context, x: number, y: number, size: number): void {
   context.closePath();
 }
 
-/** Draws the marks of a line, the selected ones over the others. */
+/** Draws the marks of a row, selected ones on top. */
 function drawMarks(
   context: Context,
   view: TimelineView,
@@ -47,7 +47,7 @@ function drawMarks(
   for (let i = firstMark(marks, view.time(-KEY)); i < times.length && times[i] <= last; i++) {
     const x = view.x(times[i]);
     if (selected.size > 0 && isMarkSelected(ids[i], selected)) chosen.push(x);
-    // what cannot be told apart is drawn once
+    // marks that overlap completely are drawn once
     else if (x - lastX >= 0.75) {
       diamond(context, x, y, KEY);
       lastX = x;
@@ -107,7 +107,7 @@ function drawRow(context: Context, view: TimelineView, colours: TimelineColours,
   );
 }
 
-/** Flags on poles. */
+/** Draws events as flags on poles. */
 function drawEvents(context: Context, view: TimelineView, colours: TimelineColours, y: number): void {
   const { data, selection } = view.timeline;
   context.font = '10px system-ui, sans-serif';
@@ -130,7 +130,7 @@ function drawEvents(context: Context, view: TimelineView, colours: TimelineColou
   });
 }
 
-/** The bar of what is selected, whose ends are dragged. Null while fewer than two times are. */
+/** The bar over the selected keys, whose ends scale them; null for fewer than two times. */
 export function selectionBar(view: TimelineView): { readonly x0: number; readonly x1: number } | null {
   const { data, selection } = view.timeline;
   if (selection.keys.size < 2) return null;
@@ -168,7 +168,7 @@ function drawHeader(context: Context, view: TimelineView, colours: TimelineColou
   context.fillRect(0, RULER, width, 1);
 }
 
-/** Lines of the ruler through what is below it. */
+/** Draws the lines of the ruler through the rows below it. */
 function drawGround(context: Context, view: TimelineView, colours: TimelineColours): void {
   const { timeline, width, height } = view;
   context.fillStyle = colours.panel;
@@ -180,7 +180,7 @@ function drawGround(context: Context, view: TimelineView, colours: TimelineColou
   }
 }
 
-/** Darkens what is before the beginning and beyond the end. */
+/** Darkens the area before the beginning and after the end of the clip. */
 function drawOutside(context: Context, view: TimelineView, colours: TimelineColours): void {
   const { width, height, timeline } = view;
   const end = view.x(timeline.duration);
@@ -221,7 +221,7 @@ function drawPlayhead(context: Context, view: TimelineView, colours: TimelineCol
   context.fill();
 }
 
-/** Draws ruler, keys or curves, and the playhead: what is in sight alone. */
+/** Draws ruler, keys or curves, and the playhead; only the visible part. */
 export function drawTimeline(canvas: HTMLCanvasElement, view: TimelineView, colours: TimelineColours): void {
   const context = canvas.getContext('2d')!;
   const ratio = devicePixelRatio;

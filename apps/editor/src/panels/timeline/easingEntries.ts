@@ -5,7 +5,7 @@ import { selectedKeys } from '../../model/timeline/editKeys';
 import type { Timeline } from '../../model/timeline/Timeline';
 import { easeSelected } from '../../model/timeline/timelineEdits';
 
-/** The menu of how the selected keys go to those after them. */
+/** Menu of easings from the selected keys to the next ones. */
 export function easingEntries(timeline: Timeline): MenuEntry[] {
   const keys = selectedKeys(timeline.data, timeline.selection.keys).map(({ key }) => key);
   const curve = (key: (typeof keys)[0]): string => (key.control ?? STRAIGHT).join();

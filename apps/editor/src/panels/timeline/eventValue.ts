@@ -1,16 +1,16 @@
 import type { FieldValue } from '@farol/engine/fields';
 
-/** A value of an event as it is typed: `true`, `0.5`, `[1, 2, 3]`, `door`; '' for none. */
+/** Text form of an event's value: `true`, `0.5`, `[1, 2, 3]`, `door`; '' for none. */
 export function eventValueText(value: FieldValue | undefined): string {
   if (value === undefined) return '';
   if (typeof value !== 'string') return JSON.stringify(value).replaceAll(',', ', ');
-  // text that would be read as something else, or as nothing, is quoted
+  // text that would be parsed as something else, or as nothing, is quoted
   return value === '' || typeof readEventValue(value) !== 'string' || value.startsWith('"')
     ? JSON.stringify(value)
     : value;
 }
 
-/** Reads what was typed for the value of an event; undefined for none. */
+/** Parses the text form of an event's value; undefined for none. */
 export function readEventValue(text: string): FieldValue | undefined {
   const typed = text.trim();
   if (typed === '') return undefined;
@@ -20,7 +20,7 @@ export function readEventValue(text: string): FieldValue | undefined {
     if (Array.isArray(value) && value.length === 3 && value.every((each) => typeof each === 'number'))
       return value as unknown as FieldValue;
   } catch {
-    // no JSON: text
+    // not JSON: plain text
   }
   return typed;
 }

@@ -17,7 +17,7 @@ import { valuesOfCurves } from './shownCurves';
 import type { TimelineView } from './TimelineView';
 import { tracksForKeys } from './tracksForKeys';
 
-/** Shows what is selected, or the whole clip. */
+/** Zooms to the selection, or to the whole clip. */
 export function frameSelected(view: TimelineView): void {
   const { data, selection, duration } = view.timeline;
   const range = rangeOfKeys(data, selection.keys);
@@ -28,7 +28,7 @@ export function frameSelected(view: TimelineView): void {
   else view.fit();
 }
 
-/** Selects the keys at the playhead: of the chosen lines, of all when none is chosen. */
+/** Selects the keys at the playhead, of the chosen rows or of all when none is chosen. */
 function selectAtPlayhead(view: TimelineView): void {
   const { timeline } = view;
   const ids = tracksForKeys(view).flatMap((track) =>
@@ -39,14 +39,14 @@ function selectAtPlayhead(view: TimelineView): void {
   timeline.select(new Set(ids));
 }
 
-/** Copies what is selected to the clipboard of the editor. @returns whether there was anything */
+/** Copies the selected keys to the editor's clipboard. @returns whether there were any */
 export function copyToClipboard({ clipboard }: EditorApi, view: TimelineView): boolean {
   const text = copySelected(view.timeline);
   if (text !== null) clipboard.text = text;
   return text !== null;
 }
 
-/** Pastes keys from the clipboard: those of one track go to the one track that is chosen. */
+/** Pastes keys from the clipboard; keys of one track go to the chosen track when exactly one is chosen. */
 export function pasteFromClipboard({ clipboard }: EditorApi, view: TimelineView): void {
   const copied = readCopiedKeys(clipboard.text ?? '');
   const chosen = view.chosen.size === 0 ? [] : tracksForKeys(view);
@@ -57,8 +57,8 @@ export function pasteFromClipboard({ clipboard }: EditorApi, view: TimelineView)
 }
 
 /**
- * Does what a key does in the timeline. Fields, buttons and menus of the panel keep their own keys.
- * @returns whether there is something; nobody else shall do anything with the key then
+ * Handles a key in the timeline. Fields, buttons and menus of the panel keep their own keys.
+ * @returns whether the key was used, so that others must ignore it
  */
 export function handleTimelineKey(editor: EditorApi, view: TimelineView, event: KeyboardEvent): boolean {
   const { timeline } = view;
@@ -103,9 +103,9 @@ export function handleTimelineKey(editor: EditorApi, view: TimelineView, event: 
       Insert: () => addKeys(timeline, tracksForKeys(view)),
     });
   }
-  const held = `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${event.shiftKey ? 'Shift+' : ''}`;
+  const modifiers = `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${event.shiftKey ? 'Shift+' : ''}`;
   const key = latinKey(event);
-  const name = held + (key.length === 1 ? key.toLowerCase() : key);
+  const name = modifiers + (key.length === 1 ? key.toLowerCase() : key);
   if (name === 'Escape' && (timeline.selection.keys.size > 0 || timeline.selection.events.length > 0)) {
     timeline.select(new Set());
     return true;

@@ -2,10 +2,10 @@ import type { ClipData, ClipTrack } from '@farol/engine';
 import { keyId, SAME_TIME, trackId } from '../../model/timeline/clipTracks';
 import type { KeySelection } from '../../model/timeline/editKeys';
 
-/** The keys of a line by their times, in order: at each time one mark, which stands for one key or for several. */
+/** The keys of a row, sorted by time: one mark for each time, which stands for one key or for several. */
 export interface KeyMarks {
   readonly times: readonly number[];
-  /** Of each mark the ids of its keys. */
+  /** Ids of the keys of each mark. */
   readonly ids: readonly (readonly string[])[];
 }
 
@@ -24,7 +24,7 @@ export function marksOfTrack(track: ClipTrack): KeyMarks {
   return marks;
 }
 
-/** The marks of several tracks together: `data.tracks` for all. */
+/** The marks of several tracks together. @param tracks - cached by array, so that `data.tracks` is cheap */
 export function marksOfTracks(tracks: readonly ClipTrack[]): KeyMarks {
   let marks = ofLists.get(tracks);
   if (!marks) {
@@ -45,7 +45,7 @@ export function marksOfTracks(tracks: readonly ClipTrack[]): KeyMarks {
   return marks;
 }
 
-/** The first mark at or after a time. */
+/** Index of the first mark at or after a time. */
 export function firstMark({ times }: KeyMarks, time: number): number {
   let [low, high] = [0, times.length];
   while (low < high) {
@@ -56,7 +56,7 @@ export function firstMark({ times }: KeyMarks, time: number): number {
   return low;
 }
 
-/** The nearest mark within a reach (s) of a time; -1 for none. */
+/** Index of the mark nearest to a time, within a reach (s); -1 for none. */
 export function markNear(marks: KeyMarks, time: number, reach: number): number {
   const { times } = marks;
   let nearest = -1;
@@ -70,7 +70,7 @@ export function markNear(marks: KeyMarks, time: number, reach: number): number {
 export const isMarkSelected = (ids: readonly string[], selected: KeySelection): boolean =>
   ids.every((id) => selected.has(id));
 
-/** The time of the next key after, or before, a time; null when there is none. */
+/** Time of the next (1) or previous (-1) key; null when there is none. */
 export function nextKeyTime({ tracks }: ClipData, time: number, direction: 1 | -1): number | null {
   const marks = marksOfTracks(tracks);
   const { times } = marks;

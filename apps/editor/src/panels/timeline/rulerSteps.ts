@@ -1,26 +1,26 @@
 import { formatNumber } from '@farol/editing';
 
-/** What the marks of a ruler are: every so many of them with a number. */
+/** Spacing and labels of a ruler's marks. */
 export interface RulerSteps {
-  /** Seconds between two marks. */
+  /** Time between two marks (s). */
   readonly step: number;
-  /** Marks from one number to the next. */
+  /** Number of marks from one label to the next. */
   readonly perLabel: number;
-  /** Which mark a time is at is written so. */
+  /** Text of the label at a time (s). */
   labelOf(time: number): string;
 }
 
-/** Room that a number needs (CSS pixels). */
+/** Space for a label (CSS pixels). */
 const LABEL = 56;
 
 const NICE = [1, 2, 5] as const;
 
-/** Marks that a ruler has at most: more than pixels of any screen have room for. */
+/** Upper bound of the number of marks, more than fit on any screen. */
 const MOST_MARKS = 2000;
 
 /**
- * The marks of a ruler from one place up to another, as multiples of its step. None where there would be very many, or
- * where numbers have no digits left to tell one from the next.
+ * Marks of a ruler in a range, as multiples of its step. None when there would be too many, or when the step is below
+ * floating-point resolution.
  */
 export function marksBetween(from: number, to: number, step: number): number[] {
   const first = Math.ceil(from / step);
@@ -30,7 +30,7 @@ export function marksBetween(from: number, to: number, step: number): number[] {
   return Array.from({ length: count }, (_, i) => first + i);
 }
 
-/** The smallest of 1, 2, 5, 10, 20 and so on that is not below a number. */
+/** The smallest of 1, 2, 5, 10, 20 and so on that is at least a number. */
 function niceAbove(least: number): number {
   if (!(least > 1e-100 && least < 1e100)) return 1;
   for (let power = 10 ** Math.floor(Math.log10(least)); ; power *= 10) {
@@ -38,7 +38,7 @@ function niceAbove(least: number): number {
   }
 }
 
-/** @param scale - CSS pixels a second */
+/** @param scale - CSS pixels per second */
 export function rulerSteps(scale: number, frameRate: number, unit: 'seconds' | 'frames'): RulerSteps {
   if (unit === 'frames') {
     const frames = Math.max(niceAbove(Math.max((LABEL * frameRate) / scale, 1)), 1);
@@ -54,6 +54,6 @@ export function rulerSteps(scale: number, frameRate: number, unit: 'seconds' | '
   return { step: seconds / perLabel, perLabel, labelOf: (time) => formatNumber(time, 'short') };
 }
 
-/** A time as the panel writes it: '1.20 s', or 'frame 36'. */
+/** Text of a time: '1.20' in seconds, '36' in frames. */
 export const timeText = (time: number, frameRate: number, unit: 'seconds' | 'frames'): string =>
   unit === 'frames' ? String(Math.round(time * frameRate)) : time.toFixed(2);

@@ -5,21 +5,21 @@ import { isNumeric } from '../../model/timeline/clipTracks';
 import type { TimelineRow, TrackRow } from './timelineRows';
 import type { TimelineView } from './TimelineView';
 
-/** A curve of the curve view: one number of a track. */
+/** A curve of the curve view: one coordinate of a track. */
 export interface ShownCurve {
   readonly row: TrackRow;
-  /** Which coordinate; 0 for a number. */
+  /** Index of the coordinate; 0 for a number. */
   readonly channel: 0 | 1 | 2;
   readonly isTriple: boolean;
-  /** The number of a key as it is shown, angles in degrees. */
+  /** The value of a key as displayed, angles in degrees. */
   shownOf(key: ClipKey): number;
-  /** From what is shown to the field's unit. */
+  /** Converts a displayed value to the field's unit. */
   fromShown(shown: number): number;
 }
 
 const same = (value: number): number => value;
 
-/** Fields whose target is gone are shown as they are in the clip. */
+/** Conversion to displayed units. Values of fields whose target is gone are shown unconverted. */
 const displayOf = ({ field }: TrackRow): { toShown(value: number): number; fromShown(shown: number): number } =>
   field && field.kind !== 'colour' && field.kind !== 'boolean' && field.kind !== 'choice'
     ? numberDisplay(field)
@@ -27,7 +27,7 @@ const displayOf = ({ field }: TrackRow): { toShown(value: number): number; fromS
 
 const known = new WeakMap<readonly TimelineRow[], { chosen: ReadonlySet<string>; curves: readonly ShownCurve[] }>();
 
-/** The curves of the lines that are chosen, of all when none is. */
+/** The curves of the chosen rows, or of all when none is chosen. */
 export function shownCurves(view: TimelineView): readonly ShownCurve[] {
   const last = known.get(view.rows);
   if (last?.chosen === view.chosen) return last.curves;
@@ -61,7 +61,7 @@ function curvesOf(rows: readonly TimelineRow[]): ShownCurve[] {
   });
 }
 
-/** The lowest and the highest shown value of keys within some times; null where there is none. */
+/** Least and greatest displayed value of keys in a time range; null when there are none. */
 export function valuesOfCurves(view: TimelineView, first = -Infinity, last = Infinity): [number, number] | null {
   let [low, high] = [Infinity, -Infinity];
   for (const curve of shownCurves(view)) {

@@ -4,15 +4,15 @@ import { type Field, isTriple } from '@farol/engine/fields';
 import { componentName } from '../../model/componentName';
 import { isAnimatable, trackId } from '../../model/timeline/clipTracks';
 
-/** The tracks of one component. */
+/** Row of the tracks of one component. */
 export interface GroupRow {
   readonly kind: 'group';
   readonly id: string;
-  /** 'Cube: Transform'. */
+  /** Label such as 'Cube: Transform'. */
   readonly label: string;
   readonly isOpen: boolean;
   readonly tracks: readonly ClipTrack[];
-  /** Whether any of them changes nothing, since what it is of is gone. */
+  /** Whether the target of one of the tracks is missing. */
   readonly isLost: boolean;
 }
 
@@ -22,16 +22,16 @@ export interface TrackRow {
   readonly id: string;
   readonly label: string;
   readonly track: ClipTrack;
-  /** What it changes; null where that is gone, or where no object plays the clip. */
+  /** The component that the track animates; null when it is missing, or no object plays the clip. */
   readonly target: Component | null;
   readonly field: Field | null;
-  /** Why it changes nothing; null where it does, or where no object plays the clip. */
+  /** Why the track has no effect; null when it has, or no object plays the clip. */
   readonly problem: string | null;
-  /** Whether its coordinates have rows below; null for a track without coordinates. */
+  /** Whether rows for its coordinates are shown; null for a track without coordinates. */
   readonly isOpen: boolean | null;
 }
 
-/** A coordinate of a vector: rows of the curve view. */
+/** Row of one coordinate of a vector, in the curve view. */
 export interface ChannelRow {
   readonly kind: 'channel';
   readonly id: string;
@@ -46,14 +46,14 @@ export interface EventsRow {
   readonly label: string;
 }
 
-/** A line of the timeline. */
+/** A row of the timeline. */
 export type TimelineRow = EventsRow | GroupRow | TrackRow | ChannelRow;
 
-/** What is folded, and which vectors are folded out. */
+/** Folded groups, and unfolded vectors. */
 export interface RowFolds {
   readonly folded: ReadonlySet<string>;
   readonly unfolded: ReadonlySet<string>;
-  /** Whether coordinates can have rows. */
+  /** Whether rows for coordinates are possible. */
   readonly hasChannels: boolean;
 }
 
@@ -83,7 +83,10 @@ function trackRow(root: GameObject | null, track: ClipTrack, folds: RowFolds): T
   };
 }
 
-/** The lines of a clip: its events, then its tracks by object and component. @param root - the object that the clip moves */
+/**
+ * The rows of a clip: its events, then its tracks by object and component. @param root - the object that the clip
+ * animates
+ */
 export function timelineRows(root: GameObject | null, data: ClipData, folds: RowFolds): TimelineRow[] {
   const groups = new Map<string, ClipTrack[]>();
   for (const track of data.tracks) {

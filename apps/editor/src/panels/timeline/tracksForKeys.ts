@@ -1,7 +1,7 @@
 import type { ClipTrack } from '@farol/engine';
 import type { TimelineView } from './TimelineView';
 
-/** The tracks of the chosen lines; all when none is chosen. */
+/** The tracks of the chosen rows, or all when none is chosen. */
 export function tracksForKeys({ rows, chosen, timeline }: TimelineView): ClipTrack[] {
   const tracks = new Set<ClipTrack>();
   for (const row of rows) {

@@ -9,7 +9,7 @@ const next = { system: 'dark', dark: 'light', light: 'system' } as const;
 const themeLabel = (theme: keyof typeof next): string =>
   ({ system: t('Theme: system'), dark: t('Theme: dark'), light: t('Theme: light') })[theme];
 
-/** Goes through the themes: the system's, dark, light. */
+/** Cycles through the themes: the system's, dark, light. */
 export function ThemeButton(): ReactNode {
   const { preferences } = useEditor();
   const theme = usePreferences(({ theme: chosen }) => chosen);

@@ -21,7 +21,7 @@ import { MenuBar } from './MenuBar';
 import { ThemeButton } from './ThemeButton';
 import './toolbar.css';
 
-/** The bar at the top: file, history, what can be added, play, technique and view. */
+/** The top bar: file, history, Add menu, playback, technique and view. */
 export function Toolbar(): ReactNode {
   const editor = useEditor();
   const { document, viewport, commands } = editor;

@@ -12,10 +12,10 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { tourSteps } from './tourSteps';
 import './tour.css';
 
-/** Room between a control and the card (CSS pixels). */
+/** Distance between a control and the card (CSS pixels). */
 const GAP = 12;
 
-/** The first that is shown of what a selector finds; null when none is. */
+/** Rectangle of the first visible match of a selector; null when there is none. */
 function shownOf(selector: string): DOMRect | null {
   for (const element of document.querySelectorAll(selector)) {
     const box = element.getBoundingClientRect();
@@ -24,7 +24,7 @@ function shownOf(selector: string): DOMRect | null {
   return null;
 }
 
-/** Where a card of this size is beside a control, within the window. */
+/** Position of a card beside a control, within the window. */
 function placeBeside(box: DOMRect | null, width: number, height: number): CSSProperties {
   const within = (at: number, size: number, all: number): number => Math.max(8, Math.min(at, all - size - 8));
   if (!box) return { left: (innerWidth - width) / 2, top: (innerHeight - height) / 2 };
@@ -34,11 +34,11 @@ function placeBeside(box: DOMRect | null, width: number, height: number): CSSPro
   const top = within(box.top + GAP, height, innerHeight);
   if (box.right + GAP + width <= innerWidth) return { left: box.right + GAP, top };
   if (box.left - GAP - width >= 0) return { left: box.left - GAP - width, top };
-  // as large as the window: over it, below
+  // the control fills the window: the card lies over it, at the bottom
   return { left, top: innerHeight - height - GAP };
 }
 
-/** Leads from control to control, which can be used meanwhile. Escape leaves it, as does its button, at any step. */
+/** Tour from control to control, which can be used meanwhile. Escape or its button leaves it. */
 export function Tour(): ReactNode {
   const { tour } = useEditor();
   useSignal(tour.changed);
@@ -62,7 +62,7 @@ function Step({ current }: { current: number }): ReactNode {
   useLayoutEffect(() => {
     let frame = 0;
     let last = '';
-    // controls come and go as panels load and windows change
+    // each frame, since controls move as panels load and the window changes
     const follow = (): void => {
       frame = requestAnimationFrame(follow);
       const { offsetWidth, offsetHeight } = card.current!;

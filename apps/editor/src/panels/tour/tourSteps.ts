@@ -1,16 +1,16 @@
 import { t } from '@farol/editing';
 
-/** One thing that the tour shows. */
+/** A step of the tour. */
 export interface TourStep {
-  /** Selector of the control; of several, the first that is shown. */
+  /** Selector of the control; the first visible match is used. */
   readonly target: string;
-  /** The panel that the control is in: it is brought to the front. */
+  /** Id of the panel with the control, which is brought to the front. */
   readonly panel?: string;
   readonly title: string;
   readonly text: string;
 }
 
-/** The steps of the tour, in the language that is shown. */
+/** The steps of the tour, in the user's language. */
 export const tourSteps = (): readonly TourStep[] => [
   {
     target: '.viewport-place',

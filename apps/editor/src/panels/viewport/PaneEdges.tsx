@@ -3,12 +3,12 @@ import { type KeyboardEvent, type PointerEvent, type ReactNode, useSyncExternalS
 import { halfShare, LEAST_SHARE, limitShare, type PaneShare } from '../../viewport/panes/PaneShare';
 import { useEditor } from '../../ui/EditorContext';
 
-/** What an arrow key moves an edge by, as a part of the picture. */
+/** Step of an arrow key, as a share of the viewport. */
 const STEP = 0.02;
 
 const isSame = (a: PaneShare, b: PaneShare): boolean => a.x === b.x && a.y === b.y;
 
-/** The lines between four views: dragged, moved by the arrow keys, and put back to the middle by a double click. */
+/** Dividers between four views: dragged, moved by arrow keys, and centred by a double click. */
 export function PaneEdges(): ReactNode {
   const { viewport, preferences } = useEditor();
   const chosen = useSyncExternalStore(preferences.subscribe, () => preferences.getState().views.share ?? halfShare);

@@ -7,7 +7,7 @@ import { usePoll } from '../../ui/usePoll';
 import type { ParticlePreview } from '../../viewport/particles/ParticlePreview';
 import './particleBox.css';
 
-/** How the selected emitters play while the scene is stopped: nothing of it is an edit. */
+/** Playback controls for the preview of selected emitters; nothing here is an edit. */
 export function ParticleBox({ preview }: { readonly preview: ParticlePreview }): ReactNode {
   const { viewport } = useEditor();
   useSignal(preview.changed);

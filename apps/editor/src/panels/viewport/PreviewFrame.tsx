@@ -4,7 +4,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { CameraPreview } from '../../viewport/CameraPreview';
 
-/** The frame round the small picture of the selected camera, which the viewport draws. */
+/** Frame round the inset with the selected camera's view, which the viewport draws. */
 export function PreviewFrame(): ReactNode {
   const { viewport } = useEditor();
   const camera = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.previewed);

@@ -6,10 +6,10 @@ import { PaneEdges } from './PaneEdges';
 import type { ViewPane } from '../../viewport/panes/ViewPane';
 import type { Viewport } from '../../viewport/Viewport';
 
-/** How near a view must be to that from a side: cosine. */
+/** Cosine from which a view direction counts as axis-aligned. */
 const SAME = 0.99999;
 
-/** What a view shows: the side it looks from, or whether it is in perspective, or its camera. */
+/** Name of a view: its side, its projection, or its camera. */
 function nameOf(viewport: Viewport, { name, editorCamera }: ViewPane): string {
   if (name === 'main' && viewport.lookThrough) return viewport.lookThrough.gameObject.name;
   if (!editorCamera.orthographic) return t('Perspective');
@@ -26,7 +26,7 @@ const textOf = (viewport: Viewport): string =>
     })
     .join('\n');
 
-/** Names of the four views, and which of them keys turn and shade. */
+/** Names of the four views; the active one is highlighted. */
 export function QuadOverlay(): ReactNode {
   const { viewport } = useEditor();
   const text = useSyncExternalStore(viewport.drawn.subscribe, () => textOf(viewport));

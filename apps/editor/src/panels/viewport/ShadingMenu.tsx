@@ -18,14 +18,14 @@ function entriesOf(editor: EditorApi): readonly MenuEntry[] {
     checked: viewport.shading === shading,
     run: () => editor.attempt(() => setShading(editor, shading)),
   });
-  const own = shadings.map((action) => actionEntry(action, editor));
+  const withoutTechniques = shadings.map((action) => actionEntry(action, editor));
   const techniques = techniqueOptions(viewport.farol)
     .filter(({ value }) => value !== 'auto')
     .map(({ value, label, help }) => line(label, `by:${value}`, help));
-  return [...own, 'separator', ...techniques];
+  return [...withoutTechniques, 'separator', ...techniques];
 }
 
-/** How the active view shows the scene: without lights, as the scene says, or by any technique. */
+/** Menu of the active view's shading: without lights, the scene's technique, or another one. */
 export function ShadingMenu(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

@@ -16,7 +16,7 @@ const steps = () =>
     { name: 'scale', label: t('Scale'), unit: '', min: 0.001, max: 10, step: 0.05 },
   ] as const;
 
-/** A button that opens the steps by which drags of the handles snap; they are remembered. */
+/** Button for the snapping increments of the gizmo, which are remembered. */
 export function SnapSteps(): ReactNode {
   const { preferences } = useEditor();
   const chosen = usePreferences(({ snapSteps }) => snapSteps);

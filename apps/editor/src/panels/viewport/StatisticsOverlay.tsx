@@ -3,11 +3,11 @@ import { type ReactNode, useCallback, useEffect, useRef } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';
 
-/** Frames that the curve shows, and the time at its top (ms). */
+/** Number of frames in the graph, and the time at its top (ms). */
 const FRAMES = 120;
 const TOP = 33.3;
 
-/** Figures of the last frames over the picture: read four times a second, the curve drawn with each frame. */
+/** Statistics over the viewport: texts updated four times per second, a graph with each frame. */
 export function StatisticsOverlay(): ReactNode {
   const { viewport } = useEditor();
   const canvas = useRef<HTMLCanvasElement>(null);

@@ -10,7 +10,7 @@ import { useKeyBindings } from '../../ui/useKeyBindings';
 
 const matrix = new Matrix4();
 
-/** How CSS turns a face that looks at the reader to its side of the cube. */
+/** CSS rotation of each face of the cube, from facing the viewer. */
 const turns = {
   right: 'rotateY(90deg)',
   left: 'rotateY(-90deg)',
@@ -20,20 +20,20 @@ const turns = {
   back: 'rotateY(180deg)',
 };
 
-/** A cube that turns with the picture; a press on a face looks from that side. It costs no React while it turns. */
+/** Cube that rotates with the view; clicking a face looks from that side. Rotates without rendering React. */
 export function ViewCube(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;
   const cube = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    let shown = '';
+    let lastTransform = '';
     const follow = (): void => {
       // the view's rotation; y points down in CSS
       const e = matrix.extractRotation(viewport.camera.matrixWorldInverse).elements;
       const n = (value: number): string => value.toFixed(3);
       const transform = `matrix3d(${n(e[0])},${n(-e[1])},${n(e[2])},0,${n(-e[4])},${n(e[5])},${n(-e[6])},0,${n(e[8])},${n(-e[9])},${n(e[10])},0,0,0,0,1)`;
-      if (transform === shown || !cube.current) return;
-      shown = transform;
+      if (transform === lastTransform || !cube.current) return;
+      lastTransform = transform;
       cube.current.style.transform = transform;
     };
     follow();
@@ -63,7 +63,7 @@ export function ViewCube(): ReactNode {
   );
 }
 
-/** Says whether the picture has perspective, and changes that. */
+/** Shows and toggles the projection. */
 function ProjectionButton(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

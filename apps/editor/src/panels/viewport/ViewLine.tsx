@@ -3,7 +3,7 @@ import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import type { Viewport } from '../../viewport/Viewport';
 
-/** Where keys go while the scene plays, and whether the camera that is looked through can be moved. */
+/** Notes while playing: who receives keys, and whether the camera that is looked through can be moved. */
 function textOf(viewport: Viewport): string {
   const { input, lookThrough, document } = viewport;
   if (input.hasKeys) return t('Keys go to the scene. Esc gives them back.');
@@ -17,7 +17,7 @@ function textOf(viewport: Viewport): string {
   );
 }
 
-/** A line over the picture. */
+/** A line of notes over the viewport. */
 export function ViewLine(): ReactNode {
   const { viewport, document } = useEditor();
   useSignal(viewport.changed);

@@ -9,7 +9,7 @@ import { LateItems } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { MenuPress } from '../../viewport/MenuPress';
 
-/** The menu of what is seen at a point of the picture; over nothing, what can be added. */
+/** Context menu of the object under the pointer; over nothing, the Add menu. */
 export function ViewportMenu(): ReactNode {
   const editor = useEditor();
   const { viewport } = editor;

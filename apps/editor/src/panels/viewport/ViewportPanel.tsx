@@ -17,10 +17,10 @@ const ToolBox = lazy(async () => ({ default: (await import('./tools/ToolBox')).T
 const ParticleBox = lazy(async () => ({ default: (await import('./ParticleBox')).ParticleBox }));
 const HeatScale = lazy(async () => ({ default: (await import('../frame/HeatScale')).HeatScale }));
 
-/** Views whose colours stand for numbers. */
+/** Debug views with a heat-map scale. */
 const counts: ReadonlySet<string> = new Set(['light-count', 'overdraw']);
 
-/** The picture. The canvas is the Viewport's own: React only gives it a place. */
+/** The viewport panel. The canvas belongs to Viewport; React only provides its parent. */
 export function ViewportPanel(): ReactNode {
   const { viewport, document, tools } = useEditor();
   useSignal(viewport.changed);

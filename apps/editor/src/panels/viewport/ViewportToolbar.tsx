@@ -22,25 +22,25 @@ import { LateSelectBox as SelectBox } from '../../ui/LateSelectBox';
 
 const EDITOR_CAMERA = '/';
 
-/** Where the bar is narrower, what is drawn over the picture is one menu (CSS pixels). */
+/** Width below which the display buttons are folded into one menu (CSS pixels). */
 const FOLDED = 440;
 
-/** What is drawn over the picture, and how many views there are. */
+/** Display settings of the viewport. */
 const display = [showGrid, showIcons, showRanges, showColliders, continuous, showStatistics, quadView];
 
-/** @param id - of a camera of the scene; anything else stands for the editor's own */
+/** @param id - id of a camera of the scene; anything else means the editor's own */
 function lookThrough(viewport: Viewport, id: string): void {
   viewport.lookThrough = viewport.document.scene.componentsOf(Camera).find((camera) => camera.id === id) ?? null;
 }
 
-/** What lies over the picture: handles at the left, what is drawn and through which camera at the right. */
+/** Toolbar over the viewport: gizmo modes at the left, display and camera at the right. */
 export function ViewportToolbar(): ReactNode {
   const editor = useEditor();
   const { document, viewport, layout } = editor;
   const [ref, isNarrow] = useIsNarrow(FOLDED);
   const isSmall = useSyncExternalStore(layout.subscribe, layout.isSmall) || isNarrow;
   useSignal(viewport.changed);
-  // the button of snapping says them
+  // the label of the snapping button contains them
   usePreferences(({ snapSteps }) => snapSteps);
   useSignal(document.structure);
   const cameras = document.scene.componentsOf(Camera).map((camera) => ({

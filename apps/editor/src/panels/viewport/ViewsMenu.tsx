@@ -41,7 +41,7 @@ function entriesOf(editor: EditorApi): readonly MenuEntry[] {
   ];
 }
 
-/** Where one looks from: views that are kept, sides, and cameras of the scene. */
+/** Menu of viewpoints: stored views, sides, and cameras of the scene. */
 export function ViewsMenu(): ReactNode {
   const editor = useEditor();
   return <MenuButton label={t('Views and cameras')} icon="camera" iconOnly entries={() => entriesOf(editor)} />;

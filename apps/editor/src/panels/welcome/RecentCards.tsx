@@ -7,7 +7,7 @@ import { Icon } from '../../ui/Icon';
 
 const when = new Intl.DateTimeFormat(undefined, { dateStyle: 'medium', timeStyle: 'short' });
 
-/** The files that were last worked on, each with a picture of its scene; nothing where there are none. */
+/** Recent files with thumbnails; nothing when there are none. */
 export function RecentCards({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   const { recentFiles } = editor;

@@ -4,14 +4,14 @@ import { openExamples } from '../../actions/newScene';
 import { useEditor } from '../../ui/EditorContext';
 import { labelOf } from '../../api/Action';
 
-/** Addresses of the pictures, which `packages/tools/samplePictures.mjs` makes. */
+/** URLs of the thumbnails, made by `packages/tools/samplePictures.mjs`. */
 const pictures: Readonly<Record<string, string>> = import.meta.glob('./pictures/*.webp', {
   eager: true,
   query: '?url',
   import: 'default',
 });
 
-/** The samples, each with its picture and what to try. */
+/** Samples, each with a thumbnail and a hint. */
 export function SampleCards({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
   return (

@@ -22,14 +22,14 @@ interface WelcomeProps {
   onClose(): void;
 }
 
-/** Where one begins: work that was not saved, files that were worked on, samples, an empty scene, a model, the tour. */
+/** Welcome page: unsaved work, recent files, samples, an empty scene, a model, the tour. */
 export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
   const editor = useEditor();
   const isShown = usePreferences(({ showWelcome }) => showWelcome);
   useSignal(editor.fileChanged);
   const [isOver, setOver] = useState(false);
   const [isEmpty, setEmpty] = useState(false);
-  // it may come while the welcome is open
+  // sessions to recover may be found while the page is open
   const offer = isEmpty ? null : request.recovery;
   const run = (action: Action): void => {
     onClose();

@@ -5,7 +5,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Flicker } from './Flicker';
 import { flickerAll } from './flickerAll';
 
-/** The lamps that flicker. */
+/** Lists the lights that flicker. */
 export function LanternPanel(): ReactNode {
   const { document } = useEditor();
   useSignal(document.structure);

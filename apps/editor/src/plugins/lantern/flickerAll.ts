@@ -3,7 +3,7 @@ import type { Action } from '../../api/Action';
 import { addComponent } from '../../model/edits';
 import { Flicker } from './Flicker';
 
-/** Puts a Flicker on every object with a point or a spot light. */
+/** Adds a Flicker to every object with a point or spot light. */
 export const flickerAll: Action = {
   id: 'lantern.flicker-all',
   label: 'Let every lamp flicker',

@@ -5,8 +5,8 @@ import { share } from './share';
 import { vignette } from './vignette';
 
 /**
- * An example of a plugin, with one of everything that can be added: a kind of field (a share, by a slider), a component
- * that has one (Flicker), a technique (Vignette), a command and a panel.
+ * Example plugin with one of everything that can be added: a field type (a share, with a slider), a component using it
+ * (Flicker), a technique (Vignette), a command and a panel.
  */
 export const lantern: EditorPlugin = {
   name: 'Lantern',

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import type { FieldEditorProps } from '../../api/FieldEditorProps';
 import type { PluginFieldType } from '../../api/EditorPlugin';
 
-/** A part of a whole: a number from 0 to 1, by a slider. */
+/** A share: a number from 0 to 1, edited with a slider. */
 export const share: PluginFieldType = {
   name: 'share',
   allows: 'a number from 0 to 1',

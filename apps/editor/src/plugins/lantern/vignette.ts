@@ -5,7 +5,7 @@ import lanternVignette from './vignette.glsl?raw';
 
 const size = { value: new Vector2() };
 
-/** Darkens the picture towards its edges. */
+/** Darkens the image towards its edges. */
 class VignettePass extends FullscreenPass implements Pass {
   readonly name = 'vignette';
   readonly reads = [] as const;
@@ -30,7 +30,7 @@ class VignettePass extends FullscreenPass implements Pass {
   }
 }
 
-/** Tiled deferred shading, with one more pass of the plugin's own. */
+/** Tiled deferred shading, followed by a pass of the plugin. */
 export const vignette: Technique = {
   ...techniques['tiled-deferred'],
   label: 'Vignette',

@@ -2,13 +2,13 @@ import { addClip, eased, track } from '../clips';
 import { mesh, wood } from '../parts';
 import type { SampleScene } from '../SampleScene';
 
-/** How far a leaf opens (rad). */
+/** Opening angle of a leaf (rad). */
 const OPEN = 1.75;
 
 /**
  * The door of the inner room: a clip opens both leaves when the player comes near, or the door is clicked.
  * @param floor - height of the floor (m)
- * @param creak - name of the sound
+ * @param creak - asset name of the sound
  */
 export function addDoor(scene: SampleScene, floor: number, creak: string): void {
   const leaf = (side: -1 | 1): string => (side < 0 ? 'Left leaf' : 'Right leaf');
@@ -32,7 +32,7 @@ export function addDoor(scene: SampleScene, floor: number, creak: string): void 
   );
   const planks = { ...wood, colour: [0.5, 0.33, 0.2], repeat: 1 } as const;
   const bronze = { colour: [0.5, 0.34, 0.17], roughness: 0.35, metalness: 0.9 } as const;
-  // a sensor before the door tells of who comes: animation and sound each have a trigger
+  // a sensor in front of the door; animation and sound each have a trigger
   const threshold = scene.object(
     'Threshold',
     { position: [0, 1.5, 1.9], parent: door },

@@ -1,6 +1,6 @@
 import type { SampleScene } from '../SampleScene';
 
-/** Who walks: at the end of the path, looking at the temple. @param step - name of the sound of a step */
+/** The player, at the end of the path, facing the temple. @param step - asset name of the sound of a step */
 export function addPlayer(scene: SampleScene, step: string): void {
   const player = scene.object(
     'Player',

@@ -3,7 +3,7 @@ import type { SampleScene } from '../SampleScene';
 
 const warm = [1, 0.62, 0.28] as const;
 
-/** A lantern on a chain, hung by a joint at its top, so that it swings. Its origin is the hook. */
+/** A lantern on a chain, swinging from a joint at its top. Its origin is the hook. */
 export function lanternPrefab(scene: SampleScene): string {
   return scene.prefab('Lantern', () => {
     const lantern = scene.object('Lantern', {});

@@ -1,43 +1,43 @@
-/** Everything that scripts are checked against; see `packages/tools/scriptDeclarations.mjs`. */
+/** TypeScript declarations that scripts are checked against; made by `packages/tools/scriptDeclarations.mjs`. */
 export interface ScriptDeclarations {
   readonly files: Readonly<Record<string, string>>;
   readonly modules: Readonly<Record<string, string>>;
   readonly globals: readonly string[];
 }
 
-/** What is wrong with a script. */
+/** An error or warning in a script. */
 export interface ScriptDiagnostic {
   readonly message: string;
-  /** Whether the text cannot be read, or is read and does not fit together. */
+  /** 'syntax' when the text cannot be parsed, 'types' for all other errors. */
   readonly kind: 'syntax' | 'types';
   readonly severity: 'error' | 'warning' | 'hint';
-  /** From 1. */
+  /** Line, from 1. */
   readonly line: number;
-  /** Characters from the start of the text. */
+  /** Start of the error (characters from the start of the text); `to` is its end. */
   readonly from: number;
   readonly to: number;
 }
 
-/** A word that may stand at a place. */
+/** A suggestion for completing a word. */
 export interface ScriptCompletion {
   readonly label: string;
   /** TypeScript's kind: 'method', 'property', 'class' and so on. */
   readonly kind: string;
-  /** What is put in, where it is not the label. */
+  /** Text to insert, when it differs from the label. */
   readonly insert?: string;
-  /** Module that an import is added of. */
+  /** Module to import the name from, when it is not imported yet. */
   readonly module?: string;
-  /** Before others of the same fit when higher. */
+  /** Ranks the suggestion among equally good matches; the higher the earlier. */
   readonly boost?: number;
 }
 
 export interface ScriptCompletions {
-  /** Where the word begins that is completed (characters from the start of the text). */
+  /** Start of the word to complete (characters from the start of the text). */
   readonly from: number;
   readonly options: readonly ScriptCompletion[];
 }
 
-/** A type, and what is said of it. */
+/** Type and documentation of a name. */
 export interface ScriptHelp {
   readonly from: number;
   readonly to: number;
@@ -45,29 +45,29 @@ export interface ScriptHelp {
   readonly help: string;
 }
 
-/** How a function is called, at a place within its arguments. */
+/** Signature of a function whose arguments are being written. */
 export interface ScriptSignature {
-  /** Where its arguments begin. */
+  /** Start of the arguments (characters from the start of the text). */
   readonly from: number;
   readonly before: string;
   readonly parameters: readonly string[];
   readonly after: string;
-  /** Which parameter is being written. */
+  /** Index of the parameter being written. */
   readonly active: number;
   readonly help: string;
   readonly parameterHelp: string;
 }
 
-/** Where a name is declared, in a script of the scene. */
+/** Place in a script where a name is declared. */
 export interface ScriptDefinition {
   readonly script: string;
   readonly line: number;
 }
 
-/** Another text of a script; null for one that is gone. */
+/** New text of a script; null for one that was removed. */
 export type ScriptChange = readonly [name: string, text: string | null];
 
-/** What can be asked of the service: of a script by its name, at a place (characters from the start of the text). */
+/** Queries of the language service, for a script and a position (characters from the start of the text). */
 export interface LanguageQuestions {
   diagnostics(script: string): readonly ScriptDiagnostic[];
   completions(script: string, at: number, isAsked: boolean): ScriptCompletions | null;

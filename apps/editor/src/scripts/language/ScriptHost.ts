@@ -10,7 +10,7 @@ const options: ts.CompilerOptions = {
   moduleDetection: ts.ModuleDetectionKind.Force,
   lib: ['lib.es2023.d.ts', 'lib.dom.d.ts', 'lib.dom.iterable.d.ts'],
   strict: true,
-  // methods that events call need no types of their parameters
+  // methods called by events may omit the types of their parameters
   noImplicitAny: false,
   isolatedModules: true,
   allowJs: true,
@@ -24,16 +24,18 @@ interface ScriptText {
   readonly version: number;
 }
 
-/** The file that a script is to TypeScript. */
+/** Path of a script for TypeScript. */
 export const fileOfScript = (name: string): string => FOLDER + name + (/\.[jt]s$/i.test(name) ? '' : '.ts');
 
 const resolved = (path: string): ts.ResolvedModuleWithFailedLookupLocations => ({
   resolvedModule: { resolvedFileName: path, extension: ts.Extension.Dts, isExternalLibraryImport: true },
 });
 
-/** The files of a language service: the scripts of a scene, and the declarations that they are checked against. */
+/**
+ * Host of the language service: files are the scripts of a scene, and the declarations that they are checked against.
+ */
 export class ScriptHost implements ts.LanguageServiceHost {
-  /** By file. */
+  /** Texts of scripts by path. */
   private readonly texts = new Map<string, ScriptText>();
   private readonly names = new Map<string, string>();
   private readonly snapshots = new Map<string, ts.IScriptSnapshot>();
@@ -41,7 +43,7 @@ export class ScriptHost implements ts.LanguageServiceHost {
 
   constructor(private readonly declarations: ScriptDeclarations) {}
 
-  /** Takes other texts over. */
+  /** Adds, replaces or removes texts of scripts. */
   change(changes: readonly ScriptChange[]): void {
     for (const [name, text] of changes) {
       const file = fileOfScript(name);
@@ -57,7 +59,7 @@ export class ScriptHost implements ts.LanguageServiceHost {
     }
   }
 
-  /** The script that a file is; null for one of the declarations. */
+  /** Name of the script at a path; null for declarations. */
   scriptOf(file: string): string | null {
     return this.names.get(file) ?? null;
   }
@@ -66,7 +68,7 @@ export class ScriptHost implements ts.LanguageServiceHost {
     return this.texts.get(file)?.text ?? '';
   }
 
-  /** The scripts, by name, each with its file. */
+  /** Names of the scripts, each with its path. */
   get scripts(): ReadonlyMap<string, string> {
     return new Map([...this.names].map(([file, name]) => [name, file]));
   }
@@ -80,7 +82,7 @@ export class ScriptHost implements ts.LanguageServiceHost {
   }
 
   getScriptFileNames(): string[] {
-    // what a script may import is there before one does
+    // includes modules that no script imports yet, for completion
     const { globals, modules } = this.declarations;
     return [...globals, ...Object.values(modules), ...this.texts.keys()];
   }

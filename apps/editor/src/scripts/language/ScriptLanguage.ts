@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import type { LanguageQuestions, ScriptChange } from './LanguageAnswers';
 import type { LanguageAnswer, LanguageRequest } from './languageWorker';
 
-/** How long the worker stays once nobody needs it (ms): it holds about 200 MB. */
+/** Time that an unused worker is kept (ms), since it holds about 200 MB. */
 const KEPT = 120_000;
 
 interface Waiting {
@@ -10,16 +10,13 @@ interface Waiting {
   reject(error: Error): void;
 }
 
-/**
- * TypeScript's language service in a worker, which is fetched and started at the first question. It knows the scripts that
- * `textsOf` gives.
- */
+/** TypeScript's language service in a worker, which is started at the first query. */
 export class ScriptLanguage {
-  /** Emits when the worker begins to answer, and when it cannot. */
+  /** Emits when the worker is ready, and when it fails. */
   readonly changed = new Signal();
-  /** Why nothing is answered; null while that is not so. */
+  /** Why the service is unavailable; null when it is not. */
   failure: string | null = null;
-  /** Whether the first question was answered. */
+  /** Whether the first query was answered. */
   isReady = false;
 
   private worker: Promise<Worker> | null = null;
@@ -28,10 +25,10 @@ export class ScriptLanguage {
   private ids = 0;
   private end: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param textsOf - all scripts as they are being edited, by name */
+  /** @param textsOf - gives all scripts as edited, by name */
   constructor(private readonly textsOf: () => ReadonlyMap<string, string>) {}
 
-  /** Somebody needs the worker. @returns a function that says that they no longer do */
+  /** Keeps the worker running. @returns a function that ends this use */
   use(): () => void {
     clearTimeout(this.end);
     return () => {
@@ -40,7 +37,10 @@ export class ScriptLanguage {
     };
   }
 
-  /** Asks of the scripts as they are now. @throws Error (as a rejection) when the worker cannot be fetched, or fails */
+  /**
+   * Queries the service for the present scripts. @throws Error (as a rejection) when the worker cannot be fetched, or
+   * fails
+   */
   async ask<Q extends keyof LanguageQuestions>(
     question: Q,
     ...values: Parameters<LanguageQuestions[Q]>
@@ -50,12 +50,12 @@ export class ScriptLanguage {
     const id = ++this.ids;
     const changes = this.changes();
     const answered = new Promise<unknown>((resolve, reject) => this.waiting.set(id, { resolve, reject }));
-    // oxlint-disable-next-line unicorn/require-post-message-target-origin -- a worker has none
+    // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have no origin argument
     worker.postMessage({ id, changes, question, values } satisfies LanguageRequest);
     return (await answered) as ReturnType<LanguageQuestions[Q]>;
   }
 
-  /** Ends the worker; the next question starts another one. */
+  /** Stops the worker; the next query starts another one. */
   private async stop(): Promise<void> {
     const worker = this.worker;
     this.forget(new Error('The panel was closed.'));
@@ -68,7 +68,7 @@ export class ScriptLanguage {
       const worker = new Worker(new URL('./languageWorker.ts', import.meta.url), { type: 'module' });
       worker.addEventListener('message', ({ data }: MessageEvent<LanguageAnswer>) => this.answered(data));
       worker.addEventListener('error', ({ message }) => this.failed(new Error(message)));
-      // oxlint-disable-next-line unicorn/require-post-message-target-origin -- a worker has none
+      // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have no origin argument
       worker.postMessage({ declarations: new URL(address, location.href).href } satisfies LanguageRequest);
       return worker;
     } catch (error) {
@@ -103,7 +103,7 @@ export class ScriptLanguage {
     for (const { reject } of waiting) reject(error);
   }
 
-  /** The texts that the worker does not have yet. */
+  /** The texts that changed since the last message to the worker. */
   private changes(): ScriptChange[] {
     const texts = this.textsOf();
     const changes: ScriptChange[] = [];

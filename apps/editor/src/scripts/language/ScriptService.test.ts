@@ -4,18 +4,18 @@ import { scriptTemplate } from '../../model/scriptTemplate';
 import { importEdit } from './importable';
 import { ScriptService } from './ScriptService';
 
-/** Made once: TypeScript reads four megabytes of declarations. */
+/** Created once, since TypeScript reads four megabytes of declarations. */
 const service = new ScriptService(gatherDeclarations());
 const template = scriptTemplate('Spin');
 
-/** Puts a text in place of the template's, and gives the place of a mark in it, which is taken out. */
+/** Sets a script's text, without its '|'. @returns the position of the '|' */
 function write(text: string, name = 'Spin'): number {
   const at = text.indexOf('|');
   service.change([[name, text.replace('|', '')]]);
   return at;
 }
 
-/** The template with a line at the end of its update. */
+/** The template with a line added at the end of its update. */
 const withLine = (line: string): string => template.replace('deltaSeconds);\n', `deltaSeconds);\n    ${line}\n`);
 
 const labels = (at: number): string[] =>

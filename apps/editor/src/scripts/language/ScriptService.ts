@@ -22,7 +22,7 @@ function helpOf(parts: readonly ts.SymbolDisplayPart[] | undefined, tags: readon
   return [textOf(parts), ...lines].filter((line) => line !== '').join('\n');
 }
 
-/** What TypeScript knows of the scripts of a scene. */
+/** Answers queries about the scripts of a scene with TypeScript's language service. */
 export class ScriptService implements LanguageQuestions {
   private readonly host: ScriptHost;
   private readonly service: ts.LanguageService;
@@ -33,7 +33,7 @@ export class ScriptService implements LanguageQuestions {
     this.service = ts.createLanguageService(this.host);
   }
 
-  /** Takes other texts over. */
+  /** Adds, replaces or removes texts of scripts. */
   change(changes: readonly ScriptChange[]): void {
     this.host.change(changes);
   }
@@ -51,7 +51,7 @@ export class ScriptService implements LanguageQuestions {
         to: start + length,
       }));
     const syntax = read('syntax', service.getSyntacticDiagnostics(file));
-    // what cannot be read gives errors of types that say nothing
+    // with syntax errors, type errors are misleading
     return syntax.length > 0 ? syntax : read('types', service.getSemanticDiagnostics(file));
   }
 
@@ -72,7 +72,7 @@ export class ScriptService implements LanguageQuestions {
         label: name,
         kind,
         ...(insertText === undefined ? {} : { insert: insertText }),
-        // TypeScript's own order: what is declared here before what is declared everywhere
+        // TypeScript's order: local declarations before global ones
         boost: sortText === '11' ? 2 : sortText === '15' ? -2 : 0,
       }));
     if (!found.isMemberCompletion && word.length >= 2) options.push(...this.imports(word, options));
@@ -122,7 +122,7 @@ export class ScriptService implements LanguageQuestions {
     return null;
   }
 
-  /** Names of the modules that are not imported yet and begin as a word does. */
+  /** Suggestions for a word from modules that are not imported yet. */
   private imports(word: string, others: readonly ScriptCompletion[]): ScriptCompletion[] {
     const program = this.service.getProgram();
     if (!program) return [];

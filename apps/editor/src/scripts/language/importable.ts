@@ -1,6 +1,6 @@
 import type ts from 'typescript-in-browser';
 
-/** Modules that scripts may import, whose names are offered before they are. */
+/** Modules whose exports are suggested before they are imported. */
 const MODULES = ['@farol/engine/fields', '@farol/engine', 'three'];
 
 /** A name that can be imported. */
@@ -10,7 +10,7 @@ export interface ImportableName {
   readonly symbol: ts.Symbol;
 }
 
-/** What modules export, by file; a program that has changed is asked anew. */
+/** Exports of modules, cached for each program. */
 export function importableNames(
   program: ts.Program,
   files: Readonly<Record<string, string>>,
@@ -30,13 +30,13 @@ export function importableNames(
   });
 }
 
-/** What is put into a text so that it imports a name: where, and what. */
+/** The edit that imports a name: position and text to insert. */
 export function importEdit(text: string, name: string, module: string): { at: number; insert: string } {
   const word = module.replaceAll(/[.*+?^${}()|[\]\\/]/g, String.raw`\$&`);
-  const there = new RegExp(String.raw`^import\s*\{([^}]*)\}\s*from\s*(['"])${word}\2`, 'm').exec(text);
-  if (there) {
-    const names = there[1];
-    const end = there.index + there[0].indexOf('{') + 1 + names.trimEnd().length;
+  const existingImport = new RegExp(String.raw`^import\s*\{([^}]*)\}\s*from\s*(['"])${word}\2`, 'm').exec(text);
+  if (existingImport) {
+    const names = existingImport[1];
+    const end = existingImport.index + existingImport[0].indexOf('{') + 1 + names.trimEnd().length;
     const separator = names.trim() === '' ? ' ' : names.trimEnd().endsWith(',') ? ' ' : ', ';
     return { at: end, insert: separator + name + (names.trim() === '' && names === '' ? ' ' : '') };
   }

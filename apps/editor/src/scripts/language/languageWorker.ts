@@ -1,7 +1,7 @@
 import type { LanguageQuestions, ScriptChange, ScriptDeclarations } from './LanguageAnswers';
 import { ScriptService } from './ScriptService';
 
-/** What the page says to the worker: first where the declarations are, then questions, with the texts that changed before. */
+/** Message to the worker: first the URL of the declarations, then queries with the texts that changed before. */
 export type LanguageRequest =
   | { readonly declarations: string }
   | {
@@ -11,13 +11,13 @@ export type LanguageRequest =
       readonly values: readonly unknown[];
     };
 
-/** The answer to a question, or why there is none. */
+/** Answer to a query, or the reason for its failure. */
 export type LanguageAnswer =
   | { readonly id: number; readonly answer: unknown }
   | { readonly id: number; readonly error: string };
 
 let service: Promise<ScriptService> | null = null;
-/** Questions are answered in their order. */
+/** Queue of queries, which are answered in order. */
 let last: Promise<void> = Promise.resolve();
 
 async function makeService(address: string): Promise<ScriptService> {

@@ -5,7 +5,7 @@ import type { ScriptLanguage } from './ScriptLanguage';
 
 const setSignature = StateEffect.define<ScriptSignature | null>();
 
-/** How a function is called, the parameter that is being written marked. */
+/** Element with a function's signature; the parameter being written is highlighted. */
 function signatureElement({ before, parameters, after, active, help, parameterHelp }: ScriptSignature): HTMLElement {
   const element = document.createElement('div');
   element.className = 'code-help';
@@ -42,7 +42,7 @@ const shown = StateField.define<Tooltip | null>({
   provide: (field) => showTooltip.from(field),
 });
 
-/** Shows how a function is called while its arguments are being written; Escape takes it away. */
+/** Shows the signature of a function while its arguments are being written; Escape hides it. */
 export function signatureHelp(language: ScriptLanguage, script: string): Extension {
   const plugin = ViewPlugin.define((view) => {
     let asked = 0;

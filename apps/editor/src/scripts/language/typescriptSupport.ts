@@ -24,7 +24,7 @@ import type { ScriptCompletion, ScriptHelp } from './LanguageAnswers';
 import type { ScriptLanguage } from './ScriptLanguage';
 import { signatureHelp } from './signatureHelp';
 
-/** CodeMirror's pictures of TypeScript's kinds. */
+/** CodeMirror's completion icons for TypeScript's kinds. */
 const kinds: Readonly<Record<string, string>> = {
   alias: 'variable',
   class: 'class',
@@ -44,7 +44,7 @@ const kinds: Readonly<Record<string, string>> = {
   var: 'variable',
 };
 
-/** A type above what is said of it. */
+/** Element with a type, and its documentation below. */
 function helpElement({ type, help }: Pick<ScriptHelp, 'type' | 'help'>): HTMLElement {
   const element = document.createElement('div');
   element.className = 'code-help';
@@ -59,7 +59,7 @@ function helpElement({ type, help }: Pick<ScriptHelp, 'type' | 'help'>): HTMLEle
   return element;
 }
 
-/** Puts a completion in, and the import that it needs. */
+/** Inserts a completion, and the import that it needs. */
 function applyCompletion(view: EditorView, completion: ScriptCompletion, from: number, to: number): void {
   const { label, insert = label, module } = completion;
   const added = module === undefined ? null : importEdit(view.state.doc.toString(), label, module);
@@ -100,7 +100,7 @@ const hover = (language: ScriptLanguage, script: string): Extension =>
     return { pos: help.from, end: help.to, above: true, create: () => ({ dom: helpElement(help) }) };
   });
 
-/** Goes to where a name is declared, by F12 or a click with Ctrl. @param open - shows a line of a script */
+/** Goes to the declaration of a name, by F12 or a click with Ctrl. @param open - opens a line of a script */
 function definitions(
   language: ScriptLanguage,
   script: string,
@@ -131,8 +131,9 @@ function definitions(
 }
 
 /**
- * What a code editor has for a script: highlighting, folding, brackets, several cursors, completion, hover, signatures.
- * @param open - shows a line (from 1) of a script
+ * Extensions of a code editor for a script: highlighting, folding, brackets, several cursors, completion, hover,
+ * signatures, definitions.
+ * @param open - opens a line (from 1) of a script
  */
 export function typescriptSupport(
   language: ScriptLanguage,
@@ -153,7 +154,7 @@ export function typescriptSupport(
     hover(language, script),
     signatureHelp(language, script),
     definitions(language, script, open),
-    // panels clip what is within them
+    // fixed, since panels clip their content
     tooltips({ position: 'fixed', parent: document.body }),
     keymap.of([...closeBracketsKeymap, ...completionKeymap, ...foldKeymap]),
   ];

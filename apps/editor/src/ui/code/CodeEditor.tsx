@@ -5,31 +5,31 @@ import { type ReactNode, useEffect, useLayoutEffect, useRef } from 'react';
 import { changeTo } from './changeTo';
 import { codeExtensions, fromOutside } from './codeExtensions';
 
-/** What is wrong with a text, shown at its place. */
+/** A problem shown in the text. */
 export interface CodeProblem {
   readonly message: string;
-  /** From 1; all of it is marked where no part is given. */
+  /** Line (from 1); marked as a whole unless `from` and `to` are given. */
   readonly line: number;
-  /** The part that is meant, in characters from the start of the text. */
+  /** Start and end of the marked part (characters from the start of the text). */
   readonly from?: number;
   readonly to?: number;
-  /** Of an error when absent. */
+  /** 'error' when absent. */
   readonly severity?: 'error' | 'warning' | 'hint';
 }
 
 interface CodeEditorProps {
-  /** Another name begins another text, with a history of its own. */
+  /** Name of the text; a new name replaces the text, with a history of its own. */
   readonly name: string;
   readonly text: string;
   /** Accessible name of the text. */
   readonly label: string;
   readonly problems: readonly CodeProblem[];
-  /** The line (from 1) to go to; another object goes there again. */
+  /** Line (from 1) to scroll to; a new object scrolls again. */
   readonly goTo: { readonly line: number } | null;
-  /** The language of the text, and what else is special to it; asked for once for each name. */
+  /** Language and other extensions; called once for each name. */
   language(this: void): Extension;
   onInput(text: string): void;
-  /** The focus left. */
+  /** Called when the editor loses the focus. */
   onLeave(): void;
 }
 
@@ -42,7 +42,7 @@ function diagnosticOf(doc: Text, problem: CodeProblem): Diagnostic {
   return { from: whole.from, to: whole.to, severity, message };
 }
 
-/** A text with line numbers, highlighting, search, and what is wrong with it at its place. */
+/** Code editor with line numbers, highlighting, search, and problems marked in the text. */
 export function CodeEditor(props: CodeEditorProps): ReactNode {
   const { name, text, label, problems, goTo, language, onInput, onLeave } = props;
   const place = useRef<HTMLDivElement>(null);
@@ -56,7 +56,7 @@ export function CodeEditor(props: CodeEditorProps): ReactNode {
     const extensions = [language(), codeExtensions(label, (next) => handlers.current.onInput(next))];
     const made = new EditorView({ parent: place.current!, state: EditorState.create({ doc: text, extensions }) });
     view.current = made;
-    // the list of errors comes below the text and takes room of it: the line that is typed stays in sight
+    // a list of errors below may shrink the editor: keeps the cursor's line visible
     const sizes = new ResizeObserver(() => {
       if (!made.hasFocus) return;
       made.dispatch({ effects: EditorView.scrollIntoView(made.state.selection.main.head) });
@@ -67,7 +67,7 @@ export function CodeEditor(props: CodeEditorProps): ReactNode {
       view.current = null;
       made.destroy();
     };
-    // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- a text of its own for each name
+    // oxlint-disable-next-line react-hooks/exhaustive-deps, react/exhaustive-effect-dependencies -- one editor for each name
   }, [name]);
 
   useEffect(() => {

@@ -1,6 +1,6 @@
 import type { Text } from '@codemirror/state';
 
-/** The part of the smallest change that leads from one text to another. */
+/** The smallest single replacement that turns one text into another. */
 export function changeTo(before: Text, after: string): { from: number; to: number; insert: string } {
   const old = before.toString();
   let from = 0;

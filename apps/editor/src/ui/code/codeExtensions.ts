@@ -61,7 +61,7 @@ const theme = EditorView.theme({
   },
 });
 
-/** The words of the code editor's own search and lists, in the language that is shown. */
+/** Texts of the code editor's search and lists, in the user's language. */
 const phrases = (): Record<string, string> => ({
   Find: t('Find'),
   Replace: t('Replace'),
@@ -84,13 +84,13 @@ const phrases = (): Record<string, string> => ({
   'No diagnostics': t('No diagnostics'),
 });
 
-/** Marks a change that came from elsewhere, such as an undo of the document's. */
+/** Marks a change that was not typed, such as an undo of the document. */
 export const fromOutside = Annotation.define<boolean>();
 
 /**
- * What every code editor has, in the colours of the theme.
+ * Extensions of every code editor, in the theme's colours.
  * @param label - accessible name of the text
- * @param onInput - gets the text after each edit by hand
+ * @param onInput - called with the text after each edit by the user
  */
 export function codeExtensions(label: string, onInput: (text: string) => void): Extension {
   return [

@@ -7,22 +7,22 @@ import { DragSnap, type SnapTarget } from './DragSnap';
 import { TypedAmounts } from './TypedAmounts';
 import './handles.css';
 
-/** A drag of the handles, as it begins. */
+/** A drag of the gizmo's handles, as it begins. */
 export interface AssistedDrag {
   readonly scene: Scene;
   readonly camera: Camera;
   readonly mode: TransformMode;
-  /** What the handle is called: 'X', 'XY', 'XYZ', or of a rotation 'E' and 'XYZE' too. */
+  /** Name of the handle: 'X', 'XY', 'XYZ', and for rotations also 'E' and 'XYZE'. */
   readonly axis: string;
   readonly space: 'world' | 'local';
   readonly dragged: readonly GameObject[];
-  /** Follows the pointer; below nothing that is moved. */
+  /** Object that the drag moves; not below any of the dragged objects. */
   readonly pivot: Object3D;
 }
 
-/** What is asked of the handles while a drag goes on. */
+/** Settings that may change during a drag. */
 export interface DragChoices {
-  /** What it holds to; null for nothing, or for the grid, which three's handles do. */
+  /** Snapping target; null for none, or for the grid, to which three's handles snap. */
   readonly snapTo: Exclude<SnapTarget, 'grid'> | null;
   readonly alignsToSurface: boolean;
 }
@@ -33,15 +33,15 @@ const AXES: Readonly<Record<string, Vector3>> = {
   Z: new Vector3(0, 0, 1),
 };
 
-/** The handles that lead along all but one axis. */
+/** Handle of the plane perpendicular to each axis. */
 const PLANES: Readonly<Record<string, string>> = { X: 'YZ', Y: 'XZ', Z: 'XY' };
 
 const turn = new Quaternion();
 const raycaster = new Raycaster();
 
 /**
- * Helps a drag of the handles: numbers are typed for it, it holds to surfaces and vertices, and what it has come to is
- * said beside the pointer.
+ * Extends a drag of three's handles: typed numbers, snapping to surfaces and vertices, and a readout beside the
+ * pointer.
  */
 export class DragAssist {
   private readonly readout: DragReadout;
@@ -52,13 +52,13 @@ export class DragAssist {
   private snap: DragSnap | null = null;
   private readonly start = new Vector3();
   private readonly startTurn = new Quaternion();
-  /** Letters of the axes that numbers are for; one for what is the same along all. */
+  /** Axes that numbers can be typed for; a single '' for a uniform scale or a free rotation. */
   private letters: readonly string[] = [];
 
   /**
-   * @param onTyped - called when another number is typed
+   * @param onTyped - called when the typed number changes
    * @param onEnd - called when Enter (true) or Escape (false) ends the drag
-   * @param onAxis - called with the name of a handle when its letter is pressed: X, or with Shift all but X
+   * @param onAxis - called with the name of a handle when its letter is pressed: X, or with Shift the plane without X
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -89,8 +89,8 @@ export class DragAssist {
   }
 
   /**
-   * Has the drag begin anew with another handle, where the pointer was then, and puts the pivot back.
-   * @returns that place, in normalised device coordinates
+   * Restarts the drag with another handle from its first pointer position, and resets the pivot.
+   * @returns that pointer position, in normalised device coordinates
    */
   regrab(axis: string): Vector2 {
     const { drag, start, startTurn, pointerStart } = this;
@@ -102,12 +102,12 @@ export class DragAssist {
     return pointerStart;
   }
 
-  /** Where the pointer is, in normalised device coordinates. */
+  /** Pointer position in normalised device coordinates. */
   get place(): Vector2 {
     return this.pointer;
   }
 
-  /** Takes a drag's axes, with no number typed for them yet. */
+  /** Sets up the axes of a drag, with no number typed yet. */
   private follow(drag: AssistedDrag): void {
     const { mode, axis } = drag;
     this.drag = drag;
@@ -118,7 +118,7 @@ export class DragAssist {
     this.typed = new TypedAmounts(Math.max(1, this.letters.length));
   }
 
-  /** The drag is over. */
+  /** Called when the drag is over. */
   end(): void {
     window.removeEventListener('keydown', this.keyDown, true);
     this.readout.hide();
@@ -128,15 +128,15 @@ export class DragAssist {
   }
 
   /**
-   * Puts the pivot, which three's handles have moved, to where the drag leads, and says how far that is.
-   * @returns whether the pivot is turned although the drag moves
+   * Moves the pivot to the snapped or typed position instead of where three's handles put it, and shows the amount.
+   * @returns whether the drag is a move that also rotates the pivot
    */
   apply(choices: DragChoices): boolean {
     const { drag, typed } = this;
     if (!drag || !typed) return false;
     let turns = false;
     this.readout.markAt(null);
-    // of a move three's handles leave the turn as it was
+    // three's handles do not reset the rotation during a move
     if (drag.mode === 'translate') drag.pivot.quaternion.copy(this.startTurn);
     if (typed.isTyped) this.applyTyped(drag, typed);
     else if (choices.snapTo) turns = this.applySnap(drag, choices);
@@ -162,16 +162,16 @@ export class DragAssist {
     return false;
   }
 
-  /** An axis of the handles, in the world. */
+  /** Direction of an axis of the handles (world). */
   private axisOf(letter: string, { space, axis, camera, mode }: AssistedDrag): Vector3 {
     const known = AXES[letter];
-    // turned with the view: about where one looks along
+    // the handle 'E' rotates about the view direction
     if (!known) return new Vector3().setFromMatrixColumn(camera.matrixWorld, 2).normalize();
     const isLocal = mode !== 'scale' && space === 'local' && axis !== 'XYZ';
     return known.clone().applyQuaternion(isLocal ? this.startTurn : turn.identity());
   }
 
-  /** Leaves of a way what the handle allows. */
+  /** Removes the components of a movement that the handle does not allow. */
   private restrict(way: Vector3): void {
     const { drag, letters } = this;
     if (!drag || letters.length === 3) return;
@@ -194,13 +194,13 @@ export class DragAssist {
       if (mode === 'translate') pivot.position.addScaledVector(this.axisOf(letter, drag), value);
       else if (mode === 'rotate')
         pivot.quaternion.premultiply(turn.setFromAxisAngle(this.axisOf(letter, drag), toRadians(value)));
-      // a size of 0 could not be brought back
+      // not 0: a scale of 0 could not be undone by dragging
       else if (letter === '') pivot.scale.setScalar(value || 1);
       else pivot.scale.setComponent('XYZ'.indexOf(letter), value || 1);
     });
   }
 
-  /** What the drag has come to along an axis: m, rad or a factor. */
+  /** Amount of the drag along an axis: m, rad or a factor. */
   private amountOf(letter: string, drag: AssistedDrag): number {
     const { pivot, mode } = drag;
     if (mode === 'scale') return pivot.scale.getComponent(Math.max(0, 'XYZ'.indexOf(letter)));
@@ -221,7 +221,7 @@ export class DragAssist {
       const isTyped = i === typed.at;
       return { axis, text: `${before}${text}${isTyped ? '▏' : ''}${after}`, isTyped, isWrong: typed.isWrong(i) };
     });
-    // the picture may be a part of what the readout is in
+    // the active view may be only a part of the readout's parent
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const whole = this.canvas.parentElement?.getBoundingClientRect() ?? { left, top };
     const x = left - whole.left + ((this.pointer.x + 1) / 2) * width;

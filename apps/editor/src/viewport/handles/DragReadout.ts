@@ -1,20 +1,20 @@
-/** A line of the readout: the amount along an axis. */
+/** A line of the readout: the amount of a drag along an axis. */
 export interface ReadoutLine {
-  /** 'x', 'y' or 'z', which has a colour; '' for none. */
+  /** 'x', 'y' or 'z', shown in the axis's colour; '' for none. */
   readonly axis: string;
   readonly text: string;
-  /** Whether this is the number that is typed, and whether what is typed is no number. */
+  /** Whether the number is being typed, and whether the typed text is not a number. */
   readonly isTyped?: boolean;
   readonly isWrong?: boolean;
 }
 
-/** Says beside the pointer how far a drag has gone, and marks the vertex that it holds to. */
+/** Shows beside the pointer how far a drag has gone, and marks the vertex that it snaps to. */
 export class DragReadout {
   private readonly box = document.createElement('div');
   private readonly mark = document.createElement('div');
   private shown = '';
 
-  /** @param canvas - of the picture; the readout lies over it, beside it in the page */
+  /** @param canvas - canvas of the viewport; the readout becomes its sibling */
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.box.className = 'drag-readout';
     this.mark.className = 'vertex-mark';
@@ -22,7 +22,7 @@ export class DragReadout {
     this.mark.setAttribute('aria-hidden', 'true');
   }
 
-  /** @param x - of the pointer, as y: from the picture's corner (CSS pixels) */
+  /** @param x - pointer position from the left edge of the canvas (CSS pixels) @param y - from its top edge */
   show(lines: readonly ReadoutLine[], x: number, y: number): void {
     const { box, canvas } = this;
     const key = JSON.stringify(lines);
@@ -51,7 +51,7 @@ export class DragReadout {
     box.style.transform = `translate(${Math.max(4, left)}px, ${Math.max(4, top)}px)`;
   }
 
-  /** Marks a point of the picture (CSS pixels from its corner); null takes the mark away. */
+  /** Shows a mark at a point of the viewport (CSS pixels from the upper left corner); null hides it. */
   markAt(point: { readonly x: number; readonly y: number } | null): void {
     const { mark, canvas } = this;
     if (!point) return mark.remove();

@@ -5,18 +5,18 @@ import { readableMeshes } from '../drawnMeshes';
 import { surfacesAlong } from '../placing/surfaces';
 import { nearestVertex } from './nearestVertex';
 
-/** What drags hold to while they snap. */
+/** Target that drags snap to. */
 export type SnapTarget = 'grid' | 'surface' | 'vertex';
 
-/** Of what is dragged, so many vertices are compared at most; of more, the corners of the box. */
+/** Number of vertices of dragged objects up to which all are compared; of more, only the corners of their box. */
 const MOST_VERTICES = 3000;
-/** How far what draws nothing, such as a light, stays from a surface (m). */
+/** Distance that objects without a mesh, such as lights, keep from a surface (m). */
 const CLEARANCE = 0.1;
 
 const UP = new Vector3(0, 1, 0);
 const corner = new Vector3();
 
-/** The vertices of what objects draw, in the world; the corners of their box where there are too many. */
+/** World positions of the vertices of objects; the corners of their box when there are too many. */
 function verticesOf(objects: readonly GameObject[], box: Box3): Vector3[] {
   const vertices: Vector3[] = [];
   for (const root of objects) {
@@ -43,7 +43,7 @@ const cornersOf = ({ min, max }: Box3): Vector3[] =>
     (bits) => new Vector3(bits & 1 ? max.x : min.x, bits & 2 ? max.y : min.y, bits & 4 ? max.z : min.z),
   );
 
-/** Holds a drag to the surface, or to the vertex, under the pointer. */
+/** Snaps a drag to the surface or the vertex under the pointer. */
 export class DragSnap {
   private readonly without: ReadonlySet<GameObject>;
   private readonly box: Box3;
@@ -53,8 +53,8 @@ export class DragSnap {
   private readonly startTurn = new Quaternion();
 
   /**
-   * @param dragged - where they are when the drag begins
-   * @param pivot - where it is then, below nothing that is moved
+   * @param dragged - objects, in their poses before the drag
+   * @param pivot - in its pose before the drag; not below any of them
    */
   constructor(
     private readonly scene: Scene,
@@ -69,10 +69,10 @@ export class DragSnap {
   }
 
   /**
-   * Moves the pivot to the surface that a ray meets, so that what is dragged touches it.
-   * @param aligns - whether the pivot is turned so that its up is the normal
-   * @param restrict - leaves of the way there what the handle allows
-   * @returns whether there is a surface
+   * Moves the pivot so that the dragged objects touch the surface that a ray hits.
+   * @param aligns - whether the pivot is rotated so that its y axis is the normal
+   * @param restrict - removes the components of a movement that the handle does not allow
+   * @returns whether a surface was hit
    */
   toSurface(pivot: Object3D, ray: Ray, camera: Camera, aligns: boolean, restrict: (way: Vector3) => void): boolean {
     const surface = surfacesAlong(this.scene, ray, camera, this.without).at(0);
@@ -91,8 +91,8 @@ export class DragSnap {
   }
 
   /**
-   * Moves the pivot so that the vertex of what is dragged that is nearest lies on the vertex under a ray.
-   * @returns that vertex, in the world; null where there is none
+   * Moves the pivot so that the closest vertex of the dragged objects lies on the vertex under a ray.
+   * @returns the vertex under the ray (world); null when there is none
    */
   toVertex(pivot: Object3D, ray: Ray, camera: Camera, restrict: (way: Vector3) => void): Vector3 | null {
     const target = nearestVertex(this.scene, ray, camera, this.without);
@@ -100,11 +100,11 @@ export class DragSnap {
     this.vertices ??= verticesOf(this.dragged, this.box);
     const moved = pivot.position.clone().sub(this.start);
     const way = target.clone().sub(this.start);
-    let least = Infinity;
+    let leastDistance = Infinity;
     for (const vertex of this.vertices) {
       const distance = corner.copy(vertex).add(moved).distanceToSquared(target);
-      if (distance >= least) continue;
-      least = distance;
+      if (distance >= leastDistance) continue;
+      leastDistance = distance;
       way.copy(target).sub(vertex);
     }
     restrict(way);

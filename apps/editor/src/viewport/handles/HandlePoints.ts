@@ -16,46 +16,46 @@ import type { Bounds } from '../panes/paneSurface';
 import { DragReadout } from './DragReadout';
 import './handles.css';
 
-/** How near to a handle a mouse takes it, and a finger (CSS pixels). */
+/** Distance to a handle (CSS pixels) at which a mouse grabs it, and a finger. */
 const REACH = 9;
 const FINGER_REACH = 18;
 /** Width of a handle (CSS pixels). */
 const SIZE = 9;
-/** To which sizes and places are rounded without steps (m). */
+/** Rounding of sizes and positions without snapping (m). */
 const FINE = 0.01;
 
 const seen = new Vector3();
 
-/** A point of the picture by which something is dragged. */
+/** A point in the viewport that can be dragged. */
 export interface Handle {
-  /** In the world. */
+  /** World position. */
   readonly place: Vector3;
   /**
-   * What a drag to a ray changes; null where the ray shows no place.
-   * @param step - to which sizes are rounded (m)
-   * @param viewDirection - where the camera looks
+   * Edit for a drag to a ray; null when the ray gives no position.
+   * @param step - rounding of sizes (m)
+   * @param viewDirection - direction of the camera
    */
   drag(ray: Ray, step: number, viewDirection: Vector3): SetFields | null;
-  /** What stands beside the pointer while it is dragged. Default nothing. */
+  /** Text beside the pointer during a drag. Default none. */
   textOf?(edits: readonly FieldEdit[]): string;
 }
 
-/** What handles need of the viewport. */
+/** The part of the viewport that handles use. */
 export interface HandleHost {
   readonly document: EditorDocument;
   readonly canvas: HTMLCanvasElement;
-  /** Where on the page the view is that the pointer works in. */
+  /** Rectangle of the active view on the page. */
   readonly bounds: Bounds;
-  /** Sees what that view shows. */
+  /** Camera for raycasting in that view. */
   readonly rayCamera: Camera;
   readonly gizmo: { readonly snapping: boolean; readonly snapSteps: { readonly translate: number } };
   invalidate(): void;
 }
 
-/** Rounded to a step, without the noise of floats. */
+/** Rounds to a step, without floating-point noise. */
 export const roundTo = (value: number, step: number): number => Number((Math.round(value / step) * step).toFixed(4));
 
-/** How far along a line, from its origin, the point is that is nearest to a ray; null where they are parallel. */
+/** Distance along a line from its origin to the point closest to a ray; null when they are parallel. */
 export function alongLine(origin: Vector3, direction: Vector3, ray: Ray): number | null {
   const between = origin.clone().sub(ray.origin);
   const cosine = direction.dot(ray.direction);
@@ -64,7 +64,10 @@ export function alongLine(origin: Vector3, direction: Vector3, ray: Ray): number
   return (cosine * ray.direction.dot(between) - direction.dot(between)) / sine;
 }
 
-/** Points over the picture by which the one selected object is sized. One drag is one step of history; Escape takes it back. */
+/**
+ * Handles that size the selected object, when exactly one is selected. One drag is one step of history; Escape cancels
+ * it.
+ */
 export class HandlePoints {
   readonly three: Points<BufferGeometry, PointsMaterial>;
 
@@ -78,10 +81,10 @@ export class HandlePoints {
   private readonly abort = new AbortController();
 
   /**
-   * @param colour - as CSS has it
-   * @param handlesOf - gives the handles of an object, where it is now
-   * @param clearance - handles seen nearer than this to the object's place are not there, where the gizmo is taken (CSS
-   *   pixels). Default 0
+   * @param colour - CSS colour
+   * @param handlesOf - handles of an object in its current pose
+   * @param clearance - handles closer on screen than this to the object's origin are hidden, since the gizmo is there
+   *   (CSS pixels). Default 0
    */
   constructor(
     private readonly host: HandleHost,
@@ -96,7 +99,7 @@ export class HandlePoints {
     this.three.frustumCulled = false;
     this.readout = new DragReadout(host.canvas);
     const options = { signal: this.abort.signal, capture: true };
-    // before the camera, the gizmo and the picker hear of it
+    // registered before the listeners of camera, gizmo and picker
     host.canvas.addEventListener('pointerdown', (event) => this.pointerDown(event), options);
     host.canvas.addEventListener('pointermove', (event) => this.pointerMove(event), options);
     host.canvas.addEventListener('pointerup', (event) => this.pointerUp(event), options);
@@ -108,25 +111,25 @@ export class HandlePoints {
     );
   }
 
-  /** Where the handles are in the world: for tests. */
+  /** World positions of the handles, for tests. */
   get places(): readonly Vector3[] {
     return this.handles.map(({ place }) => place);
   }
 
-  /** Called before each picture. @param pixelRatio - of the canvas */
+  /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     this.three.material.size = SIZE * pixelRatio;
     const { document } = this.host;
     const [object, second] = document.selectedObjects;
     const isHandled = object && !second && !object.lockedInHierarchy && document.simulation.state === 'stopped';
-    // what is dragged stays the same handle, whose place is where it began
+    // during a drag the handles are kept, with their positions from its beginning
     if (!this.dragged) this.handles = isHandled ? this.clearOf(object, this.handlesOf(object)) : [];
-    const shown = this.dragged && isHandled ? this.handlesOf(object) : this.handles;
-    this.three.visible = shown.length > 0;
-    if (shown.length === 0) return;
-    const positions = shown.flatMap(({ place }) => place.toArray());
+    const visibleHandles = this.dragged && isHandled ? this.handlesOf(object) : this.handles;
+    this.three.visible = visibleHandles.length > 0;
+    if (visibleHandles.length === 0) return;
+    const positions = visibleHandles.flatMap(({ place }) => place.toArray());
     const attribute = this.three.geometry.getAttribute('position') as Float32BufferAttribute | undefined;
-    if (attribute?.count === shown.length) {
+    if (attribute?.count === visibleHandles.length) {
       attribute.copyArray(positions);
       attribute.needsUpdate = true;
     } else {
@@ -152,7 +155,7 @@ export class HandlePoints {
     });
   }
 
-  /** Where a point of the world is on the page (CSS pixels); null behind the camera. Changes `point`. */
+  /** Page position (CSS pixels) of a world point; null behind the camera. Overwrites `point`. */
   private seenAt(point: Vector3): { x: number; y: number } | null {
     const { bounds, rayCamera } = this.host;
     const { x, y, z } = point.project(rayCamera);
@@ -199,7 +202,7 @@ export class HandlePoints {
     this.release();
   }
 
-  /** @returns whether a drag was under way */
+  /** @returns whether a drag was in progress */
   private cancel(): boolean {
     if (!this.dragged) return false;
     this.gesture?.discard();
@@ -222,12 +225,12 @@ export class HandlePoints {
 
   private handleAt({ clientX, clientY, pointerType }: PointerEvent): Handle | null {
     let nearest: Handle | null = null;
-    let least = pointerType === 'touch' ? FINGER_REACH : REACH;
+    let leastDistance = pointerType === 'touch' ? FINGER_REACH : REACH;
     for (const handle of this.handles) {
       const at = this.seenAt(seen.copy(handle.place));
       if (!at) continue;
       const distance = Math.hypot(at.x - clientX, at.y - clientY);
-      if (distance < least) [nearest, least] = [handle, distance];
+      if (distance < leastDistance) [nearest, leastDistance] = [handle, distance];
     }
     return nearest;
   }

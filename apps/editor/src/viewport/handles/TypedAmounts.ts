@@ -1,56 +1,56 @@
 import { readNumber } from '@farol/editing';
 
-/** Keys that are taken for a number: those of expressions, without units. */
+/** Keys accepted in a number: characters of expressions, without units. */
 const SIGNS = /^[\d.,+\-*/()]$/;
 
-/** The part of a key press that counts. */
+/** The properties of a keyboard event that are used. */
 export interface TypedKey {
   readonly key: string;
   readonly shiftKey: boolean;
 }
 
 /**
- * The numbers that are typed during a drag, one for each axis: digits and signs add to the one that is typed, Backspace
- * takes back, Tab goes to the next axis.
+ * Numbers typed during a drag, one for each axis: characters are appended to the current one, Backspace deletes, Tab
+ * goes to the next axis.
  */
 export class TypedAmounts {
   private readonly texts: string[];
   private current = 0;
 
-  /** @param axes - how many there are, at least 1 */
+  /** @param axes - number of axes, at least 1 */
   constructor(readonly axes: number) {
     this.texts = Array.from({ length: axes }, () => '');
   }
 
-  /** Whether anything is typed, so that the pointer does not count. */
+  /** Whether anything is typed, so that the pointer is ignored. */
   get isTyped(): boolean {
     return this.texts.some((text) => text !== '');
   }
 
-  /** Index of the axis whose number is typed. */
+  /** Index of the axis whose number is being typed. */
   get at(): number {
     return this.current;
   }
 
-  /** What is typed for an axis. */
+  /** Text typed for an axis. */
   textOf(axis: number): string {
     return this.texts[axis];
   }
 
-  /** Whether what is typed for an axis is no number, and does not become one by typing on. */
+  /** Whether the text for an axis is not a number, and cannot become one by typing more. */
   isWrong(axis: number): boolean {
     const read = readNumber(this.texts[axis]);
     return this.texts[axis] !== '' && read.problem !== null && !read.isIncomplete;
   }
 
-  /** The number of an axis; null where there is none, or none yet. */
+  /** Number typed for an axis; null when there is none, or it is incomplete. */
   valueOf(axis: number): number | null {
     const read = readNumber(this.texts[axis]);
     if (this.texts[axis] === '' || read.problem !== null) return null;
     return read.valueFor(0);
   }
 
-  /** Takes a key. @returns whether it means anything here */
+  /** Handles a key press. @returns whether the key was used */
   press({ key, shiftKey }: TypedKey): boolean {
     if (key === 'Backspace') {
       if (!this.isTyped) return true;

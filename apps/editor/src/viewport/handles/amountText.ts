@@ -1,7 +1,7 @@
 import { t, toDegrees } from '@farol/editing';
 import type { TransformMode } from '@farol/editing';
 
-/** As many decimals as can be read while something moves. */
+/** Number of decimals that can be read while the value changes. */
 const digitsOf = (value: number): number => (Math.abs(value) < 0.1 && Math.abs(value) >= 0.0005 ? 3 : 2);
 
 const signed = (value: number): string => {
@@ -9,7 +9,7 @@ const signed = (value: number): string => {
   return `${value < 0 && Number(text) !== 0 ? '−' : '+'}${text}`;
 };
 
-/** An amount of a drag as it is shown beside the handle: '+1.20 m', '+45°', '×1.50'. @param value - m, rad or a factor */
+/** Amount of a drag for the readout: '+1.20 m', '+45°', '×1.50'. @param value - m, rad or a factor */
 export function amountText(mode: TransformMode, value: number): string {
   if (mode === 'translate') return t('{amount} m', { amount: signed(value) });
   if (mode === 'scale') return `×${value.toFixed(digitsOf(value))}`;
@@ -17,7 +17,7 @@ export function amountText(mode: TransformMode, value: number): string {
   return `${degrees < 0 ? '−' : '+'}${Math.abs(degrees)}°`;
 }
 
-/** What stands before and after a number that is typed. */
+/** Text before and after a typed number, such as its unit. */
 export function amountSigns(mode: TransformMode): readonly [before: string, after: string] {
   if (mode === 'translate') return ['', ` ${t('m')}`];
   return mode === 'rotate' ? ['', '°'] : ['×', ''];

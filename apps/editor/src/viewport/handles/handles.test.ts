@@ -63,7 +63,7 @@ describe('DragSnap', () => {
     return object;
   }
 
-  /** A drag of a box that begins at the origin, past a wall at x = 3 and a floor whose top is at y = -1. */
+  /** A drag of a box at the origin, with a wall at x = 3 and a floor whose top is at y = -1. */
   function drag(): { snap: DragSnap; pivot: Object3D } {
     const scene = new Scene();
     const dragged = box(scene, [0, 0, 0]);
@@ -102,7 +102,7 @@ describe('DragSnap', () => {
 
   it('holds the nearest vertex of what is dragged to that under the pointer', () => {
     const { snap, pivot } = drag();
-    // the pointer is near the corner of the wall at (3, 5, 5); the handles have brought the box close to it
+    // the pointer is near the corner of the wall at (3, 5, 5); the box has been dragged close to it
     pivot.position.set(2, 4, 4);
     const vertex = snap.toVertex(pivot, aim([-5, 4.8, 4.9], [3, 4.8, 4.9]), camera, free);
     expect(vertex!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
@@ -114,7 +114,7 @@ describe('DragSnap', () => {
     const corner = new Vector3(3, 5, 5);
     const past = aim([-5, 5.05, 13], [3, 5.05, 5.05]);
     expect(snap.toVertex(pivot, past, camera, free)?.distanceTo(corner)).toBeLessThan(1e-6);
-    // from above the ray goes on to the floor, whose own corners are far
+    // from above the ray continues to the floor, whose own corners are far
     const down = aim([2.9, 12, 5.06], [2.9, -1, 5.06]);
     expect(snap.toVertex(pivot, down, camera, free)!.distanceTo(corner)).toBeLessThan(1e-6);
     expect(snap.toVertex(pivot, aim([-5, 6, 6], [3, 9, 9]), camera, free)).toBeNull();
@@ -122,7 +122,7 @@ describe('DragSnap', () => {
 
   it('takes no vertex that is hidden behind what the pointer is on', () => {
     const { snap, pivot } = drag();
-    // straight behind the wall, from -x, are its corners at x = 4
+    // the wall's corners at x = 4 are straight behind those at x = 3
     const vertex = snap.toVertex(pivot, aim([-5, 4.99, 4.99], [3, 4.99, 4.99]), camera, free);
     expect(vertex!.distanceTo(new Vector3(3, 5, 5))).toBeLessThan(1e-6);
   });

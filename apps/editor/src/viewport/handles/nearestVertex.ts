@@ -16,7 +16,7 @@ import { vertexBesideRay } from './vertexBesideRay';
 const world = new Matrix4();
 const vertex = new Vector3();
 
-/** The corner of the triangle that was hit that is nearest to the hit, in the world. */
+/** Corner of the hit triangle closest to the hit (world). */
 function nearestCorner({ object, face, instanceId, point }: Intersection): Vector3 | null {
   if (!(object instanceof Mesh) || !face) return null;
   world.copy(object.matrixWorld);
@@ -27,21 +27,21 @@ function nearestCorner({ object, face, instanceId, point }: Intersection): Vecto
   const positions = object.geometry.getAttribute('position');
   if (!(positions instanceof BufferAttribute) && !('isInterleavedBufferAttribute' in positions)) return null;
   let nearest: Vector3 | null = null;
-  let least = Infinity;
+  let leastDistance = Infinity;
   for (const index of [face.a, face.b, face.c]) {
     object.getVertexPosition(index, vertex).applyMatrix4(world);
     const distance = vertex.distanceToSquared(point);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= leastDistance) continue;
+    leastDistance = distance;
     nearest = vertex.clone();
   }
   return nearest;
 }
 
 /**
- * The vertex that is seen nearest to a ray through the picture; where none is seen beside it, the one of what it hits
- * first that is nearest to where it hits. Null where there is neither.
- * @param without - objects that do not count, with all below them
+ * The visible vertex closest to a ray on screen; else, of the first triangle hit, the corner closest to the hit. Null
+ * when there is neither.
+ * @param without - objects to ignore, with everything below them
  */
 export function nearestVertex(
   scene: Scene,

@@ -4,32 +4,34 @@ import { readableMeshes } from '../drawnMeshes';
 import { isRigid } from '../trees/castByTree';
 import { treeOf } from '../trees/meshTrees';
 
-/** How far beside the pointer a vertex is found, as a part of the height of the picture: 14 pixels of 700. */
+/** Largest distance from the pointer to a vertex, as a share of the view's height: 14 of 700 pixels. */
 const REACH = 0.02;
-/** Vertices that are looked at for one ray, besides those of meshes with trees; of meshes with more those that the ray hits count alone. */
+/** Number of vertices examined per ray, not counting meshes with trees; beyond it only meshes hit by the ray count. */
 const MOST_VERTICES = 300_000;
-/** By how much a vertex may lie behind what the ray hits, as a part of the distance. */
+/** Depth by which a vertex may lie behind the hit, relative to the distance. */
 const BEHIND = 1e-3;
 
 const sphere = new Sphere();
 const way = new Vector3();
 const vertex = new Vector3();
 
-/** What a camera shows of the world from top to bottom (m), at a distance of 1 m, or at any for one without perspective. */
+/**
+ * Height of the view (m): at a distance of 1 m when it grows with distance, or at any distance in an orthographic view.
+ */
 function heightOf(camera: Camera): { at: number; grows: boolean } {
   if ('isOrthographicCamera' in camera) {
     const { top, bottom, zoom } = camera as OrthographicCamera;
     return { at: Math.abs(top - bottom) / zoom, grows: false };
   }
-  // of any perspective, by its projection: 2 tan(fov / 2) / zoom
+  // for any perspective projection: 2 tan(fov / 2) / zoom
   return { at: 2 / camera.projectionMatrix.elements[5], grows: true };
 }
 
 /**
- * The vertex that is seen nearest to a ray through the picture, and not farther beside it than the pointer reaches; null
- * where there is none. So corners are found at silhouettes, which a ray misses.
- * @param without - objects that do not count, with all below them
- * @param limit - distance along the ray of what it hits first (m): vertices behind that are hidden; Infinity for nothing
+ * The vertex closest to a ray on screen, within reach of the pointer; null when there is none. Finds corners at
+ * silhouettes, which the ray itself misses.
+ * @param without - objects to ignore, with everything below them
+ * @param limit - distance along the ray to its first hit (m), behind which vertices are hidden; Infinity for no hit
  */
 export function vertexBesideRay(
   scene: Scene,
@@ -41,15 +43,15 @@ export function vertexBesideRay(
   const { at, grows } = heightOf(camera);
   const reachAt = (distance: number): number => REACH * at * (grows ? distance : 1);
   const last = limit * (1 + BEHIND);
-  let left = MOST_VERTICES;
-  let least = 1;
+  let verticesLeft = MOST_VERTICES;
+  let leastDistance = 1;
   let nearest: Vector3 | null = null;
   const consider = (point: Vector3): void => {
     const distance = way.copy(point).sub(ray.origin).dot(ray.direction);
     if (distance <= 0 || distance > last) return;
     const off = way.addScaledVector(ray.direction, -distance).length() / reachAt(distance);
-    if (off >= least) return;
-    least = off;
+    if (off >= leastDistance) return;
+    leastDistance = off;
     nearest = (nearest ?? new Vector3()).copy(point);
   };
   const isNear = ({ center, radius }: Sphere, grown = 1): boolean => {
@@ -63,7 +65,7 @@ export function vertexBesideRay(
       const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
       if (!positions) return;
       if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-      // bones and morphs move vertices out of the sphere of the geometry
+      // bones and morph targets move vertices out of the geometry's sphere
       if (!isNear(sphere.copy(geometry.boundingSphere!).applyMatrix4(matrix), 1.5)) return;
       const tree = !mesh || isRigid(mesh) ? treeOf(geometry) : null;
       if (tree) {
@@ -75,8 +77,8 @@ export function vertexBesideRay(
         });
         return;
       }
-      if (positions.count > left) return;
-      left -= positions.count;
+      if (positions.count > verticesLeft) return;
+      verticesLeft -= positions.count;
       for (let i = 0; i < positions.count; i++) {
         if (mesh) mesh.getVertexPosition(i, vertex);
         else vertex.fromBufferAttribute(positions, i);

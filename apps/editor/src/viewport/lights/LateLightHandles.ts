@@ -2,27 +2,27 @@ import { type GameObject, Light } from '@farol/engine';
 import type { Scene } from 'three';
 import type { Handle, HandleHost, HandlePoints } from '../handles/HandlePoints';
 
-/** Of the lines of a selected light. */
+/** Colour of the lines of a selected light. */
 const COLOUR = '#ff9d3c';
-/** Round the light's place, where its icon and the gizmo's middle are (CSS pixels). */
+/** Distance kept from the light's origin, where its icon and the gizmo's centre are (CSS pixels). */
 const CLEARANCE = 12;
 
-/** The handles that size lights with a shape, fetched once one is selected. */
+/** Handles that size area lights; the code is fetched when one is first selected. */
 export class LateLightHandles {
-  /** Null until they were fetched. */
+  /** Null until fetched. */
   points: HandlePoints | null = null;
 
   private isAsked = false;
   private isDisposed = false;
 
-  /** @param helpers - what is drawn over the picture */
+  /** @param helpers - the overlay scene */
   constructor(
     private readonly host: HandleHost,
     private readonly helpers: Scene,
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  /** Called before each picture. @param pixelRatio - of the canvas */
+  /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     this.points?.update(pixelRatio);
     if (this.isAsked || !this.host.document.selectedObjects.some((object) => object.getComponent(Light)?.isArea))

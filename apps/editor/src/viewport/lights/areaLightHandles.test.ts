@@ -12,7 +12,7 @@ function lamp(values: Parameters<GameObject['addComponent']>[1]): Light {
 
 const down = new Vector3(0, 0, -1);
 
-/** Drags a handle of a light to where a point of its plane is seen. @returns what stands beside the pointer */
+/** Drags a handle of a light to a point in the light's plane. @returns the text beside the pointer */
 function drag(light: Light, handle: number, x: number, y: number, step = 0.01): string {
   const { drag, textOf } = areaLightHandles(light)[handle];
   const command = drag(new Ray(new Vector3(x, y, 10), down), step, down)!;

@@ -3,14 +3,14 @@ import type { Light } from '@farol/engine';
 import { Vector3 } from 'three';
 import { alongLine, type Handle, roundTo } from '../handles/HandlePoints';
 
-/** Least size that a light is dragged to (m). */
+/** Smallest size of a light (m). */
 const SMALLEST = 0.01;
 
 const metres = (value: number): string => t('{amount} m', { amount: String(Number(value.toFixed(3))) });
 
 /**
- * Handles on the edges of a rectangle, a disc and a tube. The light stays where its middle is. A round disc stays round; an
- * ellipse grows along the axis that is dragged. None of another light.
+ * Handles on the edges of a rectangle, disc or tube light, which keep its centre in place. A round disc stays round; an
+ * ellipse grows along the dragged axis. Other lights have none.
  */
 export function areaLightHandles(light: Light): Handle[] {
   const { type, width, height, gameObject } = light;
@@ -26,7 +26,7 @@ export function areaLightHandles(light: Light): Handle[] {
   ] as const;
   for (const { column, name, size } of sides) {
     const axis = new Vector3().setFromMatrixColumn(object3D.matrixWorld, column).normalize();
-    if (axis.lengthSq() === 0) continue; // of an object of no size
+    if (axis.lengthSq() === 0) continue; // the object is scaled to 0
     for (const sense of [1, -1]) {
       const direction = axis.clone().multiplyScalar(sense);
       handles.push({

@@ -17,20 +17,20 @@ import differenceShader from './difference.frag.glsl?raw';
 import sumShader from './differenceSum.frag.glsl?raw';
 import vertexShader from './whole.vert.glsl?raw';
 
-/** How far two pictures are apart, as they are seen: encoded as sRGB, from 0 to 1. */
+/** Difference between two images, measured on sRGB-encoded values from 0 to 1. */
 export interface DifferenceFigures {
-  /** Peak signal-to-noise ratio (dB); infinite for pictures that are the same. */
+  /** Peak signal-to-noise ratio (dB); infinite for identical images. */
   readonly psnr: number;
   /** Largest difference of a channel, in 255ths. */
   readonly largest: number;
-  /** Part of the pixels with a channel off by more than 2/255. */
+  /** Share of the pixels with a channel off by more than 2/255. */
   readonly differing: number;
 }
 
-/** Pixels along a side of the blocks that are summed on the device; the shader has the same. */
+/** Side of the blocks summed on the GPU (pixels); must equal the shader's. */
 const BLOCK = 16;
 
-/** Shows and measures the difference of two pictures in linear light. */
+/** Shows and measures the difference between two linear images. */
 export class PictureDifference {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
@@ -57,25 +57,25 @@ export class PictureDifference {
     this.endLost = whenLost(webgl, () => this.free());
   }
 
-  /** Draws the difference to the bound target. @param gain - what it is multiplied by */
+  /** Draws the difference to the bound target. @param gain - factor applied to the difference */
   show(a: Texture, b: Texture, gain: number): void {
     this.uniforms.gain.value = gain;
     this.draw(this.shown, a, b);
   }
 
   /**
-   * Measures the difference of two pictures, without holding up the page.
-   * @param width - of both pictures (pixels)
+   * Measures the difference between two images, asynchronously.
+   * @param width - width of both images (pixels) @param height - height of both images (pixels)
    * @returns null when the context was lost meanwhile
    */
   async measure(a: Texture, b: Texture, width: number, height: number): Promise<DifferenceFigures | null> {
     const { webgl, sums } = this;
     const [across, down] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)];
     sums.setSize(across, down);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     webgl.setRenderTarget(sums);
     this.draw(this.summed, a, b);
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     const blocks = new Float32Array(across * down * 4);
     if (!(await readPixels(webgl, sums, 0, 0, across, down, blocks))) return null;
     let [squares, largest, differing] = [0, 0, 0];

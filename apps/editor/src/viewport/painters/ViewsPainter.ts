@@ -4,13 +4,13 @@ import type { Painter } from '../Painter';
 import type { Viewport } from '../Viewport';
 import { gridCells } from './gridCells';
 
-/** The views of the grid; the finished picture is drawn last, so that the figures of the frame are its own. */
+/** Views in the grid. The final image is drawn last, so that the frame's statistics are those of a normal frame. */
 export const gridViews: readonly View[] = views.filter((view) => view !== 'grid');
 
 const whole = new Vector4();
 const clear = new Color();
 
-/** Every view of the frame at once. */
+/** Shows all debug views of the frame in a grid. */
 export class ViewsPainter implements Painter {
   readonly drawsHelpers = false;
   readonly isGrid = true;
@@ -39,7 +39,7 @@ export class ViewsPainter implements Painter {
     webgl.setScissorTest(true);
     for (let i = cells.length - 1; i >= 0; i--) {
       const cell = cells[i];
-      // counted from below
+      // y is measured from the lower edge
       const bottom = height - cell.y - cell.height;
       webgl.setViewport(cell.x, bottom, cell.width, cell.height);
       webgl.setScissor(cell.x, bottom, cell.width, cell.height);

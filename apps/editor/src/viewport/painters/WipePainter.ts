@@ -14,12 +14,12 @@ const MEASURE_EVERY = 500;
 
 const size = new Vector2();
 
-/** The technique in use beside another one: each has its part of the picture, or their difference is shown. */
+/** Compares the technique in use with another one: side by side with a movable border, or as their difference. */
 export class WipePainter implements Painter {
   readonly isGrid = false;
-  /** Emits when a setting or the figures change. */
+  /** Emits when a setting or the measurements change. */
   readonly changed = new Signal();
-  /** Draws the other technique, with figures of its own. */
+  /** Renders the other technique, with statistics of its own. */
   readonly other: FarolRenderer;
 
   private readonly difference: PictureDifference;
@@ -35,7 +35,7 @@ export class WipePainter implements Painter {
   private isDisposed = false;
 
   /**
-   * @param technique - the other one
+   * @param technique - the technique to compare with
    * @throws Error naming what the device lacks
    */
   constructor(
@@ -72,7 +72,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** Where the two meet: from 0, the left edge of the picture, to 1. */
+  /** Position of the border, from 0 (left edge) to 1. */
   get at(): number {
     return this.where;
   }
@@ -82,7 +82,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** Whether the difference is shown, in place of the two. */
+  /** Whether the difference is shown instead of both images. */
   get showsDifference(): boolean {
     return this.isDifference;
   }
@@ -92,7 +92,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** What the difference is multiplied by, where it is shown. */
+  /** Factor applied to the shown difference. */
   get gain(): number {
     return this.factor;
   }
@@ -102,7 +102,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** How far the two pictures are apart; null before it was measured. */
+  /** Measured difference of the images; null until measured. */
   get figures(): DifferenceFigures | null {
     return this.last;
   }
@@ -154,13 +154,13 @@ export class WipePainter implements Painter {
   private drawTargets(scene: Scene, camera: Camera): void {
     const { webgl, farol } = this.viewport;
     webgl.getDrawingBufferSize(size);
-    const before = webgl.getRenderTarget();
+    const previousTarget = webgl.getRenderTarget();
     [farol, this.other].forEach((renderer, i) => {
       this.targets[i].setSize(size.x, size.y);
       webgl.setRenderTarget(this.targets[i]);
       renderer.render(scene, camera);
     });
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
   }
 
   private async measure(): Promise<void> {

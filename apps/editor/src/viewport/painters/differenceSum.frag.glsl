@@ -1,13 +1,12 @@
-// Of a block of 16 by 16 pixels: sum of squared differences of all channels, the largest difference, the number of
-// pixels off by more than 2/255.
-// Farol
+// For each block of 16 by 16 pixels: sum of squared differences of all channels, largest difference, number of pixels
+// off by more than 2/255. Farol
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D a;
 uniform sampler2D b;
 out vec4 sums;
 
-// as a screen shows it; IEC 61966-2-1
+// linear to sRGB; IEC 61966-2-1
 vec3 encoded(const in vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));

@@ -1,4 +1,4 @@
-/** A part of the picture (CSS pixels from its upper left corner). */
+/** A rectangle of the viewport (CSS pixels from the upper left corner). */
 export interface GridCell {
   readonly x: number;
   readonly y: number;
@@ -6,10 +6,10 @@ export interface GridCell {
   readonly height: number;
 }
 
-/** Height kept over each cell for its name (CSS pixels). */
+/** Height above each cell for its name (CSS pixels). */
 export const LABEL = 20;
 
-/** As large cells as fit, each of the form of the whole, with room for a name above. */
+/** The largest cells that fit, with the viewport's aspect ratio and room for a name above each. */
 export function gridCells(count: number, width: number, height: number): GridCell[] {
   let best: { columns: number; rows: number; scale: number } = { columns: 1, rows: count, scale: 0 };
   for (let columns = 1; columns <= count; columns++) {

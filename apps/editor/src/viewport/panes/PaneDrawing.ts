@@ -9,7 +9,7 @@ import { isPlain, techniqueOf } from '../shading/Shading';
 import type { Panes } from './Panes';
 import type { ViewPane } from './ViewPane';
 
-/** What drawing a view needs of the viewport. */
+/** The part of the viewport that drawing a view uses. */
 export interface PaneSurface {
   readonly document: { readonly scene: Scene };
   readonly webgl: WebGLRenderer;
@@ -22,10 +22,10 @@ export interface PaneSurface {
   readonly lightHandles: { update(pixelRatio: number): void };
   readonly particles: { update(): void };
   readonly painter: Painter | null;
-  /** What is shown of the picture: see `ViewportSettings`. */
+  /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
-  /** Of all views together (CSS pixels). */
+  /** Height of all views together (CSS pixels). */
   readonly pictureHeight: number;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;
@@ -33,9 +33,9 @@ export interface PaneSurface {
   invalidate(): void;
 }
 
-/** Draws a view: the scene as the view shows it, and over it lines, icons and handles. */
+/** Draws a view: the scene with the view's shading, then lines, icons and handles. */
 export class PaneDrawing {
-  /** Draws without lights; null while it is fetched, undefined before. */
+  /** Renderer for shadings without lights; null while it is fetched, undefined before. */
   private plain: PlainShading | null | undefined;
 
   constructor(private readonly surface: PaneSurface) {}
@@ -45,7 +45,7 @@ export class PaneDrawing {
     const { webgl, panes, gizmo, helpers } = surface;
     const { x, y, width, height } = pane.rectangle;
     if (panes.list.length > 1) {
-      // counted from below
+      // y is measured from the lower edge
       const bottom = surface.pictureHeight - y - height;
       webgl.setViewport(x, bottom, width, height);
       webgl.setScissor(x, bottom, width, height);
@@ -77,10 +77,10 @@ export class PaneDrawing {
       return;
     }
     const { technique } = farol;
-    const own = techniqueOf(shading);
+    const shadedBy = techniqueOf(shading);
     try {
-      if (own !== null && Object.hasOwn(farol.techniques, own)) farol.technique = own as TechniqueName;
-      // views beside the main one are for work: they go without blur, bloom and the like
+      if (shadedBy !== null && Object.hasOwn(farol.techniques, shadedBy)) farol.technique = shadedBy as TechniqueName;
+      // side views are for editing: no depth of field, bloom and the like
       if (painter === null && pane === panes.main) picture.draw(scene, camera, lookThrough);
       else picture.drawBy(painter ?? farol, scene, camera, lookThrough);
     } finally {
@@ -88,7 +88,7 @@ export class PaneDrawing {
     }
   }
 
-  /** Fetches what draws without lights. @returns whether it is there */
+  /** Fetches the renderer for shadings without lights. @returns whether it is there */
   private plainShading(): boolean {
     const { surface } = this;
     if (this.plain === undefined) {

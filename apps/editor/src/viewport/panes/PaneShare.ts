@@ -1,4 +1,4 @@
-/** Parts of the width and the height of the picture that the views at the left and above take, from 0 to 1. */
+/** Share of the width that the left views take, and of the height that the upper ones take; 0 to 1. */
 export interface PaneShare {
   readonly x: number;
   readonly y: number;
@@ -6,11 +6,11 @@ export interface PaneShare {
 
 export const halfShare: PaneShare = { x: 0.5, y: 0.5 };
 
-/** Least that a view keeps of the picture. */
+/** Smallest share of the viewport for a view. */
 export const LEAST_SHARE = 0.1;
 
 const limited = (part: unknown): number =>
   typeof part === 'number' && Number.isFinite(part) ? Math.min(1 - LEAST_SHARE, Math.max(LEAST_SHARE, part)) : 0.5;
 
-/** A share with room for every view; what is no number is a half. */
+/** Clamps shares so that every view keeps some space; anything but a number becomes 0.5. */
 export const limitShare = ({ x, y }: PaneShare): PaneShare => ({ x: limited(x), y: limited(y) });

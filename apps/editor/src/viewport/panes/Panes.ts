@@ -4,23 +4,23 @@ import type { Bounds } from './paneSurface';
 import { halfShare, limitShare, type PaneShare } from './PaneShare';
 import { type PaneRectangle, ViewPane } from './ViewPane';
 
-/** The views beside the main one: name, and direction from what is seen to the eye. */
+/** Side views: name, and direction from the target to the eye. */
 const sides = [
   ['top', new Vector3(0, 1, 0)],
   ['front', new Vector3(0, 0, 1)],
   ['right', new Vector3(1, 0, 0)],
 ] as const;
 
-/** Between two panes (CSS pixels). */
+/** Gap between views (CSS pixels). */
 const GAP = 2;
 
 /**
- * The views of the picture: one, or four, each with a camera of its own. The pointer and the keys go to the active one: the
- * last that the pointer was over.
+ * The views of the viewport: one, or four, each with its own camera. Pointer and keys go to the active one, which is
+ * the last that the pointer was over.
  */
 export class Panes {
   readonly main: ViewPane;
-  /** Of views beside the main one, when they are made. */
+  /** Initial shading of side views. */
   sideShading: Shading = 'clay';
   private panes: readonly ViewPane[];
   private current: ViewPane;
@@ -29,15 +29,15 @@ export class Panes {
   private height = 1;
 
   /**
-   * @param hasKeys - whether keys are the controls', asked at each
-   * @param activated - called when another view is active
+   * @param hasKeys - asked at each key press whether camera controls may use it
+   * @param activated - called when another view becomes active
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly hasKeys: () => boolean,
     private readonly activated: () => void,
   ) {
-    // before all that listens to the canvas
+    // captured first, so that the right view is active when other listeners run
     canvas.addEventListener('pointerdown', this.pointerMoved, true);
     canvas.addEventListener('pointermove', this.pointerMoved, true);
     canvas.addEventListener('wheel', this.pointerMoved, { capture: true, passive: true });
@@ -81,7 +81,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** What the views at the left and above take of the picture. */
+  /** How the views share the viewport. */
   get share(): PaneShare {
     return this.part;
   }
@@ -91,7 +91,7 @@ export class Panes {
     this.resize(this.width, this.height);
   }
 
-  /** Shows what the main view shows from above, from the front and from the right. */
+  /** Aims the side views at the main view's target, from above, from the front and from the right. */
   lookFromSides(): void {
     const { target, fov } = this.main.editorCamera.pose;
     const { distance } = this.main.editorCamera;
@@ -107,12 +107,12 @@ export class Panes {
     }
   }
 
-  /** The active view's part of the page. */
+  /** Rectangle of the active view on the page. */
   get bounds(): Bounds {
     return this.current.bounds;
   }
 
-  /** Makes the view active that is at a point of the page. */
+  /** Activates the view at a point of the page. */
   activateAt(clientX: number, clientY: number): void {
     const { left, top } = this.canvas.getBoundingClientRect();
     const [x, y] = [clientX - left, clientY - top];
@@ -124,13 +124,13 @@ export class Panes {
     }
   }
 
-  /** Makes the next view active, or the one before. */
+  /** Activates the next or the previous view. */
   activateNext(by: 1 | -1): void {
     const { panes } = this;
     this.active = panes[(panes.indexOf(this.current) + by + panes.length) % panes.length];
   }
 
-  /** Tells the size of the whole picture (CSS pixels). */
+  /** Sets the size of the whole viewport (CSS pixels). */
   resize(width: number, height: number): void {
     this.width = width;
     this.height = height;
@@ -140,7 +140,7 @@ export class Panes {
     }
   }
 
-  /** Moves the views on. @returns whether a picture changes */
+  /** Advances the cameras. @returns whether a view changed */
   update(deltaSeconds: number): boolean {
     let changed = false;
     for (const pane of this.panes) {
@@ -149,7 +149,7 @@ export class Panes {
     return changed;
   }
 
-  /** From now on the cameras hear of the pointer after all that listens to the canvas now. */
+  /** Registers the cameras' pointer listeners again, after those that the canvas has now. */
   listenLast(): void {
     for (const { editorCamera } of this.panes) editorCamera.listenLast();
   }
@@ -166,7 +166,7 @@ export class Panes {
     return new ViewPane(name, shading, this.canvas, this.hasKeys);
   }
 
-  /** Top at the left above, the main view beside it, the front below, and the right beside that. */
+  /** Rectangle of a view: top view upper left, main view upper right, front view lower left, right view lower right. */
   private place({ name }: ViewPane): PaneRectangle {
     const { width, height } = this;
     if (!this.isQuad) return { x: 0, y: 0, width, height };
@@ -182,7 +182,7 @@ export class Panes {
 
   private readonly pointerMoved = (event: PointerEvent | WheelEvent): void => {
     if (this.panes.length === 1 || (event.type === 'pointermove' && event.buttons !== 0)) return;
-    // a second finger belongs to where the first one is
+    // a second finger goes to the view of the first one
     if (event.type === 'pointerdown' && !(event as PointerEvent).isPrimary) return;
     this.activateAt(event.clientX, event.clientY);
   };

@@ -3,13 +3,13 @@ import type { Viewport } from '../Viewport';
 import { halfShare, type PaneShare } from './PaneShare';
 import type { ViewPane } from './ViewPane';
 
-/** What the user has chosen of the views; kept in the browser. */
+/** The user's settings for the views, stored in the browser. */
 export interface ViewChoice {
-  /** Whether there are four. */
+  /** Whether there are four views. */
   readonly quad: boolean;
-  /** How each shows the scene. */
+  /** Shading of each view. */
   readonly shadings: Readonly<Record<ViewPane['name'], Shading>>;
-  /** How four share the picture; halves when absent, as of older versions. */
+  /** How four views share the viewport; halves when absent, as stored by older versions. */
   readonly share?: PaneShare;
 }
 
@@ -18,7 +18,7 @@ export const defaultViews: ViewChoice = {
   shadings: { main: 'scene', top: 'clay', front: 'clay', right: 'clay' },
 };
 
-/** Brings the views to what is chosen. What is no shading is as at first. */
+/** Applies stored settings to the views. Unknown shadings are replaced by the defaults. */
 export function applyViews(viewport: Viewport, { quad, shadings, share = halfShare }: ViewChoice): void {
   viewport.isQuad = quad;
   viewport.shareViews(share);

@@ -2,7 +2,7 @@ import { EditorCamera } from '../EditorCamera';
 import type { Shading } from '../shading/Shading';
 import { type Bounds, paneSurface } from './paneSurface';
 
-/** Part of the picture: CSS pixels, from its left upper corner. */
+/** Rectangle in the viewport (CSS pixels from the upper left corner). */
 export interface PaneRectangle {
   readonly x: number;
   readonly y: number;
@@ -10,15 +10,15 @@ export interface PaneRectangle {
   readonly height: number;
 }
 
-/** A part of the picture with a view of its own. */
+/** A part of the viewport with a camera and a shading of its own. */
 export class ViewPane {
   rectangle: PaneRectangle = { x: 0, y: 0, width: 1, height: 1 };
   readonly editorCamera: EditorCamera;
 
   /**
-   * @param name - 'main' is the one that there always is, in which a camera of the scene can be looked through
+   * @param name - 'main' always exists, and can look through a camera of the scene
    * @param shading - how it shows the scene
-   * @param hasKeys - whether keys are the controls', asked at each
+   * @param hasKeys - asked at each key press whether the camera controls may use it
    */
   constructor(
     readonly name: 'main' | 'top' | 'front' | 'right',
@@ -32,7 +32,7 @@ export class ViewPane {
     );
   }
 
-  /** Its part of the page. */
+  /** Rectangle on the page. */
   get bounds(): Bounds {
     const { x, y, width, height } = this.rectangle;
     const { left, top } = this.canvas.getBoundingClientRect();

@@ -1,4 +1,4 @@
-/** Part of the page (CSS pixels). */
+/** Rectangle on the page (CSS pixels). */
 export interface Bounds {
   readonly left: number;
   readonly top: number;
@@ -6,7 +6,9 @@ export interface Bounds {
   readonly height: number;
 }
 
-/** A canvas that says it is where a part of its picture is: for controls that find places in the picture by that. */
+/**
+ * A proxy of a canvas that reports the rectangle of one view as its own, for controls that compute positions from it.
+ */
 export function paneSurface(canvas: HTMLCanvasElement, bounds: () => Bounds): HTMLCanvasElement {
   const rectangle = (): DOMRect => {
     const { left, top, width, height } = bounds();

@@ -2,29 +2,29 @@ import type { Scene } from 'three';
 import type { EditorDocument } from '../../model/EditorDocument';
 import type { ParticlePreview } from './ParticlePreview';
 
-/** What the preview needs of the viewport. */
+/** The part of the viewport that the preview uses. */
 export interface PreviewHost {
   readonly document: EditorDocument;
-  /** Tells those who show what the viewport does. */
+  /** Called when the viewport's state changes, to update panels. */
   viewChanged(): void;
 }
 
-/** The preview of selected emitters, fetched once a scene has any. */
+/** Preview of selected emitters; the code is fetched once a scene has any. */
 export class LateParticlePreview {
-  /** Null until it was fetched. */
+  /** Null until fetched. */
   preview: ParticlePreview | null = null;
 
   private isAsked = false;
   private isDisposed = false;
 
-  /** @param helpers - what is drawn over the picture */
+  /** @param helpers - the overlay scene */
   constructor(
     private readonly host: PreviewHost,
     private readonly helpers: Scene,
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  /** Lets time pass. @returns whether a frame is to be drawn */
+  /** Advances time. @returns whether a frame must be drawn */
   advance(seconds: number): boolean {
     if (this.preview) return this.preview.advance(seconds);
     if (this.isAsked || this.host.document.scene.componentsOf('ParticleEmitter').length === 0) return false;
@@ -37,7 +37,7 @@ export class LateParticlePreview {
     return false;
   }
 
-  /** Called before each picture. */
+  /** Called before each frame. */
   update(): void {
     this.preview?.update();
   }

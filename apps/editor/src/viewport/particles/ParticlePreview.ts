@@ -4,17 +4,17 @@ import { LineSet } from '../LineSet';
 import { drawEmitter } from './drawEmitter';
 import type { PreviewHost } from './LateParticlePreview';
 
-/** Of the shapes of selected emitters. */
+/** Colour of the shapes of selected emitters. */
 const COLOUR = '#ffb454';
-/** Longest time that one frame may advance (s). */
+/** Longest time step of a frame (s). */
 const LONGEST_STEP = 0.1;
 
 /**
- * Plays the emitters that are selected, or below what is, while the scene is stopped. It edits nothing: what it played begins
- * anew once it is no longer selected.
+ * Plays emitters that are selected, or below selected objects, while the scene is stopped. Edits nothing; an emitter
+ * restarts when it is deselected.
  */
 export class ParticlePreview {
-  /** Emits when other emitters play, or they play otherwise. */
+  /** Emits when the set of emitters, or playback, changes. */
   readonly changed = new Signal();
   readonly lines = new LineSet(COLOUR);
   private isRunning = !matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -24,12 +24,12 @@ export class ParticlePreview {
 
   constructor(private readonly host: PreviewHost) {}
 
-  /** The emitters that it plays, without those that have left the scene since the last frame. */
+  /** The emitters that play, without those removed from the scene since the last frame. */
   get emitters(): readonly ParticleEmitter[] {
     return this.shown.filter(({ scene }) => scene !== null);
   }
 
-  /** Whether time passes. */
+  /** Whether time advances. */
   get isPlaying(): boolean {
     return this.isRunning;
   }
@@ -39,7 +39,7 @@ export class ParticlePreview {
     this.changed.emit();
   }
 
-  /** Factor of the time; 1 as it will play. */
+  /** Time factor; 1 for normal speed. */
   get speed(): number {
     return this.factor;
   }
@@ -49,12 +49,12 @@ export class ParticlePreview {
     this.changed.emit();
   }
 
-  /** Time since they began (s). */
+  /** Time since the emitters started (s). */
   get time(): number {
     return Math.max(0, ...this.shown.map(({ three }) => three?.time ?? 0));
   }
 
-  /** Particles that live, at most: all are counted for the longest life. */
+  /** Upper bound of the number of live particles, as if all had the longest life. */
   get count(): number {
     return this.shown.reduce((sum, { three }) => {
       const schedule = three?.pending.schedule;
@@ -62,13 +62,13 @@ export class ParticlePreview {
     }, 0);
   }
 
-  /** Has all begin anew. */
+  /** Restarts all emitters. */
   restart(): void {
     for (const emitter of this.shown) emitter.restart();
     this.host.viewChanged();
   }
 
-  /** Lets time pass. @returns whether a frame is to be drawn */
+  /** Advances time. @returns whether a frame must be drawn */
   advance(seconds: number): boolean {
     this.follow();
     if (this.shown.length === 0 || !this.isRunning) return false;
@@ -77,7 +77,7 @@ export class ParticlePreview {
     return true;
   }
 
-  /** Draws the shapes of selected emitters anew; called before each picture. */
+  /** Rebuilds the shapes of selected emitters; called before each frame. */
   update(): void {
     this.lines.begin();
     for (const object of this.host.document.selectedObjects) {
@@ -92,7 +92,7 @@ export class ParticlePreview {
     this.lines.dispose();
   }
 
-  /** Finds the emitters to play, when others may be. */
+  /** Looks up the emitters to play, when selection or scene changed. */
   private follow(): void {
     const { selection, structure, simulation, opened } = this.host.document;
     const key = `${selection.changed.revision} ${structure.revision} ${simulation.changed.revision} ${opened.revision}`;
@@ -101,7 +101,7 @@ export class ParticlePreview {
     const isStopped = simulation.state === 'stopped';
     const found = isStopped ? emittersBelow(this.host.document.selectedObjects) : [];
     if (found.length === this.shown.length && found.every((emitter, i) => emitter === this.shown[i])) return;
-    // what plays with the scene begins with it by itself
+    // not when the scene plays: it restarts its emitters itself
     if (isStopped) for (const emitter of this.shown) if (!found.includes(emitter) && emitter.scene) emitter.restart();
     this.shown = found;
     this.changed.emit();
@@ -109,7 +109,7 @@ export class ParticlePreview {
   }
 }
 
-/** The emitters of objects and of all below them. */
+/** The emitters of objects and of everything below them. */
 function emittersBelow(objects: readonly GameObject[]): ParticleEmitter[] {
   const found = new Set<ParticleEmitter>();
   for (const object of objects) {

@@ -2,9 +2,9 @@ import type { ParticleEmitter } from '@farol/engine';
 import { Box3, Matrix4, Vector3 } from 'three';
 import type { LineSet } from '../LineSet';
 
-/** Height at which the second circle of a cone is drawn (m). */
+/** Height of the upper circle of a cone (m). */
 const CONE_HEIGHT = 1;
-/** Half of the side of the square that stands for the plane that particles bounce off (m). */
+/** Half of the side of the square drawn for a collision plane (m). */
 const PLANE_REACH = 2;
 /** Half of the length of the lines of a point (m). */
 const POINT = 0.15;
@@ -21,7 +21,7 @@ const box = new Box3();
 
 type Triple = readonly [number, number, number];
 
-/** A circle across the emitter's y axis. */
+/** A circle round the emitter's y axis. */
 function ring(lines: LineSet, matrix: Matrix4, radius: number, height: number): void {
   centre.set(0, height, 0).applyMatrix4(matrix);
   x.setFromMatrixColumn(matrix, 0).multiplyScalar(radius);
@@ -40,7 +40,7 @@ function sphere(lines: LineSet, matrix: Matrix4, radius: number): void {
 }
 
 function cone(lines: LineSet, matrix: Matrix4, radius: number, angle: number): void {
-  // one that is almost flat is drawn as wide as it is high
+  // an almost flat cone is drawn as wide as it is high
   const height = CONE_HEIGHT * Math.min(1, Math.max(Math.cos(angle) * 2, 0.02));
   const top = radius + height * Math.tan(Math.min(angle, 1.5));
   ring(lines, matrix, radius, 0);
@@ -53,7 +53,7 @@ function cone(lines: LineSet, matrix: Matrix4, radius: number, angle: number): v
   }
 }
 
-/** A plane that particles bounce off, about the point of it that is nearest to a place, and the way it faces. */
+/** Collision plane of particles, around its point closest to a place, with its normal. */
 function plane(lines: LineSet, normal: Triple, height: number, place: Vector3): void {
   y.fromArray(normal).normalize();
   x.set(1, 0, 0).cross(y);
@@ -72,7 +72,7 @@ function plane(lines: LineSet, normal: Triple, height: number, place: Vector3): 
   lines.line(centre, to.copy(centre).addScaledVector(y, 0.4));
 }
 
-/** Adds the shape in which an emitter's particles begin, and what they bounce off. */
+/** Adds the emission shape of an emitter and its collision plane. */
 export function drawEmitter(lines: LineSet, emitter: ParticleEmitter): void {
   const { shape, radius, angle, boxSize, gameObject } = emitter;
   const { matrixWorld } = gameObject.object3D;

@@ -3,22 +3,22 @@ import type { OverlayHost, PhysicsOverlay } from './PhysicsOverlay';
 
 const types = ['Collider', 'Joint', 'CharacterController'];
 
-/** The lines and handles of the physics, fetched once a scene has any. */
+/** Lines and handles for physics; the code is fetched once a scene has any. */
 export class LatePhysicsOverlay {
-  /** Null until it was fetched. */
+  /** Null until fetched. */
   overlay: PhysicsOverlay | null = null;
 
   private isAsked = false;
   private isDisposed = false;
 
-  /** @param helpers - what is drawn over the picture */
+  /** @param helpers - the overlay scene */
   constructor(
     private readonly host: OverlayHost,
     private readonly helpers: Scene,
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  /** Called before each picture. */
+  /** Called before each frame. */
   update(pixelRatio: number): void {
     this.overlay?.update(pixelRatio);
     if (this.isAsked || !types.some((type) => this.host.document.scene.componentsOf(type).length > 0)) return;

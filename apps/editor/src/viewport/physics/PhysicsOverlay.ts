@@ -6,18 +6,18 @@ import { drawCollider } from './colliderLines';
 import { drawCharacter, drawJoint } from './jointLines';
 import { colliderHandles, jointHandles } from './shapeHandles';
 
-/** Of what is selected. */
+/** Colour of lines for selected objects. */
 const COLOUR = '#63e28a';
-/** Of what is not. */
+/** Colour of lines for other objects. */
 const QUIET = '#3f8f5a';
 
-/** What the overlay needs of the viewport. */
+/** The part of the viewport that the overlay uses. */
 export interface OverlayHost extends HandleHost {
-  /** Whether the colliders of all objects are drawn, not of selected ones alone. */
+  /** Whether colliders of all objects are drawn, or only of selected ones. */
   readonly showColliders: boolean;
 }
 
-/** Colliders, joints and characters as lines over the picture, and handles that size and move those of the selected object. */
+/** Colliders, joints and characters as lines, and handles that size and move those of the selected object. */
 export class PhysicsOverlay {
   readonly three = new Object3D();
 
@@ -31,17 +31,17 @@ export class PhysicsOverlay {
     this.three.add(this.others.three, this.selected.three, this.handles.three);
   }
 
-  /** Where the handles are in the world: for tests. */
+  /** World positions of the handles, for tests. */
   get places(): readonly Vector3[] {
     return this.handles.places;
   }
 
-  /** How many lines are drawn of what is selected, and of the rest: for tests. */
+  /** Number of lines for selected objects and for others, for tests. */
   get lineCounts(): { readonly selected: number; readonly others: number } {
     return { selected: this.selected.count, others: this.others.count };
   }
 
-  /** Called before each picture. @param pixelRatio - of the canvas */
+  /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     const { document, showColliders } = this.host;
     const { scene, selectedObjects } = document;

@@ -4,17 +4,17 @@ import { Box3, type BufferGeometry, EdgesGeometry, Float32BufferAttribute, Matri
 import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 import type { LineSet } from '../LineSet';
 
-/** Where a simple shape is in the world, and how large: as the physics have it. */
+/** World pose and extents of a simple collider, as in the physics simulation. */
 export interface ShapeFrame {
   readonly centre: Vector3;
   readonly rotation: Quaternion;
-  /** Half of the sides along the axes of `rotation` (m). */
+  /** Half extents along the axes of `rotation` (m). */
   readonly half: Vector3;
-  /** Size in the world of a unit along each axis of the object. */
+  /** World length of a unit along each axis of the object. */
   readonly scale: Vector3;
 }
 
-/** Hulls and meshes with more points are drawn as their boxes. */
+/** Number of points up to which hulls and meshes are drawn; larger ones are drawn as boxes. */
 const MOST_POINTS = 20_000;
 
 const edges = new WeakMap<BufferGeometry, { hull?: Float32Array; mesh?: Float32Array }>();
@@ -24,7 +24,7 @@ const a = new Vector3();
 const b = new Vector3();
 const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
 
-/** Of a box, sphere, capsule or cylinder, with the extents that it really has. */
+/** Pose of a box, sphere, capsule or cylinder, with the extents that the simulation uses. */
 export function frameOf(shape: ColliderShape, matrixWorld: Matrix4): ShapeFrame {
   const [centre, rotation, scale] = [new Vector3(), new Quaternion(), new Vector3()];
   matrixWorld.decompose(centre, rotation, scale);
@@ -41,7 +41,7 @@ export function frameOf(shape: ColliderShape, matrixWorld: Matrix4): ShapeFrame 
   return { centre, rotation, half, scale };
 }
 
-/** Draws the shape of a collider; nothing while it has none. */
+/** Draws the shape of a collider; nothing while its mesh is not loaded. */
 export function drawCollider(lines: LineSet, collider: Collider): void {
   const shape = colliderShape(collider);
   if (!shape) return;
@@ -51,7 +51,7 @@ export function drawCollider(lines: LineSet, collider: Collider): void {
   else drawShape(lines, shape.kind, shape.axis, frameOf(shape, object3D.matrixWorld));
 }
 
-/** Draws a simple shape. @param axis - that a capsule or cylinder stands along */
+/** Draws a simple shape. @param axis - long axis of a capsule or cylinder */
 export function drawShape(
   lines: LineSet,
   kind: 'box' | 'sphere' | 'capsule' | 'cylinder',
@@ -111,7 +111,7 @@ function drawParts(lines: LineSet, { kind, parts, centre, half }: ColliderShape,
   }
 }
 
-/** Edges of a geometry, or of the hull round it; null for one that has too many. */
+/** Edges of a geometry, or of its convex hull; null when it has too many points. */
 function segmentsOf(geometry: BufferGeometry, kind: 'hull' | 'mesh'): Float32Array | null {
   const positions = geometry.getAttribute('position');
   if (positions.count > MOST_POINTS) return null;
@@ -126,7 +126,7 @@ function makeSegments(geometry: BufferGeometry, kind: 'hull' | 'mesh'): Float32A
   let shown = geometry;
   if (kind === 'hull') {
     const points = Array.from({ length: positions.count }, (_, i) => new Vector3().fromBufferAttribute(positions, i));
-    // fewer than four points span no hull
+    // a hull needs at least four points
     shown = points.length < 4 ? geometry : new ConvexGeometry(points);
   }
   const made = new EdgesGeometry(shown, 1);

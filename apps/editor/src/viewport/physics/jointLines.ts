@@ -12,14 +12,14 @@ const axis = new Vector3();
 /** Size of a joint's lines (m). */
 const SIZE = 0.25;
 
-/** Where a joint is in the world. */
+/** World position of a joint's anchor. */
 export function anchorOf(joint: Joint, target: Vector3): Vector3 {
   const { object3D } = joint.gameObject;
   object3D.updateWorldMatrix(true, false);
   return target.fromArray(joint.anchor).applyMatrix4(object3D.matrixWorld);
 }
 
-/** Where it is at the partner; null where that is given by where it is. */
+/** World position of a joint's anchor on its partner; null when it is not set and follows from the joint's own. */
 export function partnerAnchorOf(joint: Joint, target: Vector3): Vector3 | null {
   if (!joint.ownPartnerAnchor) return null;
   target.fromArray(joint.partnerAnchor);
@@ -29,7 +29,7 @@ export function partnerAnchorOf(joint: Joint, target: Vector3): Vector3 | null {
   return target.applyMatrix4(partner.object3D.matrixWorld);
 }
 
-/** A cross where the joint is, a line to its partner, its axis and what it turns in. */
+/** A cross at the joint, a line to its partner, the axis of hinges and sliders, and a circle round a hinge. */
 export function drawJoint(lines: LineSet, joint: Joint): void {
   const place = anchorOf(joint, new Vector3());
   for (let i = 0; i < 3; i++) {
@@ -54,7 +54,7 @@ export function drawJoint(lines: LineSet, joint: Joint): void {
   lines.circle(place, u, v, 32);
 }
 
-/** The capsule of a character. */
+/** Capsule of a character. */
 export function drawCharacter(lines: LineSet, { gameObject, height, radius, centre }: CharacterController): void {
   const { object3D } = gameObject;
   object3D.updateWorldMatrix(true, false);

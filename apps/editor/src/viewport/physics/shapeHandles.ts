@@ -7,13 +7,16 @@ import { alongLine, type Handle, roundTo } from '../handles/HandlePoints';
 import { frameOf } from './colliderLines';
 import { anchorOf, partnerAnchorOf } from './jointLines';
 
-/** Least size that a shape is dragged to (m). */
+/** Smallest size of a shape (m). */
 const SMALLEST = 0.01;
 
 const tupleOf = (vector: Vector3, step = 0.0001): Vector3Tuple =>
   [vector.x, vector.y, vector.z].map((value) => roundTo(value, step)) as unknown as Vector3Tuple;
 
-/** Handles on the sides of a collider's box, sphere, capsule or cylinder: what is fitted to the mesh no longer is once one is dragged. */
+/**
+ * Handles on the sides of a collider's box, sphere, capsule or cylinder. Dragging one ends the automatic fit to the
+ * mesh.
+ */
 export function colliderHandles(collider: Collider): Handle[] {
   const shape = colliderShape(collider);
   if (!shape || shape.kind === 'hull' || shape.kind === 'mesh') return [];
@@ -40,7 +43,7 @@ export function colliderHandles(collider: Collider): Handle[] {
             const radius = Math.max(roundTo(reach, step), SMALLEST);
             for (let i = 0; i < 3; i++) if (isRound(i)) size.setComponent(i, (2 * radius) / sizes[i]);
           } else {
-            // the other side stays where it is
+            // the opposite side stays in place
             const whole = Math.max(roundTo(reach + extent, step), SMALLEST);
             size.setComponent(k, whole / sizes[k]);
             offset.setComponent(k, offset.getComponent(k) + (sense * (whole - 2 * extent)) / 2 / scale.getComponent(k));
@@ -55,9 +58,9 @@ export function colliderHandles(collider: Collider): Handle[] {
   return handles;
 }
 
-/** Handles that move the anchors of a joint, in the plane of the picture. */
+/** Handles that move the anchors of a joint, parallel to the view plane. */
 export function jointHandles(joint: Joint): Handle[] {
-  const own = anchorOf(joint, new Vector3());
+  const anchor = anchorOf(joint, new Vector3());
   const far = partnerAnchorOf(joint, new Vector3());
   const partner = joint.partner === null ? null : (joint.scene?.findById(joint.partner) ?? null);
   const handle = (place: Vector3, name: 'anchor' | 'partnerAnchor', toLocal: Matrix4): Handle => ({
@@ -73,7 +76,7 @@ export function jointHandles(joint: Joint): Handle[] {
   });
   const inverse = (matrixWorld: Matrix4): Matrix4 => matrixWorld.clone().invert();
   return [
-    handle(own, 'anchor', inverse(joint.gameObject.object3D.matrixWorld)),
+    handle(anchor, 'anchor', inverse(joint.gameObject.object3D.matrixWorld)),
     ...(far ? [handle(far, 'partnerAnchor', partner ? inverse(partner.object3D.matrixWorld) : new Matrix4())] : []),
   ];
 }

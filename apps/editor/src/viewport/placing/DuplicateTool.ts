@@ -18,14 +18,14 @@ import type { Camera } from 'three';
 const draws = (object: GameObject): boolean =>
   (object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer)) !== null;
 
-/** Whether there is a light in an object or below it. */
+/** Whether an object, or anything below it, has a light. */
 function holdsLight(object: GameObject): boolean {
   let holds = false;
   object.traverse((each) => (holds ||= each.getComponent(Light) !== null));
   return holds;
 }
 
-/** To a size that reads well: 1, 2 or 5 times a power of ten, rounded up. */
+/** Rounds up to a length that reads well: 1, 2 or 5 times a power of ten. */
 function niceLength(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   const factor = [1, 1.5, 2, 3, 5].find((each) => each * power >= length * 0.999) ?? 10;
@@ -33,14 +33,14 @@ function niceLength(length: number): number {
 }
 
 /**
- * Copies what is selected along a line, on a ring, on a grid or over a surface, shown as it is changed, one step of
- * history in the end. Whatever else is done to the document meanwhile keeps what is shown.
+ * Copies the selection along a line, a ring, a grid or over a surface, with a preview while settings change, as one
+ * step of history. Any other edit meanwhile keeps the previewed copies.
  */
 export class DuplicateTool implements Tool {
   readonly id = 'duplicate';
-  /** Emits when the settings, the surface or what came of them changed. */
+  /** Emits when the settings, the surface or the copies change. */
   readonly changed = new Signal();
-  /** The originals. */
+  /** Objects to copy. */
   readonly sources: readonly GameObject[];
   readonly hasLights: boolean;
 
@@ -53,7 +53,7 @@ export class DuplicateTool implements Tool {
   private readonly endings: (() => void)[];
 
   /**
-   * @param camera - whose layers count where surfaces are looked for
+   * @param camera - only surfaces on its layers are found
    * @param onEnd - called when something else has ended the tool
    */
   constructor(
@@ -62,12 +62,12 @@ export class DuplicateTool implements Tool {
     onEnd: () => void,
   ) {
     const { commands, selection, scene } = document;
-    // an open gesture may put back what is read here
+    // first: an open gesture of another tool is then ended, and may restore values read below
     this.gesture = commands.begin();
     const selected = document.selectedObjects;
     const last = selected.at(-1)!;
     const others = selected.slice(0, -1);
-    // lights, and then what they shall be scattered over
+    // lights, then the surface to scatter them over, were selected
     const overLast = others.length > 0 && draws(last) && !others.some(draws);
     this.sources = topmost(overLast ? others : selected, scene);
     scene.three.updateMatrixWorld();
@@ -76,7 +76,7 @@ export class DuplicateTool implements Tool {
     this.current = this.firstArrangement();
     this.endings = [
       commands.changed.subscribe(() => !this.gesture.isOpen && onEnd()),
-      selection.changed.subscribe(() => this.takeTarget()),
+      selection.changed.subscribe(() => this.useSelectionAsTarget()),
     ];
     this.preview();
   }
@@ -85,23 +85,23 @@ export class DuplicateTool implements Tool {
     return this.current;
   }
 
-  /** Changes settings, and shows what comes of them. */
+  /** Changes settings, and updates the preview. */
   set(settings: Partial<Arrangement>): void {
     this.current = { ...this.current, ...settings };
     this.preview();
   }
 
-  /** What copies are scattered over; null for nothing yet. Another one is taken by selecting it. */
+  /** Surface that copies are scattered over, taken from the selection; null when there is none yet. */
   get target(): GameObject | null {
     return this.targetObject;
   }
 
-  /** How many there are now, the originals included. */
+  /** Number of objects, originals included. */
   get total(): number {
     return Math.max(this.sources.length, this.places.length);
   }
 
-  /** Keeps what is shown as one step of history. */
+  /** Keeps the previewed copies as one step of history. */
   apply(): void {
     this.gesture.commit();
   }
@@ -172,7 +172,7 @@ export class DuplicateTool implements Tool {
     };
   }
 
-  /** What draws something and is below the originals. */
+  /** An object with a mesh below the originals. */
   private surfaceBelow(): GameObject | null {
     const { document, camera, sources } = this;
     const from = boundsOf(sources).getCenter(new Vector3());
@@ -180,8 +180,8 @@ export class DuplicateTool implements Tool {
     return surfacesAlong(document.scene, ray, camera, new Set(sources))[0]?.object ?? null;
   }
 
-  /** Takes what the user selects while the tool is open for the surface. */
-  private takeTarget(): void {
+  /** Uses the object that the user selects while the tool is open as the surface. */
+  private useSelectionAsTarget(): void {
     const { document, sources, targetObject } = this;
     const object = document.selectedObjects.at(-1);
     if (this.current.kind !== 'scatter' || !object || object === targetObject) return;
@@ -193,7 +193,7 @@ export class DuplicateTool implements Tool {
   }
 }
 
-/** How far the origin of an object is above its lowest point (m); 0 where it draws nothing. */
+/** Height of an object's origin above its lowest point (m); 0 without a mesh. */
 function footOf(object: GameObject): number {
   let isDrawn = false;
   object.traverse((each) => (isDrawn ||= draws(each)));

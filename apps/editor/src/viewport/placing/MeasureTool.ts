@@ -7,18 +7,18 @@ import { LineSet } from '../LineSet';
 import type { Viewport } from '../Viewport';
 import { groundAlong, surfacesAlong } from './surfaces';
 
-/** A press that moves farther than this (CSS pixels) turns the picture, and sets no point. */
+/** Movement (CSS pixels) that makes a press a drag of the camera, not a click. */
 const CLICK_REACH = 4;
-/** A vertex so near to the pointer (CSS pixels) is taken in place of the point under it. */
+/** Distance (CSS pixels) within which a vertex is preferred to the point under the pointer. */
 const VERTEX_REACH = 12;
-/** How far ground is looked for (m). */
+/** Distance up to which the ground is hit (m). */
 const FARTHEST = 1000;
 
 const none: ReadonlySet<never> = new Set();
 const raycaster = new Raycaster();
 const projected = new Vector3();
 
-/** Length in millimetres, centimetres or metres, whichever reads best. @param length - m */
+/** Length in mm, cm or m, whichever reads best. @param length - m */
 export function lengthText(length: number): string {
   const size = Math.abs(length);
   if (size === 0 || size >= 1) return `${Number(length.toFixed(3)) + 0} m`;
@@ -26,8 +26,8 @@ export function lengthText(length: number): string {
 }
 
 /**
- * Measures from one point that is clicked to another one: on what is drawn, else on the ground at height 0. Vertices close
- * to the pointer are taken.
+ * Measures the distance between two clicked points on meshes, else on the ground at height 0. Snaps to vertices close
+ * to the pointer.
  */
 export class MeasureTool implements Tool {
   readonly id = 'measure';
@@ -55,7 +55,7 @@ export class MeasureTool implements Tool {
     canvas.classList.add('measuring');
   }
 
-  /** Both ends (m in the world): the second follows the pointer until it is clicked. Null until there are two. */
+  /** Both ends (m, world); the second follows the pointer until clicked. Null until there are two. */
   get ends(): readonly [Vector3, Vector3] | null {
     return this.first && this.second ? [this.first, this.second] : null;
   }
@@ -95,7 +95,7 @@ export class MeasureTool implements Tool {
     const { lines, first, second } = this;
     lines.begin();
     if (first && second) {
-      // the way along each axis, then the whole
+      // one line along each axis, then the direct one
       const corners = [
         first,
         new Vector3(second.x, first.y, first.z),
@@ -140,7 +140,7 @@ export class MeasureTool implements Tool {
   private readonly pointerUp = (event: PointerEvent): void => {
     if (event.pointerId !== this.pointer) return;
     this.pointer = null;
-    // a click here selects nothing
+    // clicks must not select
     this.viewport.picker.cancel();
     if (Math.hypot(event.clientX - this.from.x, event.clientY - this.from.y) > CLICK_REACH) return;
     const at = this.pointAt(event);

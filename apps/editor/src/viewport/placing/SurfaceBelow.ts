@@ -6,7 +6,7 @@ import { castMesh } from '../trees/castByTree';
 const matrix = new Matrix3();
 const normal = new Vector3();
 const DOWN = new Vector3(0, -1, 0);
-/** How far above a point it is looked for a surface where there is none below (m). */
+/** Height above a point from which a surface is searched when none is below (m). */
 const SKY = 10_000;
 
 interface Candidate {
@@ -14,14 +14,14 @@ interface Candidate {
   readonly mesh: Mesh;
 }
 
-/** Finds what is below points, for many points of one scene: as of the last drawn frame. */
+/** Finds the surface below points, for many points of one scene, as of the last drawn frame. */
 export class SurfaceBelow {
   private readonly candidates: Candidate[] = [];
   private readonly raycaster = new Raycaster();
   private readonly material = new MeshBasicMaterial({ side: 2 });
   private readonly hits: Intersection[] = [];
 
-  /** @param without - objects that do not count, with all below them */
+  /** @param without - objects to ignore, with everything below them */
   constructor(scene: Scene, without: ReadonlySet<GameObject>) {
     const visit = (object: GameObject): void => {
       if (without.has(object) || !object.active) return;
@@ -30,7 +30,7 @@ export class SurfaceBelow {
         const mesh = drawn ?? new Mesh(geometry, this.material);
         if (!drawn) mesh.matrixWorld.copy(matrixWorld);
         if (!geometry.boundingBox) geometry.computeBoundingBox();
-        // bones and morphs may reach beyond the geometry's box
+        // bones and morph targets may reach beyond the geometry's box
         const box = geometry.boundingBox!.clone().applyMatrix4(matrixWorld).expandByScalar(0.01);
         this.candidates.push({ box, mesh });
       });
@@ -39,10 +39,7 @@ export class SurfaceBelow {
     scene.roots.forEach(visit);
   }
 
-  /**
-   * The height (m) of the surface below a point, or above it where there is none below; the ground at 0 where there is
-   * neither.
-   */
+  /** Height (m) of the first surface below a point; else of the highest one above; else 0, the ground. */
   heightAt({ x, y, z }: { readonly x: number; readonly y: number; readonly z: number }): number {
     return this.firstBelow(x, y + 1e-3, z) ?? this.firstBelow(x, y + SKY, z) ?? 0;
   }
@@ -59,7 +56,7 @@ export class SurfaceBelow {
     }
     let highest: number | null = null;
     for (const { point, face, object } of hits) {
-      // from within something, its underside is no floor
+      // a back face, hit from inside, is not a floor
       if (face && normal.copy(face.normal).applyMatrix3(matrix.getNormalMatrix(object.matrixWorld)).y <= 0) continue;
       if (highest === null || point.y > highest) highest = point.y;
     }

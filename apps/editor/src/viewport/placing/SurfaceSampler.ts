@@ -2,13 +2,13 @@ import type { GameObject } from '@farol/engine';
 import { BufferAttribute, type Matrix4, type Mesh, Triangle, Vector3 } from 'three';
 import { readableMeshes } from '../drawnMeshes';
 
-/** A face counts as facing up when its normal has at least this height (of a unit vector). */
+/** Least y of the unit normal of a face that counts as facing up. */
 const UPWARDS = 0.2;
 
 const triangle = new Triangle();
 const normal = new Vector3();
 
-/** Where a vertex is, with bones and morphs where there are any. */
+/** Position of a vertex, with bones and morph targets applied. */
 function vertexAt(
   mesh: Mesh | null,
   positions: BufferAttribute,
@@ -21,16 +21,16 @@ function vertexAt(
   target.applyMatrix4(matrix);
 }
 
-/** Random points on what objects draw, all parts of the surface equally likely; as of the last drawn frame. */
+/** Random points distributed evenly over the surface of objects, as of the last drawn frame. */
 export class SurfaceSampler {
-  /** Corners of each triangle in the world (m): 9 numbers. */
+  /** World positions of each triangle's corners (m): 9 numbers. */
   private readonly corners: Float32Array;
-  /** Area (m²) of each triangle and all before it. */
+  /** Cumulative areas (m²): of each triangle and all before it. */
   private readonly areas: Float64Array;
 
   /**
-   * @param objects - with all below them
-   * @param upwards - whether only triangles that face up count, where there are any
+   * @param objects - sampled with everything below them
+   * @param upwards - whether only triangles that face up are used, if there are any
    */
   constructor(objects: readonly GameObject[], upwards: boolean) {
     const all: number[] = [];
@@ -65,23 +65,23 @@ export class SurfaceSampler {
     }
   }
 
-  /** Area of the whole surface (m²); 0 where there is none. */
+  /** Area of the whole surface (m²); 0 when there is none. */
   get area(): number {
     return this.areas.at(-1) ?? 0;
   }
 
   /**
-   * A point of the surface.
-   * @param random - gives numbers from 0 to below 1; three are taken
-   * @param point - gets the point (m), in the world
-   * @param normalWS - gets the unit normal there
+   * Samples a point.
+   * @param random - gives numbers in [0, 1); three are used
+   * @param point - receives the world position (m)
+   * @param normalWS - receives the unit normal
    */
   sample(random: () => number, point: Vector3, normalWS: Vector3): void {
-    const wanted = random() * this.area;
+    const targetArea = random() * this.area;
     let [first, last] = [0, this.areas.length - 1];
     while (first < last) {
       const middle = (first + last) >> 1;
-      if (this.areas[middle] > wanted) last = middle;
+      if (this.areas[middle] > targetArea) last = middle;
       else first = middle + 1;
     }
     this.read(first);

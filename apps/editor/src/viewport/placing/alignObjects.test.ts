@@ -17,7 +17,7 @@ function box(scene: Scene | GameObject, position: Triple, scale: Triple = [1, 1,
 const worldsOf = (objects: readonly GameObject[]): number[][] =>
   objects.map(({ transform }) => transform.worldPosition.toArray().map((each) => Number(each.toFixed(4)) + 0));
 
-/** Three boxes of different sizes; the last one is below a parent that is turned and half as large. */
+/** Three boxes of different sizes; the last one is below a rotated parent with half the scale. */
 function threeBoxes(): { scene: Scene; boxes: GameObject[] } {
   const scene = new Scene();
   const parent = new GameObject('Parent');

@@ -7,10 +7,10 @@ import { moveInWorld } from './moveInWorld';
 import { SurfaceBelow } from './SurfaceBelow';
 
 export type Axis = 'x' | 'y' | 'z';
-/** Which side of the boxes: the least, the middle, or the greatest coordinate. */
+/** Side of a box along an axis: least, middle or greatest coordinate. */
 export type AlignSide = 'min' | 'centre' | 'max';
 
-/** An object with the box of all that it draws; what draws nothing has its place for a box. */
+/** An object with the bounds of its meshes; its position when it has none. */
 interface Boxed {
   readonly object: GameObject;
   readonly box: Box3;
@@ -40,23 +40,23 @@ function moved(label: string, parts: readonly Boxed[], ways: readonly Vector3[])
 }
 
 /**
- * Moves objects along an axis of the world until their boxes have one side in common: that of the box round them all.
- * @param objects - at least one; none of them counts that is below another
+ * Moves objects along a world axis to align one side of their boxes with that of their common box.
+ * @param objects - at least one; those below another are ignored
  */
 export function alignObjects(scene: Scene, objects: readonly GameObject[], axis: Axis, side: AlignSide): Command {
   const parts = boxed(scene, objects);
   const all = parts.reduce((sum, { box }) => sum.union(box), new Box3());
-  const wanted = sideOf(all, axis, side);
+  const targetSide = sideOf(all, axis, side);
   const ways = parts.map(({ box }) =>
-    new Vector3().setComponent('xyz'.indexOf(axis), wanted - sideOf(box, axis, side)),
+    new Vector3().setComponent('xyz'.indexOf(axis), targetSide - sideOf(box, axis, side)),
   );
   return moved(countLabel(t('Aligned'), namesOf(parts)), parts, ways);
 }
 
 /**
- * Moves objects along an axis of the world, but the first and the last, until they are equally far apart.
- * @param by - 'gaps' from box to box, or 'centres' from middle to middle
- * @param objects - at least one; none of them counts that is below another
+ * Moves objects along a world axis, except the first and the last, to make distances equal.
+ * @param by - 'gaps' between boxes, or 'centres' between their centres
+ * @param objects - at least one; those below another are ignored
  */
 export function distributeObjects(
   scene: Scene,
@@ -89,13 +89,13 @@ export function distributeObjects(
   );
 }
 
-/** How far inside a box's foot it is looked for what is below it. */
+/** Share of a box's footprint within which surfaces below are searched. */
 const INSIDE = 0.9;
 
 /**
- * Moves objects down until they stand on what is drawn below them, or up where they are under it; else onto the ground at
- * height 0. They do not stand on each other.
- * @param objects - at least one; none of them counts that is below another
+ * Moves objects onto the surface below them, or above when they are under it; else onto the ground at height 0. They do
+ * not stand on each other.
+ * @param objects - at least one; those below another are ignored
  */
 export function dropToGround(scene: Scene, objects: readonly GameObject[]): Command {
   const parts = boxed(scene, objects);

@@ -3,7 +3,7 @@ import { Box3, type BufferGeometry } from 'three';
 
 const part = new Box3();
 
-/** The box round what a component draws, in the space of its object; empty while its asset is not loaded. */
+/** Local bounds of an object's own meshes; empty until their assets are loaded. */
 function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
   part.makeEmpty();
   const renderer = object.getComponent(ObjectRenderer);
@@ -22,11 +22,11 @@ function drawnBoxOf(assets: AssetLibrary, object: GameObject): Box3 {
   scene.updateMatrixWorld();
   const box = new Box3();
   for (const node of subtree.nodes) box.expandByObject(node);
-  // the object is where the root of its parts was
+  // the object takes the place of the root of its parts
   return part.union(box.applyMatrix4(subtree.root.matrixWorld.clone().invert()));
 }
 
-/** The box in the world round what objects will draw that are in no scene yet; empty when they draw nothing. */
+/** World bounds of objects that are not in a scene yet; empty when they draw nothing. */
 export function boundsOfNew(objects: readonly GameObject[], assets: AssetLibrary, target = new Box3()): Box3 {
   target.makeEmpty();
   for (const root of objects) {
@@ -39,7 +39,7 @@ export function boundsOfNew(objects: readonly GameObject[], assets: AssetLibrary
   return target;
 }
 
-/** The assets that objects draw and that must be loaded before their size is known. */
+/** Names of assets that must be loaded before the size of objects is known. */
 export function shapesToLoad(objects: readonly GameObject[], assets: AssetLibrary): string[] {
   const names = new Set<string>();
   for (const root of objects) {

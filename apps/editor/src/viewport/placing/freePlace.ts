@@ -1,16 +1,16 @@
 import { Box3, Vector3 } from 'three';
 
-/** Boxes that reach into each other by less than this (m) touch. */
+/** Boxes that overlap by less than this (m) only touch. */
 const TOUCH = 0.005;
 
-/** How often something is moved on, at most. */
+/** Most moves along one axis. */
 const STEPS = 200;
 
 const size = new Vector3();
 const other = new Vector3();
 const moved = new Box3();
 
-/** Whether a box has room for another one several times over, as a room has: it is no obstacle. */
+/** Whether an obstacle, such as a room, is so much larger than a box that it is not in the way. */
 function isRoomFor(obstacle: Box3, box: Box3): boolean {
   obstacle.getSize(other);
   box.getSize(size);
@@ -25,7 +25,7 @@ const overlaps = (a: Box3, b: Box3): boolean =>
   a.min.z < b.max.z - TOUCH &&
   a.max.z > b.min.z + TOUCH;
 
-/** How far (m) a box must go along an axis of the world to be free of all obstacles; null when that has no end. */
+/** Distance (m) along a world axis after which a box overlaps no obstacle; null when there is none. */
 function wayOut(box: Box3, obstacles: readonly Box3[], axis: 'x' | 'z', sign: 1 | -1, gap: number): number | null {
   const moved = box.clone();
   let way = 0;
@@ -40,20 +40,19 @@ function wayOut(box: Box3, obstacles: readonly Box3[], axis: 'x' | 'z', sign: 1 
   return null;
 }
 
-/** What costs more than any way (m): to be hidden altogether, and to be beside what carries it. */
+/** Costs (m) larger than any distance: of being fully hidden, and of leaving the support. */
 const [HIDDEN, FALLS] = [1e3, 1e6];
 
-/** A box of which so much (0 to 1) is hidden is found all the same. */
+/** Hidden share of a box (0 to 1) up to which it still counts as visible. */
 export const HIDDEN_ENOUGH = 0.3;
 
 /**
- * How a box is to be moved sideways so that it stands beside what is there already: the shortest way along an axis of the
- * world that does not end where much of it is hidden, to the right of the picture where two are about as short; not at all where
- * it is free or nothing helps.
- * @param obstacles - boxes of what is there; a room that it is in is none
- * @param right - to the right of the picture, in the world
- * @param support - what it stands on, which it shall stay on; null for the ground
- * @param hiddenShare - how much (0 to 1) of a box would not be seen, for obstacles before it or the picture's edge
+ * Shift that frees a box from obstacles: the shortest along a horizontal world axis, preferring visible places, then
+ * those to the right on screen. Zero when the box is free, or cannot be freed.
+ * @param obstacles - boxes of other objects; a room around the box is ignored
+ * @param right - direction to the right on screen (world)
+ * @param support - box that it stands on and should stay on; null for the ground
+ * @param hiddenShare - share (0 to 1) of a box outside the view or behind obstacles
  */
 export function freePlace(
   box: Box3,
@@ -75,7 +74,7 @@ export function freePlace(
       if (way === null) continue;
       const end = middle[axis] + sign * way;
       const falls = support !== null && (end < support.min[axis] || end > support.max[axis]);
-      // to the right first, then towards the eye or away, then to the left; off the edge last
+      // preference: right, then towards or away from the eye, then left; off the edge last
       let cost = way * (1.15 - 0.15 * sign * right[axis]) + (falls ? FALLS : 0);
       if (cost >= best) continue;
       moved.copy(box);

@@ -1,6 +1,6 @@
 import { Box3, type Camera, Ray, Vector3 } from 'three';
 
-/** On a grid of three by three by three. */
+/** Sample points of a box: a grid of 3 by 3 by 3. */
 const POINTS = 27;
 
 const inner = new Box3();
@@ -9,21 +9,21 @@ const projected = new Vector3();
 const met = new Vector3();
 const ray = new Ray();
 
-/** Aims the ray from the eye at a point. @returns how far away it is (m) */
+/** Aims the ray from the eye at a point. @returns its distance (m) */
 function aimAt(camera: Camera, at: Vector3): number {
   if (!('isOrthographicCamera' in camera)) {
     ray.origin.setFromMatrixPosition(camera.matrixWorld);
     ray.direction.copy(at).sub(ray.origin).normalize();
     return ray.origin.distanceTo(at);
   }
-  // parallel rays, from the near plane
+  // orthographic: parallel rays from the near plane
   projected.copy(at).project(camera);
   ray.origin.set(projected.x, projected.y, -1).unproject(camera);
   ray.direction.copy(at).sub(ray.origin).normalize();
   return ray.origin.distanceTo(at);
 }
 
-/** The share (0 to 1) of a box (in the world) that is outside of the picture or behind others. */
+/** Share (0 to 1) of a box (world) that is outside the view or behind other boxes. */
 export function hiddenShare(box: Box3, obstacles: readonly Box3[], camera: Camera): number {
   let seen = 0;
   for (let i = 0; i < POINTS; i++) {
@@ -37,7 +37,7 @@ export function hiddenShare(box: Box3, obstacles: readonly Box3[], camera: Camer
     if (Math.abs(x) > 1 || Math.abs(y) > 1 || z < -1 || z > 1) continue;
     const distance = aimAt(camera, point);
     const isBehind = obstacles.some((each) => {
-      // an eye within an obstacle looks out of it
+      // an obstacle that contains the eye hides nothing
       if (each.containsPoint(ray.origin)) return false;
       const hit = ray.intersectBox(inner.copy(each), met);
       return hit !== null && hit.distanceTo(ray.origin) < distance - 0.01;

@@ -18,7 +18,7 @@ function mesh(scene: Scene | null, position: Triple, scale: Triple = [1, 1, 1], 
   return object;
 }
 
-/** A picture of a scene from an eye that looks at a point. */
+/** View of a scene from an eye towards a target. */
 function viewOf(scene: Scene, eye: Triple, target: Triple): LandingView {
   const camera = new PerspectiveCamera(50, 1.5, 0.1, 1000);
   camera.position.fromArray(eye);
@@ -27,7 +27,7 @@ function viewOf(scene: Scene, eye: Triple, target: Triple): LandingView {
   return { scene, camera, target: new Vector3(...target), step: 0.001 };
 }
 
-/** Adds what has landed. */
+/** Places an object and adds it to the scene. */
 function place(view: LandingView, object: GameObject, point = CENTRE): Box3 {
   land(view, [object], point);
   view.scene.add(object);
@@ -41,7 +41,7 @@ const light = (type: string): GameObject => {
   return object;
 };
 
-/** A room or a wall, as they are added. */
+/** A new object with a room or a wall. */
 function building(type: ComponentClass, values = {}): GameObject {
   const object = new GameObject(type.typeName);
   object.addComponent(type, values);
@@ -49,7 +49,7 @@ function building(type: ComponentClass, values = {}): GameObject {
   return object;
 }
 
-/** The share of an object's surface points, on a grid over its box, that nothing else hides from the eye. */
+/** Share of surface points of an object, on a grid over its box, that are visible from the eye. */
 function shareSeen({ scene, camera }: LandingView, object: GameObject): number {
   const box = boundsOf([object]);
   const size = box.getSize(new Vector3());
@@ -67,7 +67,7 @@ function shareSeen({ scene, camera }: LandingView, object: GameObject): number {
   return seen / hits;
 }
 
-/** Whether boxes share more than their faces. */
+/** Whether boxes overlap by more than their faces. */
 const share = (a: Box3, b: Box3): boolean => a.clone().expandByScalar(-0.01).intersectsBox(b);
 
 describe('land', () => {
@@ -83,7 +83,7 @@ describe('land', () => {
     boxes.forEach((box, i) => {
       expect(box.min.y).toBeCloseTo(0, 4);
       expect(boxes.slice(0, i).some((other) => share(box, other))).toBe(false);
-      // none far from the first: a few boxes to either side
+      // all close to the first: a few boxes to either side
       expect(box.getCenter(new Vector3()).distanceTo(boxes[0].getCenter(new Vector3()))).toBeLessThan(6);
     });
     expect(boxes[1].min.x).toBeGreaterThan(boxes[0].max.x);
@@ -192,7 +192,7 @@ describe('land', () => {
     const up = viewOf(scene, [0, 2, 0], [0, 12, -10]);
     const box = place(up, mesh(null, [0, 0, 0])).getCenter(new Vector3());
     expect(box.distanceTo(new Vector3(0, 2, 0))).toBeCloseTo(Math.hypot(10, 10), 2);
-    // towards the horizon: on the ground, as far away as is comfortable
+    // towards the horizon: on the ground at a moderate distance
     const level = viewOf(scene, [20, 2, 0], [20, 2, -10]);
     const far = place(level, mesh(null, [0, 0, 0]));
     expect(far.min.y).toBeCloseTo(0, 4);
@@ -214,7 +214,7 @@ describe('land', () => {
     const next = place(view, mesh(null, [0, 0, 0], [10, 1, 10], 'plane'));
     for (const each of [floor, next]) expect(each.min.y).toBeCloseTo(0, 9);
     expect(next.min.x >= floor.max.x || next.max.z <= floor.min.z || next.min.z >= floor.max.z).toBe(true);
-    // small ones lie on it, high enough not to flicker
+    // small planes lie on it, just above to avoid z-fighting
     expect(place(view, mesh(null, [0, 0, 0], [2, 1, 2], 'plane')).min.y).toBeCloseTo(0.01, 4);
     scene.dispose();
   });

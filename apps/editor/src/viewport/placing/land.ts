@@ -15,27 +15,29 @@ import { freePlace, HIDDEN_ENOUGH } from './freePlace';
 import { hiddenShare } from './hiddenShare';
 import { groundAlong, rayThrough, type Surface, surfacesAlong } from './surfaces';
 
-/** What placing needs to know of the picture. */
+/** The view that objects are placed in. */
 export interface LandingView {
   readonly scene: Scene;
   readonly camera: Camera;
-  /** The point that the picture turns about, in the world (m). */
+  /** Orbit target (m, world). */
   readonly target: Vector3;
-  /** Places are rounded to this (m). */
+  /** Rounding of positions (m). */
   readonly step: number;
 }
 
-/** Farther ground (m) than this, or than twice the point that the picture turns about, is not looked at. */
+/** Ground farther away (m) than this, or than twice the distance to the orbit target, is ignored. */
 const FARTHEST_GROUND = 60;
-/** Where something goes when nothing is looked at: so far before the eye (m). */
+/** Range of distances from the eye for objects placed in empty space (m). */
 const [NEAREST, FARTHEST] = [2, 15];
-/** How high lights and cameras are above what they are placed over (m). */
+/** Height of lights and cameras above the surface they are placed over (m). */
 const heights: Readonly<Record<string, number>> = { point: 2.5, spot: 2.5, directional: 4, ambient: 3, hemisphere: 3 };
 const EYE_HEIGHT = 1.6;
-/** Side of what is taken for the size of something that draws nothing (m). */
+/** Assumed size of objects without a mesh (m). */
 const NOMINAL = 0.5;
 
-/** What is lower than this (m) is a floor; it lies so high above another floor as not to flicker with it. */
+/**
+ * Objects lower than this (m) count as floors, and are raised by half of it above another floor to avoid z-fighting.
+ */
 const FLAT = 0.02;
 
 const DOWN = new Vector3(0, -1, 0);
@@ -45,14 +47,14 @@ const middle = new Vector3();
 
 const isFloor = ({ normal }: Surface): boolean => normal.y > 0.6;
 
-/** How high an object without a shape is placed above a surface (m). */
+/** Height of an object without a mesh above the surface it is placed over (m). */
 function heightOf(object: GameObject): number {
   const light = object.getComponent(Light);
   if (light) return heights[light.type] ?? 0;
   return object.getComponent(CameraComponent) ? EYE_HEIGHT : 0;
 }
 
-/** The inside of a room, in the world; null for what is none. */
+/** Inner box of a room (world); null when the object is none. */
 function insideOf(object: GameObject): Box3 | null {
   const room = object.getComponent(Room);
   if (!room?.enabled) return null;
@@ -61,7 +63,7 @@ function insideOf(object: GameObject): Box3 | null {
   return box.applyMatrix4(object.object3D.matrixWorld);
 }
 
-/** The inside of the room whose floor was hit, if there is room for a box. */
+/** Inner box of the room whose floor was hit, when a box fits in. */
 function roomFor({ object, point }: Surface, box: Box3): Box3 | null {
   const inside = object && insideOf(object);
   if (!inside?.containsPoint(middle.copy(point).setY(point.y + 0.01))) return null;
@@ -70,7 +72,7 @@ function roomFor({ object, point }: Surface, box: Box3): Box3 | null {
   return size.x <= x && size.y <= y + 0.01 && size.z <= z ? inside : null;
 }
 
-/** Whether what was hit is large enough for something to stand on; what is not is an obstacle. */
+/** Whether a hit object is large enough to stand on; smaller ones are obstacles. */
 function canCarry(surface: Surface, box: Box3): boolean {
   const { object } = surface;
   if (!object || roomFor(surface, box)) return true;
@@ -79,7 +81,10 @@ function canCarry(surface: Surface, box: Box3): boolean {
   return below.x >= 1.5 * size.x && below.z >= 1.5 * size.z;
 }
 
-/** The floor below a point: a surface that can carry the box, else the ground at height 0; null when there is none. */
+/**
+ * The floor below a point: a surface that can carry the box, else the ground at height 0; null when the point is below
+ * both.
+ */
 function floorBelow(view: LandingView, from: Vector3, box: Box3): Surface | null {
   const ray = new Ray(from.clone(), DOWN);
   const floors = surfacesAlong(view.scene, ray, view.camera).filter((each) => isFloor(each) && canCarry(each, box));
@@ -109,7 +114,7 @@ function pointBefore(view: LandingView, point: Vector2): Vector3 {
   return ray.at(distance, new Vector3());
 }
 
-/** Whether what was hit is no wall but a thing of about the size of a box, which that box can stand beside. */
+/** Whether a hit object is similar in size to a box, which can be put beside it, rather than a wall. */
 function isThing({ object }: Surface, box: Box3): boolean {
   if (!object) return false;
   const there = boundsOf([object], new Box3(), false).getSize(new Vector3());
@@ -117,7 +122,7 @@ function isThing({ object }: Surface, box: Box3): boolean {
   return Math.max(there.x, there.z) < 3 * Math.max(size.x, size.z);
 }
 
-/** The floor that is seen behind a thing, close to it: what is placed there is moved beside the thing. */
+/** The floor visible behind a small object, close to it; a new object is then moved beside the small one. */
 function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
   const behind = surfaces.find((each) => !isThing(each, box));
   if (!behind || !isFloor(behind) || !canCarry(behind, box)) return null;
@@ -126,13 +131,13 @@ function floorBehind(surfaces: readonly Surface[], box: Box3): Surface | null {
   return behind.point.distanceTo(surfaces[0].point) < near ? behind : null;
 }
 
-/** A place to stand: at a point, on a surface; null for nothing. */
+/** A place for an object: a point on a surface; the surface is null in empty space. */
 interface Stand {
   readonly at: Vector3;
   readonly on: Surface | null;
 }
 
-/** Where something of a size can stand that is placed at a point of the picture: the best place first. */
+/** Possible places for a box at a point on screen, best first. */
 function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   const surfaces = surfacesThrough(view, point);
   if (surfaces.length === 0) {
@@ -143,11 +148,11 @@ function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   const [seen] = surfaces;
   if (isFloor(seen) && canCarry(seen, box)) return [{ at: seen.point, on: seen }];
   const behind = isThing(seen, box) ? floorBehind(surfaces, box) : null;
-  const before = standBefore(view, seen, box);
-  return behind ? [{ at: behind.point, on: behind }, before] : [before];
+  const inFront = standBefore(view, seen, box);
+  return behind ? [{ at: behind.point, on: behind }, inFront] : [inFront];
 }
 
-/** On the floor before a wall, or the side of something large. */
+/** On the floor in front of a wall, or of the side of something large. */
 function standBefore(view: LandingView, seen: Surface, box: Box3): Stand {
   box.getSize(size);
   const out = seen.normal.clone().setY(0);
@@ -162,8 +167,8 @@ function standBefore(view: LandingView, seen: Surface, box: Box3): Stand {
 }
 
 /**
- * The boxes of what is there already and in the way of a new box. What draws nothing counts as a small box round its place
- * for what draws nothing itself; a floor is in the way of floors alone.
+ * Boxes of objects in the way of a new box. Objects without a mesh count as small boxes, and only for new objects
+ * without one; floors are only in the way of floors.
  */
 function obstaclesFor(box: Box3, scene: Scene, without: GameObject | null, isShape: boolean): Box3[] {
   const boxes: Box3[] = [];
@@ -184,7 +189,7 @@ function obstaclesFor(box: Box3, scene: Scene, without: GameObject | null, isSha
 
 const isFlatBox = ({ min, max }: Box3): boolean => max.y - min.y < FLAT && max.x - min.x > 1 && max.z - min.z > 1;
 
-/** How much room there is above a point (m). */
+/** Free height above a point (m). */
 function clearanceAbove(view: LandingView, point: Vector3): number {
   const ray = new Ray(point.clone().addScaledVector(UP, 0.01), UP);
   return (surfacesAlong(view.scene, ray, view.camera)[0]?.distance ?? Infinity) + 0.01;
@@ -192,17 +197,20 @@ function clearanceAbove(view: LandingView, point: Vector3): number {
 
 const rounded = (value: number, step: number): number => Math.round(value / step) * step;
 
-/** Moves objects that are in no scene, as authored. */
+/** Moves objects that are not in a scene yet. */
 function moveBy(objects: readonly GameObject[], { x, y, z }: Vector3): void {
   for (const { transform } of objects) {
     const [px, py, pz] = transform.position;
-    // to the tenth of a millimetre: no digits that come of the arithmetic
+    // rounded to 0.1 mm, to drop rounding errors
     const tidy = (value: number): number => Number(value.toFixed(4)) + 0;
     transform.position = [tidy(px + x), tidy(py + y), tidy(pz + z)];
   }
 }
 
-/** The point of objects that is put where one looks: the origin of a single one, unless that is beside its shape. */
+/**
+ * The point of objects that is put at the pointer: the origin of a single one when it is inside its box, else the box's
+ * centre.
+ */
 function anchorOf(objects: readonly GameObject[], box: Box3): Vector3 {
   const anchor = box.getCenter(new Vector3());
   const [x, y, z] = objects[0].transform.position;
@@ -211,7 +219,7 @@ function anchorOf(objects: readonly GameObject[], box: Box3): Vector3 {
   return anchor;
 }
 
-/** Moves a box sideways into one that has room for it. @returns how far it was moved (m) */
+/** Moves a box sideways into a larger one. @returns the shift (m) */
 function keepWithin(box: Box3, room: Box3): Vector3 {
   const way = new Vector3();
   for (const axis of ['x', 'z'] as const) {
@@ -221,7 +229,7 @@ function keepWithin(box: Box3, room: Box3): Vector3 {
   return way;
 }
 
-/** Throws a decal onto a surface: its front (-Z) against the normal. */
+/** Projects a decal onto a surface: its front (-Z) against the normal. */
 function throwDecal(object: GameObject, { point, normal }: Surface): void {
   const up = Math.abs(normal.y) > 0.99 ? new Vector3(0, 0, -1) : UP;
   const turn = new Quaternion().setFromRotationMatrix(new Matrix4().lookAt(normal, new Vector3(), up));
@@ -230,7 +238,7 @@ function throwDecal(object: GameObject, { point, normal }: Surface): void {
   moveBy([object], point);
 }
 
-/** Turns what looks along its front (-Z) to look as the picture does, level. */
+/** Rotates objects whose front is -Z to face the way the camera does, horizontally. */
 function turnWithView(objects: readonly GameObject[], camera: Camera): void {
   const back = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2);
   const yaw = Number(Math.atan2(back.x, back.z).toFixed(4));
@@ -238,11 +246,10 @@ function turnWithView(objects: readonly GameObject[], camera: Camera): void {
 }
 
 /**
- * Places objects that are in no scene yet, to go to its top, where one looks through a point of the picture: standing on
- * what is drawn there, or before it where it is a wall; else on the ground at height 0; else at a comfortable distance
- * before the eye. They rest with their lowest point, and beside what is there already. Lights and cameras are at a useful
- * height above it; decals are thrown onto what is hit.
- * @param objects - at least one; they keep their places among each other
+ * Places objects that are not in a scene yet at a point on screen: on the surface there, in front of it when it is a
+ * wall, else on the ground at height 0, else at a moderate distance from the eye. They stand on their lowest point
+ * beside existing objects. Lights and cameras are put at a useful height; decals are projected onto the surface.
+ * @param objects - at least one; their relative positions stay
  * @param point - normalised device coordinates
  */
 export function land(view: LandingView, objects: readonly GameObject[], point: Vector2): void {
@@ -261,19 +268,19 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
   }
   if (!isShape && first.getComponent(CameraComponent)) turnWithView(objects, camera);
   let shift = new Vector3();
-  let least = Infinity;
+  let leastHidden = Infinity;
   for (const stand of standsAt(view, point, box)) {
     const landed = standOn(view, objects, box, isShape, stand);
-    const there = box.clone().translate(landed);
-    // behind what is looked at nobody would find it
-    const hidden = hiddenShare(there, obstaclesFor(there, scene, stand.on?.object ?? null, isShape), camera);
-    if (hidden < least) [shift, least] = [landed, hidden];
-    if (least <= HIDDEN_ENOUGH) break;
+    const movedBox = box.clone().translate(landed);
+    // a place hidden by other objects would be confusing
+    const hidden = hiddenShare(movedBox, obstaclesFor(movedBox, scene, stand.on?.object ?? null, isShape), camera);
+    if (hidden < leastHidden) [shift, leastHidden] = [landed, hidden];
+    if (leastHidden <= HIDDEN_ENOUGH) break;
   }
   moveBy(objects, shift);
 }
 
-/** How far (m) objects are to be moved to stand at a place, or as near to it as they are free. @param box - round them */
+/** Shift (m) that puts objects on a place, or as near to it as they are free. @param box - bounds of the objects */
 function standOn(
   view: LandingView,
   objects: readonly GameObject[],

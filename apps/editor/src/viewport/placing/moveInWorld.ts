@@ -5,7 +5,7 @@ import { Vector3 } from 'three';
 
 const place = new Vector3();
 
-/** Edits that move objects by so far in the world (m). @param objects - none below another one of them */
+/** Edits that move objects by world vectors (m). @param objects - none below another one of them */
 export function moveInWorld(objects: readonly GameObject[], ways: readonly Vector3[]): FieldEdit[] {
   return objects.flatMap(({ transform, object3D: { parent } }, i): FieldEdit[] => {
     if (ways[i].lengthSq() < 1e-14) return [];
@@ -16,7 +16,7 @@ export function moveInWorld(objects: readonly GameObject[], ways: readonly Vecto
       place.applyMatrix4(parent.matrixWorld).add(ways[i]);
       parent.worldToLocal(place);
     } else place.add(ways[i]);
-    // what does not move keeps its digits, what does gets those that one would type
+    // unchanged coordinates keep their digits, changed ones are rounded
     const value = place.toArray().map((each, axis) => {
       return Math.abs(each - before[axis]) < 1e-9 ? before[axis] : Number(each.toFixed(5)) + 0;
     });

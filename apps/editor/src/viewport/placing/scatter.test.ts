@@ -46,7 +46,7 @@ describe('scatteredPlaces', () => {
     const points = scattered(ground, { count: 4000, height: 0.5 });
     expect(points.length).toBe(4000);
     const below = points.filter(({ y }) => y < 3);
-    // three quarters of the area; 60 is more than twice the deviation of 4,000 draws
+    // three quarters of the area; 60 is more than twice the standard deviation of 4,000 samples
     expect(Math.abs(below.length - 3000)).toBeLessThan(60);
     for (const { x, y, z } of below) {
       expect(y).toBeCloseTo(1.5, 5);
@@ -86,7 +86,7 @@ describe('scatteredPlaces', () => {
     const settings = arrangement({ kind: 'scatter', count: 100, aligns: true, height: 0.25 });
     for (const { position, turn } of scatteredPlaces(settings, surface, [0.5])) {
       const place = new Vector3(...position);
-      // a ball of 48 by 24 faces is up to 1 % smaller than its radius of 1 m
+      // a sphere of 48 by 24 faces is up to 1 % smaller than its radius of 1 m
       expect(Math.abs(place.length() - 1.75)).toBeLessThan(0.02);
       const [x, y, z, w] = turn!;
       const up = new Vector3(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));

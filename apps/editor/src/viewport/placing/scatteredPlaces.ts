@@ -3,12 +3,12 @@ import { Quaternion, Vector3 } from 'three';
 import { type ArrangedPlace, type Arrangement, MOST_COPIES } from '../../model/arrange/Arrangement';
 import type { SurfaceSampler } from './SurfaceSampler';
 
-/** How often a free point is looked for before the surface counts as full. */
+/** Number of random points tried before the surface counts as full. */
 const TRIES = 60;
 
 const UP = new Vector3(0, 1, 0);
 
-/** Points, found by where they are: cells as wide as the least distance. */
+/** Points in a hash grid whose cells are as wide as the least distance. */
 class PointGrid {
   private readonly cells = new Map<string, Vector3[]>();
 
@@ -35,9 +35,9 @@ class PointGrid {
 }
 
 /**
- * Places scattered over a surface, the same ones for the same seed; a larger count goes on from a smaller one.
- * @param feet - how far the origin of each original is above its lowest point (m); as many as there are originals
- * @returns fewer than asked for where no more fit at the least distance; none where there is no surface
+ * Places scattered over a surface, determined by the seed; a larger count extends a smaller one.
+ * @param feet - for each original, height of its origin above its lowest point (m)
+ * @returns fewer than asked for when no more fit at the least distance; none when there is no surface
  */
 export function scatteredPlaces(
   arrangement: Arrangement,
@@ -56,7 +56,7 @@ export function scatteredPlaces(
   const total = Math.min(MOST_COPIES, Math.max(feet.length, Math.round(count)));
   for (let tries = 0; places.length < total && tries < TRIES; tries++) {
     surface.sample(random, point, normal);
-    // as many numbers for a point that is refused, so that those after it do not depend on the distance's digits
+    // rejected points use up random numbers too, so that later ones do not depend on rounding of the distance
     const [angle, size] = [random() * 2 * Math.PI, random()];
     if (!grid.add(point)) continue;
     tries = -1;

@@ -12,15 +12,15 @@ import {
 } from 'three';
 import { castByTree } from '../trees/castByTree';
 
-/** A place on what is drawn. */
+/** A point on a surface. */
 export interface Surface {
-  /** In the world (m). */
+  /** World position (m). */
   readonly point: Vector3;
-  /** Unit vector in the world, to the side that was looked from. */
+  /** Unit normal (world), on the side that was hit. */
   readonly normal: Vector3;
-  /** What it belongs to; null for the ground, which is at height 0. */
+  /** Object hit; null for the ground at height 0. */
   readonly object: GameObject | null;
-  /** From the eye (m). */
+  /** Distance from the eye (m). */
   readonly distance: number;
 }
 
@@ -29,7 +29,7 @@ const instance = new Matrix4();
 const normalMatrix = new Matrix3();
 const UP = new Vector3(0, 1, 0);
 
-/** Normal of the face that was hit (unit, in the world), towards where the ray came from. */
+/** Unit normal (world) of the hit face, towards the ray's origin. */
 export function normalOfHit({ face, object, instanceId }: Intersection, direction: Vector3): Vector3 {
   if (!face) return UP.clone();
   instance.copy(object.matrixWorld);
@@ -41,15 +41,15 @@ export function normalOfHit({ face, object, instanceId }: Intersection, directio
   return normal.dot(direction) > 0 ? normal.negate() : normal;
 }
 
-/** The ray through a point of the picture (normalised device coordinates). */
+/** Ray through a point on screen (normalised device coordinates). */
 export function rayThrough(camera: Camera, point: Vector2): Ray {
   raycaster.setFromCamera(point, camera);
   return raycaster.ray.clone();
 }
 
 /**
- * The surfaces along a ray, nearest first, as of the last drawn frame; the ground at height 0 is not among them.
- * @param without - objects that do not count, with all below them
+ * Surfaces along a ray, nearest first, as of the last drawn frame; without the ground at height 0.
+ * @param without - objects to ignore, with everything below them
  */
 export function surfacesAlong(
   scene: Scene,
@@ -66,7 +66,7 @@ export function surfacesAlong(
   return surfaces;
 }
 
-/** Where a ray meets the ground at height 0; null where it does not, or farther than `limit` (m). */
+/** Hit of a ray on the ground at height 0; null when there is none within `limit` (m). */
 export function groundAlong(ray: Ray, limit: number): Surface | null {
   const { origin, direction } = ray;
   if (Math.abs(direction.y) < 1e-9) return null;
@@ -77,7 +77,7 @@ export function groundAlong(ray: Ray, limit: number): Surface | null {
   return { point, normal, object: null, distance };
 }
 
-/** Whether an object is one of a set, or below one. */
+/** Whether an object is in a set, or below an object of it. */
 function isWithin(object: GameObject, set: ReadonlySet<GameObject>): boolean {
   for (let each: GameObject | null = object; each; each = each.parent) if (set.has(each)) return true;
   return false;

@@ -14,11 +14,12 @@ import { UnlitMaterial } from './UnlitMaterial';
 import fragmentShader from './clay.frag.glsl?raw';
 import vertexShader from './clay.vert.glsl?raw';
 
-/** What is behind the objects: of a theme of its own, so that dark scenes are seen too. */
+/** Background colour, independent of the scene's, so that dark scenes are visible. */
 const BACKGROUND = new Color(0x2a2d33);
 
 /**
- * Draws a scene without its lights, shadows and effects, by three's own renderer: what it costs does not go with the lights.
+ * Renders a scene without its lights, shadows and effects, with three's renderer; the cost is independent of the number
+ * of lights.
  */
 export class PlainShading {
   private readonly wireframe = new MeshBasicMaterial({
@@ -40,7 +41,7 @@ export class PlainShading {
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** Draws to the render target, viewport and scissor of the renderer. */
+  /** Renders to the current render target, viewport and scissor. */
   render(scene: Scene, camera: Camera, shading: PlainShadingName): void {
     const { webgl } = this;
     const { background, overrideMaterial, environment } = scene;

@@ -1,15 +1,15 @@
-/** Without the scene's lights. */
+/** Shading without the scene's lights. */
 export type PlainShadingName = 'unlit' | 'clay' | 'wireframe';
 
-/** How a view shows the scene: as the scene says, without its lights, or, with 'by:' before it, by a technique. */
+/** Shading of a view: the scene's technique, one without lights, or 'by:' and the name of a technique. */
 export type Shading = 'scene' | PlainShadingName | `by:${string}`;
 
 export const isPlain = (shading: string): shading is PlainShadingName =>
   shading === 'unlit' || shading === 'clay' || shading === 'wireframe';
 
-/** The technique of a shading; null where it is another. */
+/** Technique of a 'by:' shading; null for others. */
 export const techniqueOf = (shading: Shading): string | null => (shading.startsWith('by:') ? shading.slice(3) : null);
 
-/** Whether something that was stored is a shading. */
+/** Whether a stored value is a shading. */
 export const isShading = (value: unknown): value is Shading =>
   typeof value === 'string' && (value === 'scene' || isPlain(value) || value.startsWith('by:'));

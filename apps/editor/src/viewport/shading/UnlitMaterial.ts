@@ -17,7 +17,7 @@ import vertexShader from './unlit.vert.glsl?raw';
 
 const unmoved = new Matrix3();
 
-/** Drawn in place of every material, it shows the colour and the map of the object's own. */
+/** Override material that shows the colour and the map of each object's own material. */
 export class UnlitMaterial extends ShaderMaterial {
   constructor() {
     super({
@@ -38,7 +38,7 @@ export class UnlitMaterial extends ShaderMaterial {
     });
   }
 
-  /** three calls it for each object. */
+  /** called by three for each object */
   override onBeforeRender(
     _webgl: WebGLRenderer,
     _scene: Scene,
@@ -47,12 +47,12 @@ export class UnlitMaterial extends ShaderMaterial {
     object: Object3D,
     group: unknown,
   ): void {
-    const own = (object as Mesh).material;
+    const material = (object as Mesh).material;
     const index = (group as { materialIndex?: number } | null)?.materialIndex ?? 0;
-    this.take((Array.isArray(own) ? own[index] : own) as Material | undefined);
+    this.copyFrom((Array.isArray(material) ? material[index] : material) as Material | undefined);
   }
 
-  private take(material: Material | undefined): void {
+  private copyFrom(material: Material | undefined): void {
     const { colour, emitted, opacity, alphaTest, hasMap, map, mapTransform } = this.uniforms;
     const source = material as Partial<MeshStandardMaterial> | undefined;
     const texture: Texture | null = source?.map ?? null;

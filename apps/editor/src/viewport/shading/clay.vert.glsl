@@ -1,4 +1,4 @@
-// Place and normal in view space, of bones, morphs and instances too.
+// Position and normal in view space, with bones, morph targets and instances.
 #include <common>
 #include <morphtarget_pars_vertex>
 #include <skinning_pars_vertex>

@@ -1,4 +1,4 @@
-// The colour of a surface and what it emits, without any light.
+// Base colour and emission of a surface, unlit.
 #include <common>
 #include <color_pars_fragment>
 #include <logdepthbuf_pars_fragment>
@@ -15,7 +15,7 @@ void main() {
   vec4 diffuseColor = vec4(colour, opacity);
   if (hasMap) diffuseColor *= texture2D(map, vMapUv);
   #include <color_fragment>
-  // what is nearly clear is not there
+  // nearly transparent pixels are dropped
   if (diffuseColor.a < max(alphaTest, 0.1)) discard;
   gl_FragColor = vec4(diffuseColor.rgb + emitted, 1.0);
   #include <colorspace_fragment>

@@ -1,4 +1,4 @@
-// Place and texture coordinates, of bones, morphs and instances too.
+// Position and texture coordinates, with bones, morph targets and instances.
 #include <common>
 #include <color_pars_vertex>
 #include <morphtarget_pars_vertex>

@@ -7,7 +7,7 @@ const instance = new Mesh();
 const found: Intersection[] = [];
 const matrix = new Matrix4();
 
-/** Whether the vertices of a mesh are where its geometry has them. */
+/** Whether the vertices of a mesh are where its geometry has them: no bones, morph targets or batches. */
 export const isRigid = (mesh: Mesh): boolean =>
   !('isSkinnedMesh' in mesh) && !('isBatchedMesh' in mesh) && (mesh.morphTargetInfluences?.length ?? 0) === 0;
 
@@ -33,7 +33,7 @@ function castInstances(mesh: InstancedMesh, raycaster: Raycaster, hits: Intersec
   return true;
 }
 
-/** Casts a ray at a large mesh by its tree of triangles; leaves it to three where there is none, or not yet. */
+/** Raycasts a large mesh by its bounding volume hierarchy. Leaves the mesh to three when there is none, or not yet. */
 export const castByTree: MeshCaster = (mesh, raycaster, hits) => {
   const { geometry } = mesh;
   const { index, attributes } = geometry;
@@ -45,7 +45,7 @@ export const castByTree: MeshCaster = (mesh, raycaster, hits) => {
   return tree !== null;
 };
 
-/** Adds what a ray hits of a mesh. */
+/** Adds a ray's hits on a mesh. */
 export function castMesh(mesh: Mesh, raycaster: Raycaster, hits: Intersection[]): void {
   if (!castByTree(mesh, raycaster, hits)) raycaster.intersectObject(mesh, false, hits);
 }

@@ -40,14 +40,14 @@ function startWorker(): Worker {
     waiting.delete(id);
     if (tree) asked?.resolve(tree);
     else asked?.reject(new Error(error));
-    // its memory goes with it
+    // an idle worker is ended to free its memory
     if (waiting.size === 0) end('');
   });
   started.addEventListener('error', () => end('The worker that grows trees of triangles could not be loaded.'));
   return started;
 }
 
-/** Where there are no workers, as in tests, the tree is grown at once. */
+/** Builds in a worker, or at once where there are none, as in tests. */
 async function grow(source: TreeSource): Promise<SerializedBVH> {
   if (typeof Worker === 'undefined') return (await import('./growTree')).growTree(source);
   worker ??= startWorker();
@@ -60,7 +60,10 @@ async function grow(source: TreeSource): Promise<SerializedBVH> {
   });
 }
 
-/** Grows a tree over a geometry in a worker; the geometry stays as it is. @throws Error (as a rejection) */
+/**
+ * Builds a bounding volume hierarchy for a geometry, in a worker; the geometry is unchanged. @throws Error (as a
+ * rejection)
+ */
 export async function loadTree(geometry: BufferGeometry): Promise<MeshBVH> {
   const tree = await grow(sourceOf(geometry));
   return MeshBVH.deserialize(tree, geometry, { setIndex: false });

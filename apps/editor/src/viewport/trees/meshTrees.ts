@@ -2,10 +2,10 @@ import { attributeState } from '@farol/renderer/vertex-data';
 import type { BufferGeometry } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 
-/** Meshes of more triangles than this have a tree. */
+/** Number of triangles above which meshes get a tree. */
 export const LARGE = 50_000;
 
-/** A tree, and what of its geometry it was grown over. */
+/** A tree, and the state of the geometry that it was built for. */
 interface Grown {
   readonly state: string;
   tree: MeshBVH | null;
@@ -30,10 +30,10 @@ function begin(geometry: BufferGeometry): Grown {
       .then(({ loadTree }) => loadTree(geometry))
       .then(
         (tree) => {
-          // edited meanwhile: the next ray begins again
+          // else the geometry was edited meanwhile: the next ray starts again
           if (trees.get(geometry) === grown && isCurrent(grown, geometry)) grown.tree = tree;
         },
-        // every triangle is looked at then
+        // without a tree every triangle is tested
         (error: Error) => console.debug(`Farol: ${error.message}`),
       ),
   };
@@ -41,14 +41,14 @@ function begin(geometry: BufferGeometry): Grown {
   return grown;
 }
 
-/** The tree of a large geometry, which begins to grow when it is first asked for; null until then, and for small ones. */
+/** The tree of a large geometry; null for small ones, and until it is built. The first call starts building. */
 export function treeOf(geometry: BufferGeometry): MeshBVH | null {
   if (trianglesOf(geometry) <= LARGE) return null;
   const grown = trees.get(geometry);
   return (grown && isCurrent(grown, geometry) ? grown : begin(geometry)).tree;
 }
 
-/** Fulfilled once a geometry has the tree that it is to have. */
+/** Fulfilled once a large geometry has its tree. */
 export async function treeReady(geometry: BufferGeometry): Promise<void> {
   if (treeOf(geometry) === null) await trees.get(geometry)?.ready;
 }

@@ -1,6 +1,6 @@
 import { growTree, type TreeSource } from './growTree';
 
-/** What of a worker's global scope is used; its types and those of the page exclude each other. */
+/** The used part of a worker's global scope, whose types conflict with those of the page. */
 const scope = globalThis as unknown as {
   addEventListener(type: 'message', listener: (event: MessageEvent<{ id: number; source: TreeSource }>) => void): void;
   postMessage(message: unknown, transfer: Transferable[]): void;

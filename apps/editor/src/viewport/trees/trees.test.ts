@@ -22,7 +22,7 @@ import { vertexBesideRay } from '../handles/vertexBesideRay';
 import { castByTree, castMesh } from './castByTree';
 import { LARGE, treeOf, treeReady } from './meshTrees';
 
-/** A ball with bumps, of 65,000 triangles. */
+/** A sphere with bumps, of 65,000 triangles. */
 function ball(): SphereGeometry {
   const geometry = new SphereGeometry(1, 200, 164);
   const position = geometry.getAttribute('position') as BufferAttribute;
@@ -37,7 +37,7 @@ function ball(): SphereGeometry {
 
 const single = new MeshBasicMaterial();
 
-/** What matters of hits, by distance. */
+/** The properties of hits that are compared, by distance. */
 const facts = (hits: Intersection[]): unknown[] =>
   hits
     .toSorted((a, b) => a.distance - b.distance || a.faceIndex! - b.faceIndex!)
@@ -48,7 +48,7 @@ const facts = (hits: Intersection[]): unknown[] =>
       ...{ faceIndex, object: object.id, instanceId },
     }));
 
-/** Compares trees with three over rays about a mesh. @returns how many rays hit */
+/** Compares trees with three's raycasting for rays around a mesh. @returns number of rays that hit */
 async function agrees(mesh: Mesh): Promise<number> {
   mesh.updateMatrixWorld();
   await treeReady(mesh.geometry);
@@ -81,7 +81,7 @@ describe('a tree of triangles', () => {
       mesh.scale.set(2, 0.7, 1.4);
       expect(await agrees(mesh)).toBeGreaterThan(10);
     }
-    // the geometry stays as it was
+    // the geometry is unchanged
     expect(geometry.index!.array).toEqual(index);
     expect(geometry.getAttribute('position').array).toEqual(position);
   });
@@ -119,7 +119,7 @@ describe('a tree of triangles', () => {
       castMesh(mesh, raycaster, hits);
       return Math.min(...hits.map(({ distance }) => distance));
     };
-    // until it is there three answers
+    // three does the work until the tree is built
     expect(castByTree(mesh, raycaster, [])).toBe(false);
     const before = nearest();
     await treeReady(geometry);
@@ -153,7 +153,7 @@ describe('a tree of triangles', () => {
     });
     const find = (): unknown[] =>
       rays.map((ray) => vertexBesideRay(scene, ray, camera, new Set(), 6)?.toArray() ?? null);
-    // the first look begins to grow the tree, and sees all vertices itself
+    // the first call starts building the tree, and tests all vertices itself
     const all = find();
     expect(all.filter(Boolean).length).toBeGreaterThan(5);
     await treeReady(drawn);

@@ -14,9 +14,9 @@ import {
 import { GltfTextures } from './GltfTextures';
 import type { LeftOut } from './LeftOut';
 
-/** What a mesh brings along that decides how its material is written. */
+/** Properties of a mesh that affect how its material is written. */
 export interface MaterialUse {
-  /** The object and what it names, for messages. */
+  /** Object and material, for messages. */
   readonly user: string;
   /** Name of the object. */
   readonly object: string;
@@ -24,10 +24,10 @@ export interface MaterialUse {
   readonly hasTangents: boolean;
 }
 
-/** Maps of three's that glTF has no word for. */
+/** Maps of three's materials that glTF does not support. */
 const unknownMaps = /^(env|light|bump|displacement|alpha|gradient|diffuseRoughness)Map$|^matcap$/;
 
-/** The scale of each normal map: its signs turn channels of the picture round. */
+/** Property with the scale of each normal map; a negative scale inverts a channel of the image. */
 const normalScales: Readonly<Record<string, 'normalScale' | 'clearcoatNormalScale'>> = {
   normalMap: 'normalScale',
   clearcoatNormalMap: 'clearcoatNormalScale',
@@ -35,14 +35,14 @@ const normalScales: Readonly<Record<string, 'normalScale' | 'clearcoatNormalScal
 
 const isTexture = (value: unknown): value is Texture => value instanceof Object && 'isTexture' in value;
 
-/** Channels above 1, which glTF's colours may not have, as a factor. */
+/** Limits a colour to 1 per channel, as glTF requires. @returns the factor removed */
 function takeExcess(colour: Color): number {
   const largest = Math.max(colour.r, colour.g, colour.b);
   if (largest > 1) colour.multiplyScalar(1 / largest);
   return Math.max(1, largest);
 }
 
-/** Materials as glTF has them: metal and roughness, or unlit. */
+/** Converts materials to glTF's model: metallic-roughness, or unlit. */
 export class GltfMaterials {
   private readonly textures: GltfTextures;
   private readonly made = new Map<string, Promise<Material>>();
@@ -58,7 +58,7 @@ export class GltfMaterials {
   convert(drawn: Material, use: MaterialUse): Promise<Material> {
     const { surface } = drawn.userData;
     if (typeof surface === 'string') for (const name of surface.split(', ')) this.leftOut.addSurface(name, use.object);
-    // of one that has a surface of an object over it: its maps are those of the material
+    // for a material with an object's surface on top, the maps are in the original
     const source = sourceOfMaterial(drawn);
     const key = `${source.uuid} ${use.hasUV} ${use.hasTangents}`;
     let made = this.made.get(key);
@@ -73,7 +73,7 @@ export class GltfMaterials {
   private async make(source: Material, use: MaterialUse): Promise<Material> {
     const material = this.withoutTextures(source);
     material.name = source.name;
-    // what our own code left there says nothing to others
+    // user data from Farol would be meaningless to other programs
     material.userData = {};
     if (takeExcess(material.color) > 1) this.leftOut.add(t('Materials brighter than white became white'), source);
     if (material instanceof MeshStandardMaterial) {
@@ -90,7 +90,7 @@ export class GltfMaterials {
       else this.leftOut.add(t('Textures on meshes without texture coordinates are left out'), value);
     }
     if (material instanceof MeshStandardMaterial && use.hasUV) {
-      // the signs are in the pictures by now
+      // the signs have been applied to the images
       for (const name of Object.values(normalScales)) {
         const scale = (material as MeshPhysicalMaterial)[name] as Vector2 | undefined;
         scale?.setScalar(Math.abs(scale.x));
@@ -102,7 +102,7 @@ export class GltfMaterials {
   private texture(source: Material, field: string, texture: Texture, use: MaterialUse): Promise<Texture> {
     if (!(field in normalScales)) return this.textures.convert(texture, use.user);
     const { x, y } = (source as MeshPhysicalMaterial)[normalScales[field]];
-    // without tangents three has green along v, glTF against it
+    // without tangents three expects green along v, and glTF against it
     return this.textures.convertNormalMap(texture, x < 0, use.hasTangents ? y < 0 : y > 0, use.user);
   }
 
@@ -121,7 +121,7 @@ export class GltfMaterials {
     const shared = { transparent, opacity, alphaTest, side, vertexColors, ...(color ? { color } : {}) };
     if (!emissive) return new MeshBasicMaterial(shared);
     this.leftOut.add(t('Phong and Lambert materials became rough ones'), source);
-    // Blinn-Phong's exponent n as roughness: alpha = sqrt(2 / (n + 2)), roughness = sqrt(alpha) @see Walter 2007
+    // Blinn-Phong exponent n to roughness: alpha = sqrt(2 / (n + 2)), roughness = sqrt(alpha) @see Walter 2007
     const roughness = shininess === undefined ? 1 : (2 / (shininess + 2)) ** 0.25;
     const values = { emissive, emissiveIntensity, roughness, metalness: 0, wireframe };
     const material = new MeshStandardMaterial({ ...shared, ...values });

@@ -4,16 +4,16 @@ import type { Object3D } from 'three';
 const NAME = 'EXT_lights_ies';
 const MIME_TYPE = 'application/x-ies-lm-63';
 
-/** A light with a photometric profile, as a node of a glTF has it. */
+/** A light with a photometric profile, as glTF stores it. */
 export interface ProfileLight {
   readonly profile: PhotometricProfile;
-  /** Of the candelas of the profile. */
+  /** Factor of the profile's intensities. */
   readonly multiplier: number;
   /** Linear, 0 to 1. */
   readonly color: readonly number[];
 }
 
-/** The part of GLTFExporter's writer that is used here. */
+/** The used part of GLTFExporter's writer. */
 export interface ProfileWriter {
   readonly json: { extensions?: Record<string, unknown> };
   readonly extensionsUsed: Record<string, boolean>;
@@ -26,23 +26,23 @@ interface WrittenProfile {
   readonly mimeType: typeof MIME_TYPE;
 }
 
-/** Writes lights with photometric profiles to a glTF. @see EXT_lights_ies */
+/** Writes lights with photometric profiles to glTF. @see EXT_lights_ies */
 export class GltfProfiles {
   private readonly lights: WrittenProfile[] = [];
   private readonly indices = new Map<PhotometricProfile, number>();
 
-  /** @param nodes - what has such a light */
+  /** @param nodes - nodes with such lights */
   constructor(
     private readonly writer: ProfileWriter,
     private readonly nodes: ReadonlyMap<Object3D, ProfileLight>,
   ) {}
 
-  /** Writes the profile of a node that is about to be written. */
+  /** Writes the profile of a node, before the node itself is written. */
   async prepare(object: Object3D): Promise<void> {
     const profile = this.nodes.get(object)?.profile;
     if (!profile || this.indices.has(profile)) return;
     const text = writeIES(profile);
-    // views are filled up to four bytes, which readers of text need not know
+    // padded with line ends to a multiple of four bytes, which parsers of the text ignore
     const bytes = Uint8Array.from(text.padEnd(4 * Math.ceil(text.length / 4), '\n'), (letter) => letter.charCodeAt(0));
     this.indices.set(profile, this.lights.length);
     const light = {
@@ -67,7 +67,7 @@ export class GltfProfiles {
     };
   }
 
-  /** Names the profiles in the file, once all nodes are written. */
+  /** Lists the profiles in the file, once all nodes are written. */
   finish(): void {
     const { json, extensionsUsed } = this.writer;
     if (this.lights.length === 0) return;

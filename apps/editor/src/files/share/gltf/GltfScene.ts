@@ -39,19 +39,22 @@ import { LeftOut } from './LeftOut';
 
 type Drawn = Mesh<BufferGeometry, Material | Material[]>;
 
-/** A copy of a scene in which there is nothing but what glTF has. Arrays of vertices are shared, nothing else. */
+/**
+ * A copy of a scene reduced to what glTF supports. Vertex arrays are shared with the original, everything else is
+ * copied.
+ */
 export class GltfScene {
   readonly three = new ThreeScene();
   readonly leftOut = new LeftOut();
-  /** Its clips, with tracks that name nodes of `three` by their uuid. */
+  /** Clips with tracks that refer to nodes of `three` by uuid. */
   animations: readonly AnimationClip[] = [];
-  /** Nodes that have a light with a photometric profile. */
+  /** Nodes with a light that has a photometric profile. */
   readonly profiles: ReadonlyMap<Object3D, ProfileLight>;
   private readonly profileLights = new Map<Object3D, ProfileLight>();
   private readonly materials: GltfMaterials;
   private readonly geometries = new Map<string, BufferGeometry | null>();
   private readonly skinned: Object3D[] = [];
-  /** What was made of objects, and of nodes of models that are drawn. */
+  /** Exported node of each object, and of each drawn node of a model. */
   private readonly nodes = new Map<GameObject | Object3D, Object3D>();
   private readonly endings: (() => void)[] = [];
 
@@ -64,10 +67,12 @@ export class GltfScene {
     this.profiles = this.profileLights;
   }
 
-  /** @param webgl - reads compressed textures @throws Error naming the object whose texture cannot be read */
+  /**
+   * @param webgl - for reading back compressed textures @throws Error naming the object whose texture cannot be read
+   */
   static async make(scene: Scene, webgl: WebGLRenderer): Promise<GltfScene> {
     const made = new GltfScene(scene, webgl);
-    // glTF has no lightmaps: meshes go as they are without
+    // glTF has no lightmaps: meshes are exported without them
     const showAgain = scene.baked.suspend();
     try {
       for (const root of scene.roots) await made.addObject(root, made.three);
@@ -144,7 +149,7 @@ export class GltfScene {
     if (shape.shader !== null) return this.scene.assets.shader(shape.shader);
     if (shape.surface !== null) this.leftOut.addSurface(shape.surface, shape.gameObject.name);
     if (shape.material !== null) return this.scene.assets.material(shape.material);
-    // what is drawn as one of many instances has its colour, but no material, of its own
+    // an instanced object has a colour but no material of its own
     const material = materials.acquire(shape);
     this.endings.push(() => materials.release(material));
     return material;
@@ -214,7 +219,7 @@ export class GltfScene {
     return copy;
   }
 
-  /** A node around the one that has the light: that is turned as EXT_lights_ies has it. */
+  /** A parent for the light's node, which is rotated as EXT_lights_ies requires. */
   private profileLightOf(source: ThreeLight, profile: PhotometricProfile, light: Light | null): Object3D {
     const made = gltfProfileLight(source as PointLight | SpotLight, profile, light);
     this.profileLights.set(made.node, made.light);
@@ -223,7 +228,7 @@ export class GltfScene {
     return new Object3D().add(made.node);
   }
 
-  /** Gives what is drawn a geometry and materials that glTF has. @returns whether anything is left of it */
+  /** Converts a mesh's geometry and materials to glTF. @returns whether anything is left of it */
   private async convert(drawn: Drawn, user: string, object: string): Promise<boolean> {
     if (!hasReadableVertices(drawn.geometry)) {
       this.leftOut.add(t('Meshes whose vertices only the GPU has are left out'), object);
@@ -233,13 +238,13 @@ export class GltfScene {
     const { attributes } = drawn.geometry;
     const use = { user, object, hasUV: 'uv' in attributes, hasTangents: 'tangent' in attributes };
     const materials = await Promise.all(sources.map((source) => this.materials.convert(source, use)));
-    const looks = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
+    const glTFMaterials = materials as (MeshStandardMaterial | MeshBasicMaterial)[];
     const isTriangles = 'isMesh' in drawn;
     const look = {
-      vertexColours: looks.some(({ vertexColors }) => vertexColors),
-      flat: looks.some((material) => 'flatShading' in material && material.flatShading),
-      tangents: looks.some((material) => 'normalMap' in material && material.normalMap),
-      edges: isTriangles && looks.some(({ wireframe }) => wireframe),
+      vertexColours: glTFMaterials.some(({ vertexColors }) => vertexColors),
+      flat: glTFMaterials.some((material) => 'flatShading' in material && material.flatShading),
+      tangents: glTFMaterials.some((material) => 'normalMap' in material && material.normalMap),
+      edges: isTriangles && glTFMaterials.some(({ wireframe }) => wireframe),
     };
     const geometry = this.geometryOf(drawn.geometry, look);
     if (!geometry) return false;
@@ -255,7 +260,7 @@ export class GltfScene {
     return made;
   }
 
-  /** Meshes with a skin go to the top: their joints alone say where they are. @see glTF 2.0, 3.7.3.3 */
+  /** Moves skinned meshes to the top, since only joints define their position. @see glTF 2.0, 3.7.3.3 */
   private freeSkins(): void {
     for (const mesh of this.skinned) {
       this.three.add(mesh);

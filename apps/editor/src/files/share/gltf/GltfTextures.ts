@@ -4,14 +4,14 @@ import { readTexels } from './readTexels';
 
 type Picture = HTMLCanvasElement | OffscreenCanvas;
 
-/** How a picture differs from the texture's: rows from the top down, and channels of a normal map turned round. */
+/** Changes to make in an image: reversal of rows, inversion of channels of a normal map. */
 interface Flips {
   readonly rows: boolean;
   readonly red: boolean;
   readonly green: boolean;
 }
 
-/** Formats that glTF takes as they are; everything else becomes PNG. */
+/** Image formats that glTF supports; others become PNG. */
 const kept = ['image/jpeg', 'image/webp'];
 
 function canvasOf(width: number, height: number): { canvas: HTMLCanvasElement; context: CanvasRenderingContext2D } {
@@ -41,27 +41,26 @@ const isPlainData = ({ image, format, type }: DataTexture): boolean =>
   image.data instanceof Uint8Array && format === RGBAFormat && type === UnsignedByteType;
 
 /**
- * Textures as glTF has them: pictures that a canvas can hold, the row of v = 0 first. Textures that share a picture
- * share it in the file too.
+ * Converts textures for glTF: images that a canvas can hold, first row at v = 0. Shared images stay shared in the file.
  */
 export class GltfTextures {
   private readonly pictures = new WeakMap<object, Map<string, Promise<Picture>>>();
   private readonly made = new Map<string, Promise<Texture>>();
 
-  /** @param webgl - reads what no canvas can: compressed textures, floats */
+  /** @param webgl - for reading back textures that no canvas can: compressed ones, floats */
   constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** A colour map or another one of data. @param user - of the texture, for messages */
+  /** Converts a colour or data map. @param user - user of the texture, for messages */
   convert(texture: Texture, user: string): Promise<Texture> {
-    return this.take(texture, { rows: texture.flipY, red: false, green: false }, user);
+    return this.convertOnce(texture, { rows: texture.flipY, red: false, green: false }, user);
   }
 
-  /** A normal map with channels turned round: glTF has green upwards, and no negative scales. */
+  /** Converts a normal map, inverting channels: in glTF green points up, and scales are not negative. */
   convertNormalMap(texture: Texture, red: boolean, green: boolean, user: string): Promise<Texture> {
-    return this.take(texture, { rows: texture.flipY, red, green }, user);
+    return this.convertOnce(texture, { rows: texture.flipY, red, green }, user);
   }
 
-  private take(texture: Texture, flips: Flips, user: string): Promise<Texture> {
+  private convertOnce(texture: Texture, flips: Flips, user: string): Promise<Texture> {
     const key = `${texture.uuid} ${Object.values(flips).join()}`;
     let made = this.made.get(key);
     if (!made) this.made.set(key, (made = this.make(texture, flips, user)));
@@ -107,7 +106,7 @@ export class GltfTextures {
     else context.drawImage(image as CanvasImageSource, 0, 0, width, height);
     if (!data && !rows && !red && !green) return canvas;
     data ??= context.getImageData(0, 0, width, height).data;
-    // what was sampled has the row of v = 0 first already
+    // textures read back from the GPU already have v = 0 first
     if (rows && !isSampled) turnRows(data, width, height);
     if (red) turnChannel(data, 0);
     if (green) turnChannel(data, 1);

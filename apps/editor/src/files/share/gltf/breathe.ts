@@ -1,4 +1,4 @@
-/** How long (ms) work goes on before the page may answer. */
+/** Duration of work before yielding to the page (ms). */
 const SLICE = 12;
 
 let began = 0;
@@ -12,7 +12,7 @@ const nextTask = (): Promise<void> =>
     channel.port2.postMessage(null);
   });
 
-/** Lets the page answer when work has gone on for long; to be awaited between small pieces of it. */
+/** Yields to the page when work has gone on for `SLICE`; to be awaited between small pieces of work. */
 export async function breathe(): Promise<void> {
   const now = performance.now();
   if (now - began < SLICE) return;

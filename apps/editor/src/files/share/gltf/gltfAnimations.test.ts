@@ -44,7 +44,7 @@ interface Channel {
   readonly values: Uint8Array;
 }
 
-/** The channels of the animations of a GLB, by name, with the bytes of their accessors. */
+/** Animation channels of a GLB by name, with the bytes of their accessors. */
 async function animationsOf(blob: Blob): Promise<Record<string, Channel[]>> {
   const { json, bytes, start } = await partsOfGlb<any>(blob);
   const read = (index: number): Uint8Array => {
@@ -72,7 +72,7 @@ async function export_(scene: Scene): Promise<{ blob: Blob; leftOut: readonly st
   return exportInTest(scene);
 }
 
-/** A scene of one object that draws a model from the bytes of a GLB. */
+/** A scene with an object that draws a model, given as GLB. */
 async function sceneOf(blob: Blob, name = 'Robot'): Promise<Scene> {
   const scene = new Scene();
   scene.assets.registerFile('robot.glb', blob);
@@ -204,7 +204,7 @@ describe("clips of one's own", () => {
     expect(again).toEqual(out);
   });
 
-  /** What three shows of an exported clip at a time. */
+  /** Pose that three shows for an exported clip at a time. */
   async function shownAt(tracks: ClipTrack[], time: number): Promise<{ node: Object3D; leftOut: readonly string[] }> {
     const { blob, leftOut } = await export_(clipScene(tracks));
     const scene = await sceneOf(blob);
@@ -299,12 +299,12 @@ describe("clips of one's own", () => {
     const out = await animationsOf(first.blob);
     const [weights] = out.Grin;
     expect([weights.node, weights.path, weights.interpolation]).toEqual(['Face', 'weights', 'LINEAR']);
-    // held to the clip's end, and the other weight as it is
+    // extended to the clip's end; the other weight stays constant
     expect(floats(weights.times)).toEqual(Float32Array.of(0, 1, 2));
     expect(floats(weights.values)).toEqual(Float32Array.of(0, 0.25, 1, 0.25, 1, 0.25));
     expect(await animationsOf((await export_(await sceneOf(first.blob))).blob)).toEqual(out);
 
-    // steps and lines of two targets; curves are sampled, which is told
+    // steps and lines of two targets are exact; curves are sampled and reported
     clip(morph(0, keys([0, 0], [2, 1])), morph(1, keys([0, 0, { easing: 'step' }], [1, 1], [2, 1])));
     const steps = await export_(scene);
     const [both] = (await animationsOf(steps.blob)).Grin;

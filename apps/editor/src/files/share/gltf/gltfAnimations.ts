@@ -22,14 +22,13 @@ import { gltfMorphTracks } from './gltfMorphTracks';
 import { gltfTrack } from './gltfTrack';
 import type { LeftOut } from './LeftOut';
 
-/** What stands for an object of the scene, or for a node of a model that is drawn, in what is exported. */
+/** Exported node of each object of the scene, and of each drawn node of a model. */
 export type ExportedNodes = ReadonlyMap<GameObject | Object3D, Object3D>;
 
 const properties: Readonly<Record<string, string>> = { position: 'position', rotation: 'quaternion', scale: 'scale' };
 
 /**
- * The clips of a scene as three's, for GLTFExporter: those that Animations play, and all clips of the models that are drawn or
- * whose objects are there.
+ * Clips for GLTFExporter: those played by Animations, and all clips of models that are drawn or unpacked in the scene.
  */
 export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: LeftOut): AnimationClip[] {
   const made: AnimationClip[] = [];
@@ -45,9 +44,10 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
     for (const owner of drawn.length > 0 ? drawn : [root]) owners.add(owner);
     const tracks = isModel ? modelTracks(clip, root, nodes, leftOut) : ownTracks(clip, root, nodes, leftOut);
     if (tracks.length === 0) return;
-    const wanted = isModel ? clip.name : splitName(clip.name).leaf;
-    let name = wanted;
-    for (let n = 1; names.has(name); n++) name = n === 1 ? `${wanted} (${root.name})` : `${wanted} (${root.name} ${n})`;
+    const baseName = isModel ? clip.name : splitName(clip.name).leaf;
+    let name = baseName;
+    for (let n = 1; names.has(name); n++)
+      name = n === 1 ? `${baseName} (${root.name})` : `${baseName} (${root.name} ${n})`;
     names.add(name);
     made.push(new AnimationClip(name, -1, tracks));
   };
@@ -71,11 +71,11 @@ export function gltfAnimations(scene: Scene, nodes: ExportedNodes, leftOut: Left
   return made;
 }
 
-/** What draws a clip's model, or parts of it, below an object. */
+/** Components below an object that draw a clip's model or parts of it. */
 const drawnBelow = (root: GameObject, clip: ModelClip): ModelInScene[] =>
   modelsBelow(root, clip.model).filter(({ drawnModel }) => drawnModel === clip.model);
 
-/** The tracks as they are, of the nodes that are exported. */
+/** The model's own tracks, for the exported nodes. */
 function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
   const drawn = drawnBelow(root, clip);
   const isWhole = drawn.some(({ partsRoot }) => partsRoot === null);
@@ -86,7 +86,7 @@ function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, le
     const sources: (GameObject | Object3D | null | undefined)[] = [];
     if (target && !isMorph) sources.push(objects?.get(target.node.name || target.node.type));
     for (const each of drawn) {
-      // the object stands for the root of its parts
+      // the object takes the place of the root of its parts
       if (target && (isMorph || each.partsRoot !== target.node)) sources.push(each.copyOf(target.node));
     }
     const moved = sources
@@ -101,16 +101,16 @@ function modelTracks(clip: ModelClip, root: GameObject, nodes: ExportedNodes, le
   });
 }
 
-/** A track that keeps its last value to a time. */
+/** Extends a track to a time with its last value. */
 function longer(track: ClipTrack, time: number): ClipTrack {
   const last = track.keys.at(-1)!;
-  const held: ClipKey = { ...last, easing: track.keys.at(-2)?.easing === 'step' ? 'step' : 'linear' };
-  return { ...track, keys: [...track.keys.slice(0, -1), held, { time, value: last.value }] };
+  const holdingKey: ClipKey = { ...last, easing: track.keys.at(-2)?.easing === 'step' ? 'step' : 'linear' };
+  return { ...track, keys: [...track.keys.slice(0, -1), holdingKey, { time, value: last.value }] };
 }
 
 function ownTracks(clip: ClipAsset, root: GameObject, nodes: ExportedNodes, leftOut: LeftOut): KeyframeTrack[] {
   const { tracks, events } = clip.clip;
-  // glTF knows no length but that of the longest track
+  // in glTF a clip is as long as its longest track
   let isShort = tracks.every(({ keys }) => keys.every(({ time }) => time < clip.duration));
   if (events.length > 0) leftOut.add(t('Events of clips are left out'), clip);
   const morphs = new Map<ModelRenderer, ClipTrack[]>();

@@ -1,14 +1,14 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute, Vector3 } from 'three';
 import { tangentsOf } from './tangentsOf';
 
-/** Which parts of a mesh its material wants. */
+/** Attributes of a mesh that its material needs. */
 export interface GeometryUse {
   readonly vertexColours: boolean;
-  /** One normal a face. */
+  /** One normal per face. */
   readonly flat: boolean;
-  /** For normal maps; those that it has are kept. */
+  /** Tangents for normal maps; existing ones are kept. */
   readonly tangents: boolean;
-  /** The edges of its triangles alone. */
+  /** Only the edges of the triangles. */
   readonly edges: boolean;
 }
 
@@ -17,7 +17,7 @@ type Attribute = BufferAttribute | InterleavedBufferAttribute;
 const known = /^(position|normal|tangent|uv\d?|color|skinIndex|skinWeight)$/;
 const normal = new Vector3();
 
-/** Normals of length 1, as glTF wants them; the same object where they are. */
+/** Normals normalised, as glTF requires; the same object if they are already. */
 function unitNormals(attribute: Attribute): Attribute {
   let copy: BufferAttribute | null = null;
   for (let i = 0; i < attribute.count; i++) {
@@ -32,7 +32,7 @@ function unitNormals(attribute: Attribute): Attribute {
   return copy ?? attribute;
 }
 
-/** An attribute of its own, in floats. */
+/** A float copy of an attribute. */
 function copyOf(attribute: Attribute): BufferAttribute {
   const { count, itemSize } = attribute;
   const copy = new BufferAttribute(new Float32Array(count * itemSize), itemSize);
@@ -42,7 +42,7 @@ function copyOf(attribute: Attribute): BufferAttribute {
   return copy;
 }
 
-/** Joints with 0 where their weight is 0; the same object where they are. */
+/** Joint indices with 0 where the weight is 0, as glTF requires; the same object if they are already. */
 function neededJoints(joints: Attribute, weights: Attribute): Attribute {
   let copy: BufferAttribute | null = null;
   for (let i = 0; i < joints.count; i++) {
@@ -60,7 +60,7 @@ function neededJoints(joints: Attribute, weights: Attribute): Attribute {
   return copy ?? joints;
 }
 
-/** The edges of triangles, each once, as pairs of vertices. */
+/** Edges of triangles, each once, as pairs of vertex indices. */
 function edgesOf(geometry: BufferGeometry): number[] {
   const { index } = geometry;
   const count = index ? index.count : geometry.getAttribute('position').count;
@@ -79,7 +79,7 @@ function edgesOf(geometry: BufferGeometry): number[] {
   return edges;
 }
 
-/** A copy with one normal for each face. */
+/** A copy with one normal per face. */
 function withFaces(source: BufferGeometry): BufferGeometry {
   const faces = source.index ? source.toNonIndexed() : source.clone();
   faces.deleteAttribute('tangent');
@@ -88,7 +88,7 @@ function withFaces(source: BufferGeometry): BufferGeometry {
   return faces;
 }
 
-/** A mesh as glTF takes it: attributes that it knows, normals of length 1; arrays are shared. Null when it is empty. */
+/** Converts a geometry for glTF: supported attributes, unit normals; arrays are shared. Null when it is empty. */
 export function gltfGeometry(given: BufferGeometry, use: GeometryUse): BufferGeometry | null {
   const position = given.getAttribute('position') as Attribute | undefined;
   if (!position || position.count === 0 || given.index?.count === 0) return null;

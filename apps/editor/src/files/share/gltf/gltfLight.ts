@@ -5,10 +5,10 @@ import { Color, DirectionalLight, type Light as ThreeLight, Object3D, PointLight
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { ProfileLight } from './GltfProfiles';
 
-/** glTF's cones have a soft edge, be it ever so thin. */
+/** Least softness of a spot light's edge, since glTF allows no hard edge. */
 const THINNEST_EDGE = 1e-3;
 
-/** How much of a light is left at a distance (m), relative to its intensity. */
+/** Share of a light's intensity at a distance (m). */
 function left(light: Light, distance: number): number {
   if (light.attenuation === 'near-far') {
     return Math.min(1, Math.max(0, (light.far - distance) / Math.max(1e-6, light.far - light.near)));
@@ -19,24 +19,24 @@ function left(light: Light, distance: number): number {
   return distance ** -light.decay;
 }
 
-/** Factor of the intensity by which a light that fades with the square of the distance is as bright half way. */
+/** Intensity factor with which a light with inverse-square falloff is as bright half way to the end. */
 function asBright(light: Light): number {
   const hasPlace = light.type === 'point' || light.type === 'spot';
   if (!hasPlace || (light.attenuation === 'physical' && light.decay === 2)) return 1;
   const half = (Number.isFinite(light.reach) ? light.reach : 2) / 2;
-  // what has an end fades to it in three, as glTF recommends: by half way (1 - 0.5^4)^2 is left
+  // with an end, three and glTF multiply by (1 - (d / end)^4)^2: at half way (1 - 0.5^4)^2
   const end = light.attenuation !== 'physical' && Number.isFinite(light.reach) ? (1 - 0.5 ** 4) ** 2 : 1;
   return (left(light, half) * half ** 2) / end;
 }
 
-/** A light that shines from a shape, of which glTF knows none: a node whose extras have its fields, which Farol reads. */
+/** An area light, which glTF does not support: a node whose extras have its fields, readable by Farol. */
 export function gltfShapeLight({ type, width, height, diffuse, intensity, areaRange }: Light): Object3D {
   const node = new Object3D();
   node.userData.farolLight = { type, width, height, diffuse: [...diffuse], intensity, areaRange };
   return node;
 }
 
-/** What of a light glTF cannot say, which is in its extras, or lost; null when it says all. @see KHR_lights_punctual */
+/** Properties of a light that glTF cannot express, kept in extras or lost; null for none. @see KHR_lights_punctual */
 export function whatIsLost(light: Light): string | null {
   const hasPlace = light.type === 'point' || light.type === 'spot';
   if (hasPlace && (light.attenuation !== 'physical' || light.decay !== 2)) {
@@ -53,7 +53,7 @@ export function whatIsLost(light: Light): string | null {
   return null;
 }
 
-/** What a light with a photometric profile loses, besides what any light does; null for nothing. @see EXT_lights_ies */
+/** Further losses of a light with a photometric profile; null for none. @see EXT_lights_ies */
 export function whatProfileLoses(source: ThreeLight): string | null {
   if (source instanceof SpotLight) return t('Cones of lights with a profile are left out');
   if (source instanceof PointLight && source.distance > 0)
@@ -61,7 +61,7 @@ export function whatProfileLoses(source: ThreeLight): string | null {
   return null;
 }
 
-/** A colour as glTF has them, and by how much the light is brighter instead. */
+/** Splits a light's colour into a colour within glTF's range and a factor. */
 function split(source: ThreeLight): { colour: Color; largest: number } {
   const colour = source.color.clone();
   const largest = Math.max(1, colour.r, colour.g, colour.b);
@@ -69,8 +69,8 @@ function split(source: ThreeLight): { colour: Color; largest: number } {
 }
 
 /**
- * A node for a light with a photometric profile, which shines along its -z, and what it says of the light.
- * @param light - the component; null where there is none
+ * A node for a light with a photometric profile, which points along -z, and the profile's data.
+ * @param light - the component; null when there is none
  */
 export function gltfProfileLight(
   source: PointLight | SpotLight,
@@ -78,22 +78,22 @@ export function gltfProfileLight(
   light: Light | null,
 ): { node: Object3D; light: ProfileLight } {
   const { colour, largest } = split(source);
-  const most = profile.maximumIntensity;
+  const maximum = profile.maximumIntensity;
   const intensity = source.intensity * largest * (light ? asBright(light) : 1);
   const node = new Object3D();
-  // three's point lights hang down their -y
+  // three's point lights with profiles point along -y
   if (source instanceof PointLight) node.rotation.x = -Math.PI / 2;
   const { distance, color } = source;
-  // elsewhere a light that ends is as bright as one that does not
+  // stored in extras, since programs without ranges ignore the end
   const end = distance > 0 && { intensity: source.intensity, color: color.toArray(), distance, decay: 2 };
   const extras = source instanceof PointLight && (lightExtrasOf(source, largest > 1) ?? end);
   if (extras) node.userData.farolLight = extras;
-  return { node, light: { profile, multiplier: most > 0 ? intensity / most : 0, color: colour.toArray() } };
+  return { node, light: { profile, multiplier: maximum > 0 ? intensity / maximum : 0, color: colour.toArray() } };
 }
 
 /**
- * A light as glTF has them, fading with the square of the distance; null for those from all sides. One that fades in
- * another way is as bright as before half way to its end, and has what it is like in its extras.
+ * Converts a light to glTF, with inverse-square falloff; null for ambient kinds. A light with another falloff keeps its
+ * brightness half way to its end, and its real parameters in extras.
  * @see KHR_lights_punctual
  */
 export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight | null {
@@ -109,7 +109,7 @@ export function gltfLight(source: ThreeLight, light: Light | null): ThreeLight |
   copy.position.set(0, 0, 0);
   const extras = lightExtrasOf(source, largest > 1);
   if (extras) copy.userData.farolLight = extras;
-  // along -z, as glTF has it: the exporter would write a target as a node
+  // GLTFExporter would write the target as a node; glTF lights always point along -z
   if (!(copy instanceof PointLight)) Reflect.deleteProperty(copy, 'target');
   return copy;
 }

@@ -25,13 +25,13 @@ afterAll(() => void vi.unstubAllGlobals());
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** A map that glTF holds: the channels that mean something, and what the material needs for its extension to be written. */
+/** How glTF holds a map: its meaningful channels, and material values that the extension needs to be written. */
 interface Held {
   readonly channels: string;
   readonly needs?: Values;
 }
 
-/** Every map of three's MeshPhysicalMaterial: how glTF holds it, or why it does not. */
+/** For each map of three's MeshPhysicalMaterial: how glTF holds it, or why it does not. */
 const table: Readonly<Record<string, Held | string>> = {
   map: { channels: 'rgba' },
   emissiveMap: { channels: 'rgb', needs: { emissive: [1, 1, 1] } },
@@ -62,11 +62,11 @@ const table: Readonly<Record<string, Held | string>> = {
 const held = Object.entries(table).filter((row): row is [string, Held] => typeof row[1] !== 'string');
 const notHeld = Object.entries(table).flatMap(([property, row]) => (typeof row === 'string' ? [property] : []));
 
-/** The field of a library's material by three's property. */
+/** Field of a library material for a property of three's. */
 const fieldOf = (property: string): MaterialMapName | undefined =>
   materialMapNames.find((name) => materialMaps[name].property === property);
 
-/** How a map lies on the surface: nothing of it has its default. */
+/** UV placement in which every value differs from the default. */
 const place: Values = {
   OffsetX: 0.25,
   OffsetY: 0.5,
@@ -79,7 +79,7 @@ const place: Values = {
 
 const SIZE = 2;
 
-/** Two pixels of a side, different for each map and channel; every other one has its last row first. */
+/** A 2 by 2 image, different for each map and channel; every other one has its rows reversed. */
 function pictureOf(property: string): DataTexture {
   const index = Object.keys(table).indexOf(property);
   const first = index * 8 + 3;
@@ -96,7 +96,7 @@ interface Exported {
   readonly leftOut: readonly string[];
 }
 
-/** A box with a material of a library that has these maps, written as glTF, read, and made a material of a library again. */
+/** A box with a library material that has these maps, exported as glTF, and imported again. */
 async function exported(properties: readonly string[], values: Values = {}): Promise<Exported> {
   const scene = new Scene();
   const maps: Record<string, FieldValue> = {};
@@ -134,7 +134,7 @@ async function exported(properties: readonly string[], values: Values = {}): Pro
   };
 }
 
-/** Bytes of some channels, the row of v = 0 first. */
+/** Bytes of some channels, row of v = 0 first. */
 function bytesOf({ image, flipY }: Texture, channels: string): number[] {
   const { data, width, height } = image as unknown as Pixels;
   const rows = Array.from({ length: height }, (_, row) => (flipY ? height - 1 - row : row));
@@ -151,7 +151,7 @@ function expectMap({ material, values }: Exported, property: string, { channels 
   const texture = (material as unknown as Record<string, Texture | null>)[property];
   expect(texture, property).not.toBeNull();
   const isNormals = property.toLowerCase().endsWith('normalmap');
-  // the way of green is looked at below
+  // the direction of green is tested below
   const compared = isNormals ? channels.replace('g', '') : channels;
   expect(bytesOf(texture!, compared), property).toEqual(bytesOf(pictureOf(property), compared));
   const field = fieldOf(property)!;

@@ -2,7 +2,7 @@ import { type ClipTrack, type ModelRenderer, morphField, valueAt } from '@farol/
 import { type KeyframeTrack, Mesh, NumberKeyframeTrack, type Object3D } from 'three';
 import { beforeTime } from './beforeTime';
 
-/** The times (s) that straight lines between need to follow tracks, and whether a curve is sampled for that. */
+/** Key times (s) for linear interpolation of tracks, and whether curves are sampled for it. */
 function timesOf(tracks: readonly ClipTrack[], frameRate: number): { times: number[]; isBaked: boolean } {
   const times = new Set<number>();
   let isBaked = false;
@@ -23,12 +23,11 @@ function timesOf(tracks: readonly ClipTrack[], frameRate: number): { times: numb
 }
 
 /**
- * Tracks of weights of morph targets as glTF has them: one for each mesh, with the weights of all of its targets, in straight
- * lines. A weight without a track stays as it is.
- *
- * @param tracks - those of one ModelRenderer's morph targets, with keys
- * @param nodes - what stands for the meshes that it draws in what is exported
- * @param frameRate - of curves, which are sampled (Hz)
+ * Converts tracks of morph target weights to glTF: one per mesh with the weights of all its targets, linearly
+ * interpolated. A weight without a track is constant.
+ * @param tracks - tracks of one ModelRenderer's morph targets, with keys
+ * @param nodes - exported node of each mesh
+ * @param frameRate - sampling rate of curves (Hz)
  */
 export function gltfMorphTracks(
   renderer: ModelRenderer,
@@ -41,14 +40,14 @@ export function gltfMorphTracks(
   renderer.three?.traverse((mesh) => {
     const node = nodes.get(mesh);
     if (!(mesh instanceof Mesh && mesh.morphTargetDictionary && node)) return;
-    const own = Object.entries(mesh.morphTargetDictionary).flatMap(([name, index]) => {
+    const animated = Object.entries(mesh.morphTargetDictionary).flatMap(([name, index]) => {
       const track = tracks.find(({ field }) => field === morphField(name));
       return track ? [{ track, index, field: renderer.fields[track.field] }] : [];
     });
-    if (own.length === 0) return;
+    if (animated.length === 0) return;
     const values = times.flatMap((time) => {
       const weights = [...mesh.morphTargetInfluences!];
-      for (const { track, index, field } of own) weights[index] = valueAt(track, field, time) as number;
+      for (const { track, index, field } of animated) weights[index] = valueAt(track, field, time) as number;
       return weights;
     });
     made.push(new NumberKeyframeTrack(`${node.uuid}.morphTargetInfluences`, times, values));

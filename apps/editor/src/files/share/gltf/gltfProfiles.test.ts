@@ -32,7 +32,7 @@ async function read(blob: Blob): Promise<{ assets: AssetLibrary; model: Model }>
   return { assets, model: assets.model('lamps.glb') };
 }
 
-/** Lamps that hang askew, one of them with a colour beyond what glTF has and an end. */
+/** Tilted lamps, one of them with an end and a colour beyond glTF's range. */
 async function litScene(): Promise<Scene> {
   const scene = new Scene();
   await Promise.all(['profile/street-light', 'profile/downlight'].map((name) => scene.assets.load(name)));
@@ -53,7 +53,7 @@ async function litScene(): Promise<Scene> {
   return scene;
 }
 
-/** Directions of down and across of a light's profile in the world, as `LightOptions.profile` says. */
+/** World directions of down and across of a light's profile, as defined by `LightOptions.profile`. */
 function frameOf(light: PointLight): Vector3[] {
   light.updateWorldMatrix(true, false);
   const [across, up, back] = [new Vector3(), new Vector3(), new Vector3()];

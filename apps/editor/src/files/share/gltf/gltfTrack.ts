@@ -11,18 +11,18 @@ import {
 } from 'three';
 import { beforeTime } from './beforeTime';
 
-/** A track as glTF has it. */
+/** A track converted for glTF. */
 export interface GltfTrack {
   readonly track: KeyframeTrack;
-  /** Whether a curve that glTF does not have was sampled at the frame rate. */
+  /** Whether a curve that glTF does not support was sampled. */
   readonly isBaked: boolean;
 }
 
-/** Values at times, in a straight line between them or along a cubic. */
+/** A value at a time, for linear or cubic interpolation. */
 interface Sample {
   readonly time: number;
   readonly value: Vector3Tuple;
-  /** Change of the value per second when it is left, and when it was reached. */
+  /** Slopes (per second) when leaving and when reaching the value. */
   readonly out?: Vector3Tuple;
   readonly in?: Vector3Tuple;
 }
@@ -33,24 +33,24 @@ const minus = (a: Vector3Tuple, b: Vector3Tuple): Vector3Tuple => [a[0] - b[0], 
 const times = (a: Vector3Tuple, factor: number): Vector3Tuple => [a[0] * factor, a[1] * factor, a[2] * factor];
 const valueOf = ({ value }: ClipKey): Vector3Tuple => value as Vector3Tuple;
 
-/** The heights of the handles of a curve that is a cubic of the time; null for others. */
+/** Heights of the handles of a curve that is a cubic function of time; null for others. */
 function cubicOf({ easing, control }: ClipKey): readonly [number, number] | null {
   if (easing !== 'bezier') return [1 / 3, 2 / 3];
   const [x1, y1, x2, y2] = control ?? [1 / 3, 1 / 3, 2 / 3, 2 / 3];
   return Math.abs(x1 - 1 / 3) < 1e-8 && Math.abs(x2 - 2 / 3) < 1e-8 ? [y1, y2] : null;
 }
 
-/** Whether a rotation turns about one of the axes alone: then half of the angles is half of the turn. */
+/** Whether two rotations differ in one angle only, so that half of the angles is half of the rotation. */
 function turnsAboutOneAxis(a: Vector3Tuple, b: Vector3Tuple): boolean {
   return [0, 1, 2].filter((i) => a[i] !== b[i]).length < 2;
 }
 
 /**
- * Position, rotation or scale of a clip as a track of three's that GLTFExporter writes. Steps and straight lines are exact, as
- * are turns about one axis and curves that are cubics of the time; what else there is is sampled.
- * @param name - of the track: node and property
- * @param field - of a Transform
- * @param frameRate - of the samples (Hz)
+ * Converts position, rotation or scale of a clip to a track for GLTFExporter. Steps, lines, rotations about one axis,
+ * and curves that are cubic in time are exact; everything else is sampled.
+ * @param name - track name: node and property
+ * @param field - field of a Transform
+ * @param frameRate - sampling rate (Hz)
  */
 export function gltfTrack(
   name: string,
@@ -112,12 +112,12 @@ export function gltfTrack(
   return make(rising(samples), false, isCubic, isBaked);
 }
 
-/** The change per second with which a key is reached. */
+/** Slope (per second) with which a key is reached. */
 function incoming(from: ClipKey, key: ClipKey): Vector3Tuple {
   return times(minus(valueOf(key), valueOf(from)), (3 * (1 - cubicOf(from)![1])) / (key.time - from.time));
 }
 
-/** Without what single precision puts at the time of the one before. */
+/** Drops samples whose time in 32-bit floats equals that of the one before. */
 const rising = (samples: readonly Sample[]): Sample[] =>
   samples.filter(({ time }, i) => i === 0 || Math.fround(time) > Math.fround(samples[i - 1].time));
 
@@ -139,7 +139,7 @@ function vectorTrack(name: string, samples: readonly Sample[], isStep: boolean, 
   return track;
 }
 
-/** As GLTFLoader marks the cubic splines of a glTF, for GLTFExporter. */
+/** Marks a track as a cubic spline in the way GLTFLoader does, for GLTFExporter. */
 function markCubic(track: KeyframeTrack): void {
   const method = (): never => {
     throw new Error('A track that is only exported is not played.');
@@ -153,7 +153,7 @@ function rotationTrack(name: string, samples: readonly Sample[], isStep: boolean
   const last = new Quaternion();
   const values = samples.flatMap(({ value: [x, y, z] }, i) => {
     quaternion.setFromEuler(euler.set(x, y, z, 'XYZ'));
-    // the shorter way between two keys
+    // quaternions of opposite sign are the same rotation: takes the shorter way
     if (i > 0 && last.dot(quaternion) < 0) {
       quaternion.set(-quaternion.x, -quaternion.y, -quaternion.z, -quaternion.w);
     }

@@ -5,7 +5,7 @@ uniform bool encode;
 in vec2 uvOfTexel;
 out vec4 texel;
 
-// The sRGB transfer function: IEC 61966-2-1.
+// Linear to sRGB; IEC 61966-2-1.
 vec3 encodeSRGB(vec3 linear) {
   return mix(pow(linear, vec3(1.0 / 2.4)) * 1.055 - 0.055, linear * 12.92, lessThanEqual(linear, vec3(0.0031308)));
 }

@@ -17,9 +17,9 @@ import fragmentShader from './readTexels.frag.glsl?raw';
 import vertexShader from './readTexels.vert.glsl?raw';
 
 /**
- * The texels of any texture that can be sampled (compressed, of floats), as the GPU sees them: RGBA bytes, the row of
- * v = 0 first, in the texture's own colour space; what is brighter than white is white.
- * @throws Error when the graphics device is lost meanwhile
+ * Reads back any texture that the GPU can sample (compressed, floats): RGBA bytes, row of v = 0 first, in the texture's
+ * colour space, clamped to 1.
+ * @throws Error when the context is lost meanwhile
  */
 export async function readTexels(
   webgl: WebGLRenderer,
@@ -41,18 +41,18 @@ export async function readTexels(
   const scene = new Scene();
   scene.add(plane);
   const target = new WebGLRenderTarget(width, height, { colorSpace: LinearSRGBColorSpace, depthBuffer: false });
-  const before = webgl.getRenderTarget();
+  const previousTarget = webgl.getRenderTarget();
   try {
     webgl.setRenderTarget(target);
     webgl.render(scene, new OrthographicCamera());
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     const data = new Uint8ClampedArray(width * height * 4);
     if (!(await readPixels(webgl, target, 0, 0, width, height, data))) {
       throw new Error(t('the graphics device was lost: export again when the picture is back.'));
     }
     return data;
   } finally {
-    webgl.setRenderTarget(before);
+    webgl.setRenderTarget(previousTarget);
     target.dispose();
     material.dispose();
     plane.geometry.dispose();

@@ -3,8 +3,8 @@ import { BufferAttribute, type BufferGeometry, Vector3 } from 'three';
 const [edge1, edge2, direction, normal, tangent] = Array.from({ length: 5 }, () => new Vector3());
 
 /**
- * Tangents along u, [x, y, z, w]: w is the side of the bitangent, which glTF has against v, as green of its normal maps
- * is. Vertices whose texture coordinates say nothing get any direction along the surface.
+ * Tangents along u as [x, y, z, w], where w is the sign of the bitangent; in glTF the bitangent is against v, like
+ * green of its normal maps. Vertices with degenerate texture coordinates get an arbitrary tangent.
  * @param geometry - with normals and texture coordinates
  * @see glTF 2.0, 3.7.2.1; Lengyel, "Computing tangent space basis vectors for an arbitrary mesh", 2001
  */

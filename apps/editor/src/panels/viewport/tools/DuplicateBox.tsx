@@ -166,7 +166,7 @@ interface PartRowProps {
   onChange(value: number): void;
 }
 
-/** A part, as per cent. */
+/** A share, shown as a percentage. */
 function PartRow({ label, value, onChange }: PartRowProps): ReactNode {
   return (
     <NumberRow
@@ -211,7 +211,7 @@ function LightPart({ tool, value }: PartProps): ReactNode {
 
 const parts = { line: LinePart, ring: RingPart, grid: GridPart, scatter: ScatterPart };
 
-/** The settings of Duplicate along…, beside what they make. */
+/** Settings of the tool "Duplicate along…", updating its preview. */
 export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactNode {
   const { tools } = useEditor();
   useSignal(tool.changed);
@@ -221,7 +221,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
   useEffect(() => form.current?.querySelector<HTMLElement>('button')?.focus(), []);
   const name =
     tool.sources.length === 1 ? tool.sources[0].name : tCount(tool.sources.length, '{count} object', '{count} objects');
-  const wanted = value.kind === 'grid' ? tool.total : value.count;
+  const requestedCount = value.kind === 'grid' ? tool.total : value.count;
   const isRandom =
     value.kind === 'scatter' || value.colours === 'random' || value.intensityVariation + value.rangeVariation > 0;
   return (
@@ -258,8 +258,8 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
       <p className="tool-note" role="status">
         {value.kind === 'scatter' && !tool.target
           ? t('Click what they shall be scattered over.')
-          : tool.total < wanted
-            ? t('{count} of {wanted} fit: the others would be closer.', { count: tool.total, wanted })
+          : tool.total < requestedCount
+            ? t('{count} of {wanted} fit: the others would be closer.', { count: tool.total, wanted: requestedCount })
             : tCount(tool.total, '{count} in all', '{count} in all')}
       </p>
       <div className="dialog-buttons">

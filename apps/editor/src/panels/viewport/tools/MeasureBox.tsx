@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../../ui/EditorContext';
 import { lengthText, type MeasureTool } from '../../../viewport/placing/MeasureTool';
 
-/** What was measured: the distance, and how far along each axis. */
+/** Measured distance, and its components along the axes. */
 export function MeasureBox({ tool }: { readonly tool: MeasureTool }): ReactNode {
   const { tools } = useEditor();
   useSignal(tool.changed);

@@ -2,13 +2,13 @@ import { type ComponentType, lazy, type ReactNode } from 'react';
 import type { Tool } from '../../../model/Tools';
 import './tools.css';
 
-/** What is shown for each tool, by its id. A new tool is a line here. */
+/** Settings box of each tool, by its id. A new tool is a line here. */
 const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   duplicate: lazy(async () => ({ default: (await import('./DuplicateBox')).DuplicateBox })),
   measure: lazy(async () => ({ default: (await import('./MeasureBox')).MeasureBox })),
 };
 
-/** The box of the tool that is open over the picture. */
+/** Settings box of the open tool. */
 export function ToolBox({ tool }: { readonly tool: Tool }): ReactNode {
   const Box = boxes[tool.id] as ComponentType<{ tool: Tool }> | undefined;
   return Box && <Box tool={tool} />;

@@ -10,11 +10,11 @@ interface NumberRowProps {
   readonly min?: number;
   readonly max?: number;
   readonly unit?: string;
-  /** Shown while it is typed or dragged, and kept. */
+  /** Called while the value is typed or dragged, and when it is final. */
   onChange(value: number): void;
 }
 
-/** A number of a tool: what it becomes is shown at once. */
+/** A number setting of a tool, applied at once. */
 export function NumberRow({ label, onChange, value, ...rest }: NumberRowProps): ReactNode {
   return (
     <div className="tool-row">
@@ -37,7 +37,7 @@ interface TripleRowProps extends Omit<NumberRowProps, 'value' | 'onChange'> {
   onChange(value: [number, number, number]): void;
 }
 
-/** Three numbers of a tool, along x, y and z. */
+/** Three number settings of a tool, along x, y and z. */
 export function TripleRow({ label, value, onChange, ...rest }: TripleRowProps): ReactNode {
   return (
     <div className="tool-row triple" role="group" aria-label={label}>

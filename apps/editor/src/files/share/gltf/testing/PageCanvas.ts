@@ -1,16 +1,16 @@
-/** Pixels as RGBA bytes, the first row first. */
+/** RGBA bytes, first row first. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;
   readonly data: Uint8ClampedArray;
 }
 
-/** Bytes before the pixels of a picture file: width and height. */
+/** Header size of a fake image file (bytes): width and height. */
 const HEADER = 8;
 
 /**
- * A canvas in Node that copies pictures of its own size, and writes them as bytes that `readPicture` reads: tests put it
- * in the place of `OffscreenCanvas`, and of what `document.createElement` makes.
+ * A fake canvas for Node that copies images of its own size, and encodes them as bytes that `readPicture` decodes.
+ * Tests replace `OffscreenCanvas` and `document.createElement` by it.
  */
 export class PageCanvas {
   fillStyle = '';
@@ -29,7 +29,7 @@ export class PageCanvas {
     return (this.pixels ??= new Uint8ClampedArray(this.width * this.height * 4));
   }
 
-  /** @throws RangeError for a picture of another size, which a canvas of a page would scale */
+  /** @throws RangeError for an image of another size, which a real canvas would scale */
   drawImage(picture: Pixels): void {
     if (picture.width !== this.width || picture.height !== this.height) throw new RangeError('Of another size.');
     this.data.set(picture.data);
@@ -53,14 +53,14 @@ export class PageCanvas {
   }
 }
 
-/** In the place of `createImageBitmap`. */
+/** Replaces `createImageBitmap`. */
 export async function readPicture(file: Blob): Promise<Pixels> {
   const bytes = await file.arrayBuffer();
   const [width, height] = new Uint32Array(bytes, 0, 2);
   return { width, height, data: new Uint8ClampedArray(bytes, HEADER) };
 }
 
-/** In the place of `ImageData`. */
+/** Replaces `ImageData`. */
 export class PageImageData implements Pixels {
   constructor(
     readonly data: Uint8ClampedArray,

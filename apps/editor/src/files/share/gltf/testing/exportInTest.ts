@@ -2,7 +2,7 @@ import type { Scene } from '@farol/engine';
 import type { WebGLRenderer } from 'three';
 import { exportGltf } from '../../exportGltf';
 
-/** What GLTFExporter asks of a page, which Node has not: tests put it in the place of `FileReader`. */
+/** Replaces `FileReader`, which Node lacks, for GLTFExporter. */
 export class PageFileReader {
   result: ArrayBuffer | null = null;
   onloadend: (() => void) | null = null;
@@ -14,7 +14,7 @@ export class PageFileReader {
   }
 }
 
-/** Exports a scene without textures: nothing is drawn. */
+/** Exports a scene without textures, for which no renderer is needed. */
 export async function exportInTest(scene: Scene): ReturnType<typeof exportGltf> {
   return exportGltf(scene, null as unknown as WebGLRenderer);
 }
@@ -23,7 +23,7 @@ export async function exportInTest(scene: Scene): ReturnType<typeof exportGltf> 
 export interface GlbParts<Json> {
   readonly json: Json;
   readonly bytes: ArrayBuffer;
-  /** First byte of its buffer. */
+  /** Offset of the binary chunk's data (bytes). */
   readonly start: number;
 }
 
