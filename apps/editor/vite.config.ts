@@ -49,7 +49,11 @@ export default defineConfig(({ command }) => ({
   build: {
     target: 'es2022',
     chunkSizeWarningLimit: 2000,
+    // every browser with what the renderer needs preloads modules by itself, but Safari 16, which does without
+    modulePreload: { polyfill: false },
     rolldownOptions: {
+      // three has hundreds of constants; one that is written out packs better than a name of its own
+      optimization: { inlineConst: { mode: 'all', pass: 3 } },
       output: {
         // the first frame's code is in few files, which compress better and are requested at once
         codeSplitting: {

@@ -3,7 +3,7 @@ import { type EffectName, loadEffects } from '@farol/renderer/effects';
 import * as THREE from 'three';
 import { compareImages, type Difference } from '../support/images';
 import { devices, type DeviceName, subtract, type Subtraction } from './devices';
-import { type PageImage } from './Bench';
+import type { PageImage } from './Bench';
 import { shadowScene } from './shadowScene';
 import type { TestScene } from './materialScene';
 

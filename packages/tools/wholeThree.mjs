@@ -1,7 +1,17 @@
 import { join } from 'node:path';
 import { root } from './root.mjs';
 
-const ID = 'virtual:whole-three';
+/**
+ * Modules that scripts are given whole, by the id that a page imports them by. A page that took the module's own namespace
+ * would keep its whole index, and all that this exports, in the script of its first frame.
+ *
+ * @type {Record<string, string>}
+ */
+const wholes = {
+  'virtual:whole-three': 'three',
+  'virtual:whole-engine': '@farol/engine',
+  'virtual:whole-engine-fields': '@farol/engine/fields',
+};
 const sources = join(root, 'node_modules/three/src');
 
 /** As three's own build strips its shaders. @param {string} glsl */
@@ -29,11 +39,12 @@ export function wholeThree() {
       isServed = config.command === 'serve';
     },
     resolveId(source) {
-      if (source === ID) return `\0${ID}`;
+      if (Object.hasOwn(wholes, source)) return `\0${source}`;
       return source === 'three' && !isServed ? join(sources, 'Three.js') : null;
     },
     load(id) {
-      return id === `\0${ID}` ? `export * from 'three';` : null;
+      const whole = id.startsWith('\0') ? wholes[id.slice(1)] : undefined;
+      return whole ? `export * from '${whole}';` : null;
     },
     transform(code, id) {
       if (!id.startsWith(sources) || !id.endsWith('.glsl.js')) return null;

@@ -14,3 +14,12 @@ declare module 'virtual:script-declarations' {
 declare module 'virtual:whole-three' {
   export * from 'three';
 }
+
+/** All of the engine and of its declarations of fields, apart from the script of the first frame: see `@farol/tools/wholeThree`. */
+declare module 'virtual:whole-engine' {
+  export * from '@farol/engine';
+}
+
+declare module 'virtual:whole-engine-fields' {
+  export * from '@farol/engine/fields';
+}

@@ -1,5 +1,5 @@
-import * as engine from '@farol/engine';
-import * as fields from '@farol/engine/fields';
+import * as engine from 'virtual:whole-engine';
+import * as fields from 'virtual:whole-engine-fields';
 import * as three from 'virtual:whole-three';
 
 /** Modules that scripts can import, besides other scripts. */

@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import { type Camera as CameraComponent, createWebGLRenderer, type GameObject, PictureRenderer } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import type { MicroShaderRegistry } from '@farol/renderer/authoring';
-import { type Box2, type Camera, type Material, type Vector2, type WebGLRenderer } from 'three';
+import type { Box2, Camera, Material, Vector2, WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { madeUpRun } from '../words/madeUpRun';
 import { chartFiles } from './chartFiles';
 import { chartSVG } from './chartSVG';
-import { type ChartSettings } from './ChartSpec';
+import type { ChartSettings } from './ChartSpec';
 import { defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { paintOf } from './chartPaint';

@@ -1,4 +1,4 @@
-import { type BufferGeometry, type Light, type Material, type Mesh, type Scene, type Texture } from 'three';
+import type { BufferGeometry, Light, Material, Mesh, Scene, Texture } from 'three';
 import type { BakedMesh } from '../Bake';
 import { takesLightmap } from '../scene/collectMeshes';
 import { GatheredAttributes, litGeometry } from './litGeometry';

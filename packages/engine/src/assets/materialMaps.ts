@@ -1,5 +1,5 @@
 import { angle, asset, choice, type FieldTable, number } from '@farol/editing/fields';
-import { type materialKinds } from './materialFields';
+import type { materialKinds } from './materialFields';
 
 type Kind = (typeof materialKinds)[number];
 

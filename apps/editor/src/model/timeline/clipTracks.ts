@@ -1,4 +1,4 @@
-import { type ClipData, type ClipKey, type ClipTrack } from '@farol/engine';
+import type { ClipData, ClipKey, ClipTrack } from '@farol/engine';
 import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
 import { curveAt } from './easingCurve';
 

@@ -1,6 +1,6 @@
 import { formatNumber, t, toDegrees } from '@farol/editing';
 import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
-import { type MouseEvent, type ReactNode } from 'react';
+import type { MouseEvent, ReactNode } from 'react';
 import { valueAt } from '../../model/timeline/clipTracks';
 import { addEventAt, addKeys, hasKeyAt } from '../../model/timeline/timelineEdits';
 import { useSignal } from '../../ui/EditorContext';
