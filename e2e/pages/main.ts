@@ -24,6 +24,7 @@ import { devices } from './devices';
 import { drawDevice } from './drawDevice';
 import { countGpuObjects } from './gpuObjects';
 import { loseContexts } from './loseContexts';
+import { checkedMap } from './checkedMap';
 import { chunkScene } from './chunkScene';
 import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
@@ -72,6 +73,7 @@ export interface TestPage {
   supersampled: typeof supersampled;
   surfaceScene: typeof surfaceScene;
   SURFACE: typeof SURFACE;
+  checkedMap: typeof checkedMap;
   shadowScene: typeof shadowScene;
   brokenScene: typeof brokenScene;
   faultsOf: typeof faultsOf;
@@ -139,6 +141,7 @@ window.testPage = {
   supersampled,
   surfaceScene,
   SURFACE,
+  checkedMap,
   shadowScene,
   brokenScene,
   faultsOf,

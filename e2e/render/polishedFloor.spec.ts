@@ -42,3 +42,30 @@ test('a polished floor mirrors area lights as in stock three, by every technique
   expect(isLit).toBeGreaterThan(1);
   for (const { technique, ...difference } of pairs) checkAgreement(technique, difference, 'polished floor');
 });
+
+test('a polished floor goes into a G-buffer again once the area lights are gone', async ({ benchPage: page }) => {
+  const draws = await page.evaluate(() => {
+    const { Bench, three } = window.testPage;
+    const bench = new Bench(32, 32);
+    const floor = new three.Mesh(new three.PlaneGeometry(), new three.MeshStandardMaterial({ roughness: 0.1 }));
+    const area = new three.RectAreaLight(0xffffff, 5);
+    area.position.z = 1;
+    const point = new three.PointLight();
+    point.position.z = 1;
+    const scene = new three.Scene().add(floor, area, point);
+    const camera = new three.PerspectiveCamera();
+    camera.position.z = 2;
+    return (['deferred', 'light-prepass', 'inferred'] as const).map((technique) => {
+      return [true, false].map((visible) => {
+        area.visible = visible;
+        bench.byTechnique(technique, scene, camera);
+        return bench.farol.info.passes.find(({ name }) => name.endsWith('g-buffer'))!.drawCalls;
+      });
+    });
+  });
+  expect(draws).toEqual([
+    [0, 1],
+    [0, 1],
+    [0, 1],
+  ]);
+});

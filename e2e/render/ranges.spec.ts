@@ -144,3 +144,33 @@ test('attenuations of the thesis at the ends of their numbers', async ({ benchPa
   for (const { name, is, wanted } of results)
     expect(Math.abs(is / (wanted || 1) - (wanted && 1)), name).toBeLessThan(0.006);
 });
+
+test('a light behind the camera that shines beyond the far plane is whole in light volumes', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const [width, height] = [96, 72];
+    const bench = new Bench(width, height);
+    bench.farol.inferredScale = 1;
+    const scene = new three.Scene();
+    const floor = new three.Mesh(new three.PlaneGeometry(60, 60), new three.MeshLambertMaterial());
+    floor.rotation.x = -Math.PI / 2;
+    floor.position.y = -1;
+    const wall = new three.Mesh(new three.PlaneGeometry(30, 12), new three.MeshLambertMaterial());
+    wall.position.set(2, 3, -9);
+    wall.rotation.y = 0.5;
+    const spot = new three.SpotLight(0xffffff, 300, 30, 0.7, 0.3);
+    spot.target.position.set(0, -1, -7);
+    scene.add(floor, wall, spot, spot.target);
+    const camera = new three.PerspectiveCamera(50, width / height, 1, 30);
+    return [0, 1, 2, 3, 4, 5].map((turn) => {
+      spot.position.set(Math.cos(turn) * 5, 1 + (turn % 3) * 1.5, 1 + turn * 0.4);
+      const [volumes, lists] = (['deferred', 'tiled-deferred'] as const).map((technique) =>
+        bench.byTechnique(technique, scene, camera),
+      );
+      return compareImages(lists, volumes);
+    });
+  });
+  for (const [turn, { largest }] of results.entries()) expect(largest, `place ${turn}`).toBeLessThan(1e-3);
+});

@@ -31,7 +31,7 @@ it('tells faults by kind, the most frequent first, each by its smallest scene', 
 });
 
 /** Scenes that were off when the table was made; mend one, and lower this. */
-const MOST = 1;
+const MOST = 0;
 
 it('has no more exceptions than it began with', () => {
   const seeds = chanceExceptions.flatMap((one) => one.seeds);

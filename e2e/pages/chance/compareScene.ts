@@ -158,6 +158,8 @@ export function compareScene(facts: SceneFacts, techniques = compared): SceneRes
   const scene = buildScene(facts, bench, materials);
   const output = new Output(bench, view);
   try {
+    // the first picture is left out: see `leftOut`
+    if (view.camera === 'array') listen(() => output.draw(scene, reference));
     const stock = listen(() => output.draw(scene, reference));
     if (stock.result === null) return { unseen: stock.said.at(-1) ?? '' };
     if (isFlat(stock.result)) return { unseen: 'one colour' };

@@ -8,6 +8,10 @@
 // x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell empty pixels from
 // surfaces at the same depth
 uniform highp ivec2 farol_gStored;
+// set where a pixel is lit, for what is to know the pixels beside it: the pixel, and the size of the picture
+ivec2 farol_readPixel = ivec2(0);
+vec2 farol_readSize = vec2(1.0);
+#define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
 
 struct FarolSurface {
   vec3 positionVS; // m

@@ -4,6 +4,8 @@ import { type IUniform, Matrix3 } from 'three';
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
   readonly farol_lightAtlas: IUniform;
+  /** Textures that spot lights throw, by sampler. */
+  readonly farol_images: IUniform;
   readonly farol_atlasTexel: { value: number[] };
   /** From view space to the world's axes. */
   readonly farol_worldAxes: { value: Matrix3 };
@@ -17,6 +19,7 @@ export function maskUniforms(): MaskUniforms {
   return {
     farol_shadowAtlas: { value: null },
     farol_lightAtlas: { value: null },
+    farol_images: { value: [null] },
     farol_atlasTexel: { value: [1, 1] },
     farol_worldAxes: { value: new Matrix3() },
     farol_masks: { value: [0, 0] },

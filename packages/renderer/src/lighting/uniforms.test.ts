@@ -17,7 +17,7 @@ const texts = new Map([
 
 /** Names of the uniforms that microshaders declare themselves. */
 function declared(names: readonly string[]): Set<string> {
-  const found = names.flatMap((name) => [...texts.get(name)!.matchAll(/^uniform (?:\w+ )?\w+ (\w+)(?:\[\d+\])?;/gm)]);
+  const found = names.flatMap((name) => [...texts.get(name)!.matchAll(/^uniform (?:\w+ )?\w+ (\w+)(?:\[\w+\])?;/gm)]);
   return new Set(found.map(([, name]) => name));
 }
 

@@ -51,6 +51,8 @@ export class VisibleLights {
   cones = 0;
   /** How many of `boundeds` are area lights. */
   areas = 0;
+  /** Whether there are area lights, with a range or without. */
+  hasAreas = false;
   /** Managed lights in the scene, and those kept for this frame (ambient and hemisphere lights included). */
   total = 0;
   visible = 0;
@@ -92,6 +94,7 @@ export class VisibleLights {
         const range = kind === 'area' ? masks.areas!.radiusOf(light as RectAreaLight) : lightRange(light as PointLight);
         if (range === 0) this.addEndless(light, this.unboundeds, masks);
         else if (!this.addBounded(light, kind, range, view, projection, masks)) continue;
+        if (kind === 'area') this.hasAreas = true;
       }
       this.visible++;
     }
@@ -101,6 +104,7 @@ export class VisibleLights {
   private clear(count: number): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
     this.kept = this.spheres = this.cones = this.areas = this.visible = this.coverage = 0;
+    this.hasAreas = false;
     this.ambientSum.clear();
     this.total = count;
     if (this.bounds.length >= count * 4) return;

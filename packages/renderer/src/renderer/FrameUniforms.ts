@@ -33,6 +33,7 @@ export class FrameUniforms {
   /** Lets go of the textures of shadow maps, which are disposed: three would make anew what is still bound. */
   freeMasks(): void {
     const { values } = this;
+    values.farol_images.value = [null];
     values.farol_shadowAtlas.value = values.farol_lightAtlas.value = values.farol_tileShadows.value = null;
   }
 }

@@ -35,6 +35,7 @@ import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
 import { atlasLimit } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
 import type { CookieSlot } from './slots/CookieSlot';
+import { ImageSamplers, imageSamplersOf } from './slots/ImageSamplers';
 import { LightSlots } from './slots/LightSlots';
 import type { ShadowLight } from './slots/ShadowLight';
 import type { ShadowSlot } from './slots/ShadowSlot';
@@ -74,6 +75,7 @@ export class ShadowMaps implements LightMasks {
   /** Has the maps drawn where three draws its own; set by `makeShadowMaps`. */
   calls!: ShadowMapCalls;
   private readonly slots: LightSlots;
+  private readonly samplers: ImageSamplers;
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
   /** Scenes whose maps are held. */
   private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
@@ -108,12 +110,14 @@ export class ShadowMaps implements LightMasks {
     this.images = new CookieDraws(drawer);
     this.hostMaps = new HostShadowMaps(webgl, drawer);
     this.bounds = new ShadowBounds(webgl, drawer);
-    this.shaders = new MaskShaders(microshaders);
+    const { maxTextures } = webgl.capabilities;
+    this.samplers = new ImageSamplers(imageSamplersOf(maxTextures));
+    this.shaders = new MaskShaders(microshaders, this.samplers.textures.length);
     const release = {
       map: (slot: ShadowSlot) => this.releaseMap(slot),
       cookie: (cookie: CookieSlot) => this.atlases.colours.release(cookie),
     };
-    this.slots = new LightSlots(release, webgl.capabilities.getMaxAnisotropy());
+    this.slots = new LightSlots(release, webgl.capabilities.getMaxAnisotropy(), this.samplers);
     this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
   }
 
@@ -167,6 +171,7 @@ export class ShadowMaps implements LightMasks {
     uniforms.farol_worldAxes.value.setFromMatrix4(camera.matrixWorldInverse).invert();
     uniforms.farol_shadowAtlas.value = this.depthTexture;
     uniforms.farol_lightAtlas.value = this.colourTexture;
+    uniforms.farol_images.value = this.samplers.textures;
     uniforms.farol_atlasTexel.value[0] = 1 / this.atlases.depths.size;
     uniforms.farol_atlasTexel.value[1] = 1 / this.atlases.colours.size;
     uniforms.farol_masks.value[0] = firstMask;
@@ -400,7 +405,8 @@ export class ShadowMaps implements LightMasks {
   private findImages(): void {
     for (const copies of this.slots.copies) {
       for (const cookie of copies.values()) {
-        if (!this.slots.isLit(cookie) || cookie.placement.region === null || cookie.map.isCurrent) continue;
+        if (!this.slots.isLit(cookie) || cookie.sampler >= 0) continue;
+        if (cookie.placement.region === null || cookie.map.isCurrent) continue;
         cookie.map.plan(false);
         this.imagesToDraw.push(cookie);
       }

@@ -11,6 +11,9 @@ const INDIRECT = '#if defined( RE_IndirectDiffuse )';
 const AMBIENT = 'vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );';
 const LOOP = `farol_lightsEvaluated = 0.0;
 #ifdef RE_Direct
+#ifdef FAROL_SET_PLANE
+FAROL_SET_PLANE(geometryPosition)
+#endif
 #if defined( FAROL_PLAIN_STANDARD ) && ! defined( FAROL_ONE_BY_ONE )
 FAROL_SHADE_PLAIN
 #else

@@ -6,6 +6,8 @@ uniform highp sampler2D dfgLUT;
 
 FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, const in vec2 size) {
   FarolShading s;
+  farol_readPixel = pixel;
+  farol_readSize = size;
   s.flags = farol_unpackFlags(farol_gAlbedoAt(pixel).a);
   s.positionVS = farol_surfacePosition(pixel, depth, size);
   s.normalVS = farol_decodeNormal(farol_gNormalAt(pixel).xy);

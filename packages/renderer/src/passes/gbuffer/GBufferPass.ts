@@ -20,9 +20,8 @@ export class GBufferPass implements Pass {
 
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
-    const mirrorsAreas = frame.uniforms.farol_areaCounts.value[1] > 0;
     for (const item of frame.queue.opaque) {
-      if (!fitsGBuffer(item) || (mirrorsAreas && isPolished(item.material))) continue;
+      if (!fitsGBuffer(item) || (frame.lights.hasAreas && isPolished(item.material))) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }

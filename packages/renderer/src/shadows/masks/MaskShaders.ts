@@ -11,7 +11,11 @@ export class MaskShaders {
   private neededFeatures = 0;
   private readonly before: MicroShader;
 
-  constructor(private readonly microshaders: MicroShaderRegistry) {
+  /** @param images - samplers for the textures that lights throw */
+  constructor(
+    private readonly microshaders: MicroShaderRegistry,
+    private readonly images: number,
+  ) {
     this.before = microshaders.get('lightMask')!;
   }
 
@@ -24,7 +28,8 @@ export class MaskShaders {
   adapt(hasMasks: boolean, hasLayers: boolean): void {
     if (this.neededFeatures !== this.features) {
       this.features = this.neededFeatures;
-      this.microshaders.swap('maskFeatures', parseMicroShader('maskFeatures', maskFeaturesChunk(this.features)));
+      const text = maskFeaturesChunk(this.features, this.images);
+      this.microshaders.swap('maskFeatures', parseMicroShader('maskFeatures', text));
     }
     const needed = hasLayers ? 2 : hasMasks ? 1 : 0;
     if (needed <= this.level) return;

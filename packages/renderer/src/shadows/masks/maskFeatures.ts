@@ -18,6 +18,7 @@ export const maskFeatures = {
   point: 1024,
   profiles: 2048,
   soft: 4096,
+  images: 8192,
 } as const;
 
 const defines: Record<keyof typeof maskFeatures, string> = {
@@ -34,6 +35,7 @@ const defines: Record<keyof typeof maskFeatures, string> = {
   point: 'FAROL_POINT_MASKS',
   profiles: 'FAROL_LIGHT_PROFILES',
   soft: 'FAROL_SOFT_SHADOWS',
+  images: 'FAROL_LIGHT_IMAGES',
 };
 
 /** The loop of shading.glsl that meets a light, and so must know of masks. */
@@ -58,16 +60,22 @@ export function maskFeaturesOf(
   features |= isCube ? maskFeatures.cubes : maskFeatures.maps;
   if (cascades > 0) features |= maskFeatures.cascades;
   if (cookie !== null) features |= maskFeatures.cookies;
+  // with the code for copies: it is there once lights throw more textures than samplers are left
+  if (cookie !== null && !cookie.isCube) features |= maskFeatures.images;
   if (!hasShadow) return features | maskFeatures.unshadowed;
   if (type === VSMShadowMap) return features | maskFeatures.variance;
   return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
 }
 
-/** Text of the chunk `maskFeatures` for some features: code for others would slow shaders down. */
-export function maskFeaturesChunk(features: number): string {
+/**
+ * Text of the chunk `maskFeatures` for some features: code for others would slow shaders down.
+ * @param images - samplers for the textures that lights throw
+ */
+export function maskFeaturesChunk(features: number, images: number): string {
   const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
   for (const [name, define] of Object.entries(defines)) {
-    if ((features & maskFeatures[name as keyof typeof maskFeatures]) !== 0) lines.push(`#define ${define}`);
+    if ((features & maskFeatures[name as keyof typeof maskFeatures]) === 0) continue;
+    lines.push(name === 'images' ? `#define ${define} ${images}` : `#define ${define}`);
   }
   return `${lines.join('\n')}\n`;
 }

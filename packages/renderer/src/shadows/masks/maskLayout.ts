@@ -52,7 +52,7 @@ export const maskRecord = {
     heightAndCascades: 'xy',
     /** `ShadowBounds` knows the depths. */
     hasBounds: ['bool', 't.z != 0.0'],
-    /** Sampling of the cookie, see `imageFilter`. */
+    /** Sampling of the cookie's copy, see `imageFilter`; below 0 the texture itself is sampled: -1 - its sampler. */
     cookieFilter: ['int', 'int(t.w)'],
   },
   /** Region of the photometric profile: corner, size (texels). */

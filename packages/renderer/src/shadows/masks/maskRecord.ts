@@ -42,7 +42,7 @@ export function writeMask(
     for (let i = 0; i < 16; i += 4) table.set4(at + MASK.columnX + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
   const height = isCube ? faceWidth : faceHeight;
-  const hasCookie = cookie !== null && cookie.placement.region !== null;
+  const hasCookie = cookie !== null && cookie.isThere;
   const shape = !hasCookie ? cookieShapes.none : cookie.isCube ? cookieShapes.cube : cookieShapes.map;
   const hasProfile = writeProfile(table, at, slot, shape, camera);
   const isExtended = slot.hasLeftMap || (!isCube && (height !== faceWidth || slot.cascades > 0));
@@ -65,7 +65,7 @@ export function writeMask(
     height,
     slot.cascades,
     slot.hasShadow && slot.map.hasBounds && softSize === 0 ? 1 : 0,
-    cookie?.filter ?? 0,
+    cookie === null ? 0 : cookie.sampler >= 0 ? -1 - cookie.sampler : cookie.filter,
   );
   const p = camera.projectionMatrix.elements;
   const span = 2 / Math.abs(p[0] * picture.width);
@@ -75,7 +75,7 @@ export function writeMask(
     table.set4(at + FITS[i], fits[i * 4], fits[i * 4 + 1], fits[i * 4 + 2], fits[i * 4 + 3]);
   }
   if (cascades === MOST_CASCADES) return;
-  if (!hasCookie) table.set4(at + MASK.cookie, 0, 0, 1, 1);
+  if (!hasCookie || cookie.placement.region === null) table.set4(at + MASK.cookie, 0, 0, 1, 1);
   else {
     const { placement } = cookie;
     table.set4(at + MASK.cookie, placement.region!.x, placement.region!.y, placement.faceWidth, placement.faceHeight);

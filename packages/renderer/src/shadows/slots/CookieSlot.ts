@@ -26,6 +26,8 @@ export class CookieSlot implements AtlasTenant {
   levels: number | undefined = undefined;
   /** How the image is sampled, see `imageFilter`; 0 for a cube or a profile. */
   filter = 0;
+  /** The sampler that shaders have for the texture itself; -1 where they sample the copy. Written by `ImageSamplers`. */
+  sampler = -1;
   /** Texels across the texture. */
   textureWidth = 1;
   /** Last frame in which a light threw the image. */
@@ -65,6 +67,11 @@ export class CookieSlot implements AtlasTenant {
     this.textureWidth = width;
     this.levels = imageLevels(texture, width, height, this.wantedWidth);
     this.filter = imageFilter(texture, this.levels, mostAnisotropy);
+  }
+
+  /** Whether shaders can sample the image: by the texture itself, or by its copy once that has a region. */
+  get isThere(): boolean {
+    return this.sampler >= 0 || this.placement.region !== null;
   }
 
   borderOf(): number {

@@ -2,6 +2,7 @@ import type { Camera, Light, Object3D, Texture } from 'three';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
 import { isBelow } from '../isBelow';
 import { CookieSlot } from './CookieSlot';
+import type { ImageSamplers } from './ImageSamplers';
 import { lightCoverage } from './lightCoverage';
 import type { ShadowLight } from './ShadowLight';
 import { ShadowSlot } from './ShadowSlot';
@@ -37,10 +38,11 @@ export class LightSlots {
   readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
-  /** @param mostAnisotropy - of the device. Default 1 */
+  /** @param mostAnisotropy - of the device. Default 1 @param samplers - for images; without, all are copied */
   constructor(
     private readonly release: SlotRelease,
     private readonly mostAnisotropy = 1,
+    private readonly samplers: ImageSamplers | null = null,
   ) {}
 
   get isEmpty(): boolean {
@@ -116,9 +118,11 @@ export class LightSlots {
         this.slots.delete(slot.light);
       } else if (!isLit || slot.placement.region !== null) (inColours ? keptColours : keptDepths).push(slot);
     }
+    this.samplers?.assign(this.images, frame);
     for (const copies of this.copies) {
       for (const cookie of copies.values()) {
-        if (cookie.lastLit === frame) colours.push(cookie);
+        if (cookie.sampler >= 0 && cookie.placement.region === null) continue;
+        if (cookie.lastLit === frame) (cookie.sampler >= 0 ? keptColours : colours).push(cookie);
         else if (frame - cookie.lastLit > KEPT_FRAMES) {
           release.cookie(cookie);
           copies.delete(cookie.texture);
@@ -152,6 +156,7 @@ export class LightSlots {
 
   clear(): void {
     this.slots.clear();
+    this.samplers?.clear();
     for (const copies of this.copies) copies.clear();
   }
 

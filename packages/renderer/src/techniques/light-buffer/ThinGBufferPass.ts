@@ -35,6 +35,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   readonly fit = new Vector4(1, 1, 0, 0);
   readonly items: RenderItem[] = [];
   private made: WebGLRenderTarget | null = null;
+  private knowsAreas = false;
   private hasAreas = false;
   private readonly scaleUniform = { value: 1 };
   private readonly twins: ThinGBufferTwins;
@@ -58,12 +59,13 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
 
   render(frame: Frame): void {
     this.prepareTarget(frame);
-    this.hasAreas = hasAreaLights(frame);
+    this.knowsAreas = hasAreaLights(frame);
+    this.hasAreas = frame.lights.hasAreas;
     const { items } = this;
     items.length = 0;
     try {
       for (const item of frame.queue.opaque) {
-        if (!item.splits || item.layered || !isLightBufferMaterial(item.material, this.hasAreas)) continue;
+        if (!item.splits || item.layered || !this.isLit(item)) continue;
         setObject(frame.gl, objectNumber(items.length), 0);
         frame.drawTwin(item, this.twins.opaque);
         items.push(item);
@@ -85,8 +87,13 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
       !item.layered &&
       material.depthTest &&
       material.depthFunc === LessEqualDepth &&
-      isLightBufferMaterial(material, this.hasAreas)
+      this.isLit(item)
     );
+  }
+
+  /** Whether the light buffer lights an item's material. */
+  private isLit({ material }: RenderItem): boolean {
+    return isLightBufferMaterial(material, this.knowsAreas, this.hasAreas);
   }
 
   dispose(): void {

@@ -42,7 +42,7 @@ describe('isLightBufferMaterial', () => {
 
   it('leaves what mirrors area lights sharply to the forward draws, where there are any', () => {
     const polished = new MeshStandardMaterial({ roughness: 0.1 });
-    expect([false, true].map((hasAreas) => isLightBufferMaterial(polished, hasAreas))).toEqual([true, false]);
-    expect(isLightBufferMaterial(new MeshStandardMaterial({ roughness: 0.5 }), true)).toBe(true);
+    expect([false, true].map((hasAreas) => isLightBufferMaterial(polished, true, hasAreas))).toEqual([true, false]);
+    expect(isLightBufferMaterial(new MeshStandardMaterial({ roughness: 0.5 }), true, true)).toBe(true);
   });
 });

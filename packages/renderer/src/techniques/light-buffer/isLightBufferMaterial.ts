@@ -13,17 +13,19 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
 /**
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
- * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; under area lights, so does a
- * specular intensity below 1, since the sum that holds their diffuse light is in use then, and what mirrors them sharply.
- * @param hasAreas - there are area lights. Default false
+ * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity
+ * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what mirrors those
+ * of the frame sharply.
+ * @param knowsAreas - shaders know area lights. Default false
+ * @param hasAreas - the frame has some. Default false
  */
-export function isLightBufferMaterial(material: Material, hasAreas = false): boolean {
+export function isLightBufferMaterial(material: Material, knowsAreas = false, hasAreas = false): boolean {
   const m = material as AnyMaterial;
   if (m.isMeshLambertMaterial || m.isMeshPhongMaterial) return true;
   if (!m.isMeshStandardMaterial) return false;
   if (hasAreas && isPolished(m)) return false;
   if (!m.isMeshPhysicalMaterial) return true;
-  if (hasAreas && (m.specularIntensity !== 1 || m.specularIntensityMap)) return false;
+  if (knowsAreas && (m.specularIntensity !== 1 || m.specularIntensityMap)) return false;
   const { clearcoat, sheen, anisotropy, transmission, retroreflectivity, diffuseRoughness } = m as Lobes;
   return !clearcoat && !sheen && !anisotropy && !transmission && !retroreflectivity && !diffuseRoughness;
 }

@@ -7,6 +7,11 @@ uniform highp sampler2D farol_thinSurface;
 uniform highp sampler2D farol_thinDepth; // depths, or stored distances (farol_thinStored)
 uniform highp int farol_thinStored; // 0; distances are stored: 1 in perspective, 2 orthographic
 
+// as in gbufferRead.glsl
+ivec2 farol_readPixel = ivec2(0);
+vec2 farol_readSize = vec2(1.0);
+#define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)
+
 // texel of a buffer of the given size
 vec3 farol_thinPosition(const in ivec2 texel, const in vec2 size) {
   vec2 depth = texelFetch(farol_thinDepth, texel, 0).rg;

@@ -31,6 +31,8 @@ vec3 farol_pixelPosition(const in ivec2 pixel, const in float depth) {
 
 FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
   FarolPixel lit;
+  farol_readPixel = pixel;
+  farol_readSize = farol_size;
   lit.positionVS = farol_thinPosition(pixel, farol_size);
   vec4 thin = texelFetch(farol_thinSurface, pixel, 0);
   vec3 viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-lit.positionVS);

@@ -12,12 +12,13 @@ bool farol_isTooWide(const in vec4 sphere) {
 }
 
 // clip-space z of a vertex: all vertices of a volume that reaches beyond the far plane lie on that plane, else depths
-// between vertices would be too near
+// between vertices would be too near; those behind the camera lie next to it, so that edges still meet the near plane
 float farol_volumeZ(const in vec4 clip, const in vec4 sphere) {
   vec4 end = projectionMatrix * vec4(sphere.xy, sphere.z - sphere.w * 1.1, 1.0);
   bool beyond = farol_depthMode.x > 0.0 ? end.z < 0.0 : end.z > end.w;
-  if (!beyond || clip.w <= 0.0) return clip.z;
-  return farol_depthMode.x > 0.0 ? 0.0 : clip.w;
+  if (!beyond) return clip.z;
+  float far = farol_depthMode.x > 0.0 ? 0.0 : clip.w;
+  return clip.w > 0.0 ? far : mix(far, clip.z, 1e-3);
 }
 
 // in place of a volume that is too wide: a triangle over the picture, at the far end of depth, its back to the camera
