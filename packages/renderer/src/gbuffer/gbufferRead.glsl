@@ -2,15 +2,14 @@
 // Farol
 #include "gbufferTextures"
 #include "octahedralNormal"
+#include "readPixel"
 #include "storedDistance"
 #include "surfaceFlags"
 #include "unproject"
 // x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell empty pixels from
 // surfaces at the same depth
 uniform highp ivec2 farol_gStored;
-// set where a pixel is lit, for what is to know the pixels beside it: the pixel, and the size of the picture
-ivec2 farol_readPixel = ivec2(0);
-vec2 farol_readSize = vec2(1.0);
+#undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
 
 struct FarolSurface {

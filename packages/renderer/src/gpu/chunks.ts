@@ -5,3 +5,4 @@ export { default as farthest } from './farthest.glsl?raw';
 export { default as fullscreen } from './fullscreen.glsl?raw';
 export { default as unproject } from './unproject.glsl?raw';
 export { default as viewport } from './viewport.glsl?raw';
+export { default as readPixel } from './readPixel.glsl?raw';

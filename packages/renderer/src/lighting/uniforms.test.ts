@@ -33,7 +33,7 @@ describe('the uniforms of a microshader', () => {
     [
       'gridUniforms and maskUniforms',
       { ...gridUniforms(), ...maskUniforms() },
-      ['lightLoopClustered', 'lightImage', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
+      ['lightLoopClustered', 'imageSamplers', 'lightImage', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
     ],
     [
       'gbufferUniforms',

@@ -7,6 +7,7 @@ import lightMaskOn from './masks/lightMaskOn.glsl?raw';
 import lightImage from './masks/lightImage.glsl?raw';
 import lightShadow from './masks/lightShadow.glsl?raw';
 import maskFeatures from './masks/maskFeatures.glsl?raw';
+import { imageSamplersChunk } from './masks/imageSamplersChunk';
 import { maskRecordChunk } from './masks/maskRecordChunk';
 import { mergedCaster, mergedCasterDepth } from './casters/merged';
 import { ShadowMaps } from './ShadowMaps';
@@ -25,6 +26,7 @@ export const microShaders = {
   lightImage,
   lightShadow,
   maskFeatures,
+  imageSamplers: imageSamplersChunk(4),
   maskRecord: maskRecordChunk,
   mergedCaster,
   mergedCasterDepth,

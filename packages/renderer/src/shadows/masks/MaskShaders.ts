@@ -1,6 +1,7 @@
 import type { MicroShader, MicroShaderRegistry } from '../../microshaders';
 import { parseMicroShader } from '../../microshaders/parseMicroShader';
-import { maskFeaturesChunk } from './maskFeatures';
+import { imageSamplersChunk } from './imageSamplersChunk';
+import { maskFeatures, maskFeaturesChunk } from './maskFeatures';
 
 /** What shaders have code for. That grows with the masks that are met and never shrinks, so that nothing is compiled twice. */
 export class MaskShaders {
@@ -28,13 +29,18 @@ export class MaskShaders {
   adapt(hasMasks: boolean, hasLayers: boolean): void {
     if (this.neededFeatures !== this.features) {
       this.features = this.neededFeatures;
-      const text = maskFeaturesChunk(this.features, this.images);
-      this.microshaders.swap('maskFeatures', parseMicroShader('maskFeatures', text));
+      const samplers = (this.features & maskFeatures.images) !== 0 ? this.images : 0;
+      this.swap('maskFeatures', maskFeaturesChunk(this.features));
+      this.swap('imageSamplers', imageSamplersChunk(samplers));
     }
     const needed = hasLayers ? 2 : hasMasks ? 1 : 0;
     if (needed <= this.level) return;
     this.level = needed;
     this.microshaders.swap('lightMask', needed === 2 ? 'lightMaskLayers' : 'lightMaskOn');
+  }
+
+  private swap(name: string, text: string): void {
+    this.microshaders.swap(name, parseMicroShader(name, text));
   }
 
   /** Takes all code for masks out of shaders: there are no maps to sample any more. */

@@ -1,33 +1,19 @@
 // Samples the images that spot lights throw: the textures of the first few lights themselves, copies of the others in
 // the atlas of colours, as GPUs sample textures.
 // OpenGL ES 3.0, 3.8.9 and 3.8.10 (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
+#include "imageSamplers"
 #include "maskFeatures"
 #include "maskRecord"
+#include "readPixel"
 uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths
 uniform highp vec2 farol_atlasTexel; // side of a texel of either atlas, as part of the atlas's side
 
 // the plane in which a surface lies in a pixel (normal, view space); 0: not known, the surface's own normal is taken.
 // Set before the loop over lights, in which derivatives mean nothing
 vec3 farol_planeVS = vec3(0.0);
-#if defined( FAROL_LIGHT_IMAGES ) || defined( FAROL_LIGHT_COOKIES )
-#define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
-#endif
-
-#ifdef FAROL_LIGHT_IMAGES
-uniform highp sampler2D farol_images[FAROL_LIGHT_IMAGES];
-
-// right, up: derivatives of uv
-vec3 farol_imageTexel(const in int image, const in vec2 uv, const in vec2 right, const in vec2 up) {
-#if FAROL_LIGHT_IMAGES > 1
-  if (image == 1) return textureGrad(farol_images[1], uv, right, up).rgb;
-  if (image == 2) return textureGrad(farol_images[2], uv, right, up).rgb;
-  if (image == 3) return textureGrad(farol_images[3], uv, right, up).rgb;
-#endif
-  return textureGrad(farol_images[0], uv, right, up).rgb;
-}
-#endif
-
 #ifdef FAROL_LIGHT_COOKIES
+#define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
+
 // colour of a level of an image; region as farol_maskCookie gives it; levels lie as atlas/mipmapBlock.ts has them
 vec3 farol_imageLevel(const in vec4 region, const in vec2 uv, const in int level, const in bool nearest) {
   ivec2 base = ivec2(region.zw);
@@ -79,7 +65,6 @@ vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 
   return moved.xy / moved.w;
 }
 
-#ifdef FAROL_POSITION_AT
 // in a G-buffer: change of position to the next pixel, by the neighbour that is less far off in depth
 vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS) {
   ivec2 last = ivec2(farol_readSize) - 1;
@@ -89,16 +74,18 @@ vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS) {
   bool isLast = any(greaterThan(farol_readPixel + along, last));
   return isFirst || (!isLast && abs(next.z) < abs(before.z)) ? next : before;
 }
-#define FAROL_PLANE_OF(positionVS) \
-  cross(farol_changeAlong(ivec2(1, 0), positionVS), farol_changeAlong(ivec2(0, 1), positionVS))
-#else
-#define FAROL_PLANE_OF(positionVS) farol_planeVS
-#endif
 
-FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 surfaceNormalVS) {
-  vec3 planeVS = FAROL_PLANE_OF(positionVS);
+// normal of the plane in which a surface lies in its pixel
+vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS) {
+  vec3 planeVS = farol_planeVS;
+  if (farol_readSize.x > 0.0)
+    planeVS = cross(farol_changeAlong(ivec2(1, 0), positionVS), farol_changeAlong(ivec2(0, 1), positionVS));
   float size = length(planeVS);
-  vec3 normalVS = size > 0.0 ? planeVS / size : surfaceNormalVS;
+  return size > 0.0 ? planeVS / size : normalVS;
+}
+
+FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
+  vec3 planeVS = farol_planeNormal(positionVS, normalVS);
   vec2 span = farol_maskPixelSpan(record);
   mat4 matrix = farol_maskMatrix(record);
 #ifdef FAROL_PER_VERTEX
@@ -106,9 +93,9 @@ FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 p
 #else
   vec2 first = -vec2(ivec2(gl_FragCoord.xy) & 1);
 #endif
-  return FarolQuad(farol_placeBeside(matrix, coord, first, span, positionVS, normalVS),
-    farol_placeBeside(matrix, coord, first + vec2(1.0, 0.0), span, positionVS, normalVS),
-    farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, normalVS));
+  return FarolQuad(farol_placeBeside(matrix, coord, first, span, positionVS, planeVS),
+    farol_placeBeside(matrix, coord, first + vec2(1.0, 0.0), span, positionVS, planeVS),
+    farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, planeVS));
 }
 
 // colour of a light's image at a surface; coord: place in the map (homogeneous, 0..1); white beside the image
@@ -117,12 +104,10 @@ vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 posit
   vec3 across = coord.xyz / coord.w;
   if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
   int filtering = farol_maskCookieFilter(record);
-#ifdef FAROL_LIGHT_IMAGES
   if (filtering < 0) {
     FarolQuad corners = farol_quadOf(record, coord, positionVS, normalVS);
     return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
   }
-#endif
   region.xy += 1.0;
   // one filter for all sizes
   if ((filtering & 255) == 0 || (filtering & 255) == 3)

@@ -3,7 +3,7 @@ import { classifyLight } from '../../lights/classifyLight';
 import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
-/** Bits of what shaders can have code for; `defines` has the name of each in maskFeatures.glsl. */
+/** Bits of what shaders can have code for; `defines` has the name of each in maskFeatures.glsl; for `images` there are samplers. */
 export const maskFeatures = {
   maps: 1,
   cubes: 2,
@@ -21,7 +21,7 @@ export const maskFeatures = {
   images: 8192,
 } as const;
 
-const defines: Record<keyof typeof maskFeatures, string> = {
+const defines: Record<Exclude<keyof typeof maskFeatures, 'images'>, string> = {
   maps: 'FAROL_SHADOW_MAPS',
   cubes: 'FAROL_SHADOW_CUBES',
   cascades: 'FAROL_SHADOW_CASCADES',
@@ -35,7 +35,6 @@ const defines: Record<keyof typeof maskFeatures, string> = {
   point: 'FAROL_POINT_MASKS',
   profiles: 'FAROL_LIGHT_PROFILES',
   soft: 'FAROL_SOFT_SHADOWS',
-  images: 'FAROL_LIGHT_IMAGES',
 };
 
 /** The loop of shading.glsl that meets a light, and so must know of masks. */
@@ -67,15 +66,11 @@ export function maskFeaturesOf(
   return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
 }
 
-/**
- * Text of the chunk `maskFeatures` for some features: code for others would slow shaders down.
- * @param images - samplers for the textures that lights throw
- */
-export function maskFeaturesChunk(features: number, images: number): string {
+/** Text of the chunk `maskFeatures` for some features: code for others would slow shaders down. */
+export function maskFeaturesChunk(features: number): string {
   const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
   for (const [name, define] of Object.entries(defines)) {
-    if ((features & maskFeatures[name as keyof typeof maskFeatures]) === 0) continue;
-    lines.push(name === 'images' ? `#define ${define} ${images}` : `#define ${define}`);
+    if ((features & maskFeatures[name as keyof typeof maskFeatures]) !== 0) lines.push(`#define ${define}`);
   }
   return `${lines.join('\n')}\n`;
 }

@@ -1,15 +1,14 @@
 // Reads a pixel of the thin G-buffer; layout in thinGBufferLayout.ts.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5)
 #include "octahedralNormal"
+#include "readPixel"
 #include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
 uniform highp sampler2D farol_thinDepth; // depths, or stored distances (farol_thinStored)
 uniform highp int farol_thinStored; // 0; distances are stored: 1 in perspective, 2 orthographic
 
-// as in gbufferRead.glsl
-ivec2 farol_readPixel = ivec2(0);
-vec2 farol_readSize = vec2(1.0);
+#undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)
 
 // texel of a buffer of the given size

@@ -1,0 +1,18 @@
+/**
+ * Text of the microshader `imageSamplers`: samples the textures that spot lights throw, by the gradients of coordinates.
+ * @param count - samplers. GLSL wants their indices to be constants
+ */
+export function imageSamplersChunk(count: number): string {
+  const lines = Array.from(
+    { length: count },
+    (_, i) => `  if (image == ${i}) return textureGrad(farol_images[${i}], uv, right, up).rgb;\n`,
+  );
+  return `// Samples the textures that spot lights throw.
+// Farol
+${count > 0 ? `uniform highp sampler2D farol_images[${count}];\n` : ''}
+// right, up: change of uv to the next pixels
+vec3 farol_imageTexel(const in int image, const in vec2 uv, const in vec2 right, const in vec2 up) {
+${lines.join('')}  return vec3(1.0);
+}
+`;
+}
