@@ -55,7 +55,7 @@ function wantedTexts(): Set<string> {
     ...Object.values(techniques).flatMap(({ label, help }) => [label, help]),
     ...views.map(englishViewLabel),
     ...below('packages/engine/src').flatMap(([path, source]) => propertyTexts(path, source, 'help', 'label')),
-    ...below('packages/renderer/src/techniques').flatMap(([path, source]) => propertyTexts(path, source, 'reason')),
+    ...below('packages/renderer/src/renderer').flatMap(([path, source]) => propertyTexts(path, source, 'reason')),
     ...below('apps/editor/src/plugins').flatMap(([path, source]) =>
       propertyTexts(path, source, 'help', 'label', 'title'),
     ),

@@ -13,6 +13,7 @@ vi.mock('@farol/renderer', () => ({
   FarolRenderer: class {
     readonly info = { technique: '', passes: [] };
     readonly effects = [];
+    readonly techniques = {};
     readonly ready = Promise.resolve();
     addEventListener(): void {}
     removeEventListener(): void {}

@@ -22,6 +22,7 @@ vi.mock('@farol/renderer', async (original) => ({
   FarolRenderer: class {
     readonly microshaders = null;
     readonly effects = [];
+    readonly techniques = {};
     addEventListener(): void {}
     removeEventListener(): void {}
     readonly info = { technique: '', passes: [] };
