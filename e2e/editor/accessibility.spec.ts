@@ -116,7 +116,7 @@ async function holdAsTelephone(page: Page): Promise<void> {
   await expect(page.getByRole('dialog', { name: 'Welcome to Farol' })).toBeVisible();
 }
 
-/** Where the editor's camera is from what it orbits, and that (m, rounded to millimetres). */
+/** Offset of the editor's camera from its orbit target, and the target (m, rounded to millimetres). */
 const view = (page: Page): Promise<{ from: number[]; target: number[]; distance: number }> =>
   page.evaluate(() => {
     const { camera, editorCamera } = window.editor.viewport;

@@ -4,7 +4,7 @@ import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1200, height: 700 } });
 
-/** Where a point is on the page (CSS pixels) that lies so far from the middle of an object, along its x and y (m). */
+/** Page position (CSS pixels) of a point `x` and `y` (m) from the middle of an object, along its axes. */
 const beside = (page: Page, object: string, x: number, y: number): Promise<{ x: number; y: number }> =>
   page.evaluate(
     ([name, x, y]) => {

@@ -41,7 +41,7 @@ interface Picture {
   readonly lights: number;
 }
 
-/** What the viewport shows of the scene. */
+/** Pixels of the viewport, drawn now. */
 const pictureOf = (page: Page): Promise<Picture> =>
   page.evaluate(async () => {
     const { viewport, document: edited } = window.editor;

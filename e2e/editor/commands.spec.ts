@@ -90,7 +90,7 @@ own('keys are chosen anew, clashes are told, and all of it is remembered and res
   await expect(dialog.locator('[data-action="edit.hide"] kbd')).toHaveText(['H']);
 });
 
-/** What goes beyond the scene: files, windows, languages, plugins; undo itself; and playing, which puts everything back. */
+/** Actions that change more than the scene (files, windows, languages, plugins), undo itself, and playing, which puts everything back. */
 const beyond = /^(file|help|play|plugins)\.|^edit\.(undo|redo)$|^panels\.|^view\.theme/;
 
 test('whatever an action does to the scene is one step, undone and done again exactly', async ({ page }) => {

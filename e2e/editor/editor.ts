@@ -153,7 +153,7 @@ export const fieldOf = (page: Page, object: string, component: string, field: st
     field,
   ] as const);
 
-/** Where the middle of an object is on the page (CSS pixels), once a frame is drawn. */
+/** Page position (CSS pixels) of the middle of an object, after a frame is drawn. */
 export const pointOf = (page: Page, object: string): Promise<{ x: number; y: number }> =>
   page.evaluate((name) => {
     const { viewport, document } = window.editor;

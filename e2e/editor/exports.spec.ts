@@ -13,7 +13,7 @@ import { playerPicture } from './player';
 
 test.use({ viewport: { width: 900, height: 640 }, deviceScaleFactor: 1, reducedMotion: 'reduce' });
 
-/** Of the pictures (pixels). */
+/** Size of the pictures (pixels). */
 const WIDTH = 240;
 const HEIGHT = 136;
 

@@ -175,7 +175,7 @@ async function workMeter(page: Page): Promise<() => Promise<number>> {
   };
 }
 
-/** What a slice of the autosave took: time of the clock, and time that the page's own thread worked (ms). */
+/** Duration of one slice of the autosave: time of the clock, and time that the page's own thread worked (ms). */
 interface Slice {
   readonly clock: number;
   readonly work: number;

@@ -10,7 +10,7 @@ const LOST = /a WebGL context was lost|Context Lost|Context Restored/i;
 
 test.use({ viewport: { width: 840, height: 400 }, reducedMotion: 'reduce' });
 
-/** What is drawn now, as a number of few letters: made in the page, since pixels take seconds to hand over. */
+/** Hash of the picture drawn now, made in the page: handing pixels over takes seconds. */
 const picture = (page: Page): Promise<string> =>
   page.evaluate(async () => {
     const { viewport } = window.editor;

@@ -16,7 +16,7 @@ interface Bulb {
   readonly gameObject: GameObject;
 }
 
-/** What a task may take. */
+/** Most actions (clicks, keys, drags) that a task may take. */
 const MOST_ACTIONS = 40;
 
 /**

@@ -47,7 +47,7 @@ function largeScene(): string {
 
 const median = (values: readonly number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** What else the machine does only adds to a time: the least of several is nearest to the truth. */
+/** Smallest of several times: other work of the machine only adds to a time. */
 const least = (values: readonly number[]): number => Math.min(...values);
 
 /** Seconds that the page's thread has worked so far: in scripts, styles and layout, or in all. */

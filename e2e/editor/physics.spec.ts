@@ -19,7 +19,7 @@ const placeOf = (page: Page): Promise<number[]> =>
     return [...position.toArray(), ...quaternion.toArray()];
   });
 
-/** What of the picture has the green of colliders. */
+/** Number of pixels in the green of colliders. */
 const greenPixels = (page: Page): Promise<number> =>
   page.evaluate(() => {
     const { viewport } = window.editor;

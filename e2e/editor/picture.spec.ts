@@ -7,7 +7,7 @@ import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 840, height: 400 } });
 
-/** Of the pictures (pixels). */
+/** Size of the pictures (pixels). */
 const WIDTH = 160;
 const HEIGHT = 90;
 

@@ -19,7 +19,7 @@ declare global {
   }
 }
 
-/** What is in a scene: runs in the pages. */
+/** Objects of a scene with their places; this function runs in the pages. */
 function placesIn(scene: Object3D): Placed[] {
   const places: Placed[] = [];
   scene.traverse((object) => {
@@ -50,7 +50,7 @@ const playInEditor = (page: Page): Promise<readonly Placed[]> =>
     [String(placesIn), STEPS] as const,
   );
 
-/** Has the frames of a page be a sixtieth of a second apart, and stop once the steps are played: runs in it first. */
+/** Makes the frames of a page a sixtieth of a second apart, and stops once the steps are played. Runs first in the page. */
 function playSteps([source, steps]: readonly [string, number]): void {
   const places = new Function(`return (${source})`)() as typeof placesIn;
   const scenes: Scene[] = [];

@@ -26,7 +26,7 @@ export default class Spin extends component({ rate: number(1, { unit: 'rad/s', h
 const sceneOfLink = (link: string): string =>
   inflateRawSync(Buffer.from(link.split('#scene=')[1], 'base64url')).toString();
 
-/** What the script has left on its object, and how the object is turned. */
+/** Value that the script left on the page, and the rotation of its object. */
 const turnOf = (page: Page): Promise<{ runs: unknown; y: number; z: number }> =>
   page.evaluate(() => {
     const { rotation } = window.editor.document.scene.find('Box')!.object3D;

@@ -85,7 +85,7 @@ test('a scene from elsewhere asks once before it loads from other hosts; without
   });
 });
 
-/** What a script that came into the page does. */
+/** Whether a script that was put into the page runs. */
 const ran = (page: Page): Promise<boolean> =>
   page.evaluate(() => {
     const script = document.createElement('script');

@@ -97,12 +97,12 @@ const reset = (page: Page): Promise<void> =>
     expect(await stateOf(page), 'an editor that was put back').toEqual(opened);
   }).toPass({ timeout: 30_000 });
 
-/** What tests may leave behind, of an editor as it opens. */
+/** State of an editor as it opens. */
 let opened: object;
 
 /**
- * What tests may leave behind, but for ids, the order of panels, which goes by the size of the window, and recent files, which
- * are noted a while after they were opened.
+ * State of the editor that a test may leave changed. Without ids, the order of panels (it follows the size of the window) and
+ * recent files, which are noted a while after they were opened.
  */
 const stateOf = (page: Page): Promise<object> =>
   page.evaluate((names) => {

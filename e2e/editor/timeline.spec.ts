@@ -5,7 +5,7 @@ import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1100, height: 640 } });
 
-/** Where the box is along x: as it is seen, not as it was authored. */
+/** Position of the box along x as it is seen, not as it was authored. */
 const shownX = (page: Page): Promise<number> =>
   page.evaluate(() => window.editor.document.scene.find('Box')!.object3D.position.x);
 

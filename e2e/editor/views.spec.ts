@@ -14,7 +14,7 @@ const pressPad = (page: Page, digit: number): Promise<boolean> =>
     return window.editor.viewport.canvas.dispatchEvent(new KeyboardEvent('keydown', press));
   }, String(digit));
 
-/** Where an object's middle, or a point beside it (m), is on the page in a view; the active one when none is named. */
+/** Page position of an object's middle, or of a point `x` m beside it, in a view; the active view when none is named. */
 const pointIn = (page: Page, object: string, pane?: string, x = 0): Promise<{ x: number; y: number }> =>
   page.evaluate(
     ([name, wanted, beside]) => {

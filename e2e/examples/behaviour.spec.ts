@@ -4,7 +4,7 @@ import { drawExample, openExample } from '../support/example';
 import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
 
-/** Where the label that follows the knot is on the page (CSS pixels). */
+/** Page position (CSS pixels) of the label that follows the knot. */
 async function labelAt(page: Page): Promise<{ x: number; y: number }> {
   const box = await page.locator('.label').boundingBox();
   if (!box) throw new Error('The label is not on the page.');

@@ -12,7 +12,7 @@ const limits = {
 /** drei draws what is behind a portal with 8 samples a pixel, of which a G-buffer and the sums of `forward` have one. */
 const multisampled = { ...limits, forward: { psnr: 45, share: 0.01 }, deferred: { psnr: 45, share: 0.01 } };
 
-/** Of others: R3F uses three's Clock. */
+/** Warnings of other packages: R3F uses three's Clock. */
 const forgiven = /THREE\.Clock: This module has been deprecated/;
 
 /** In groups, which workers share among themselves. */

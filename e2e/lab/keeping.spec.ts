@@ -12,7 +12,7 @@ const phone = labRun({ id: 'phone', name: 'Phone', device: 'Phone GPU', factor: 
 
 const library = (page: Page) => page.getByRole('region', { name: 'Kept runs' });
 
-/** What an entry of the export menu gives. */
+/** File that an entry of the export menu downloads. */
 async function exported(page: Page, format: string) {
   await page.locator('.export-menu summary').click();
   // the open menu lies within the page

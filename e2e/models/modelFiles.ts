@@ -9,7 +9,7 @@ export function modelFiles(folder: string): string[] {
     .sort();
 }
 
-/** What a user would drop to see a model: a GLB alone, a glTF with all that lies beside and below it. */
+/** Files that a user would drop to see a model: a GLB alone, a glTF with all that lies beside and below it. */
 export function filesOf(path: string): Dropped {
   if (/\.glb$/i.test(path)) return { [basename(path)]: readFileSync(path) };
   const folder = dirname(path);

@@ -21,7 +21,7 @@ export interface Tarball {
   readonly files: ReadonlyMap<string, string>;
 }
 
-/** What `npm pack` made of each package, in the order of their names. */
+/** Tarballs that `npm pack` made, in the order of the packages' names. */
 export function readTarballs(): Tarball[] {
   const { tarballs } = installed();
   return readdirSync(tarballs).map((name) => {
@@ -35,7 +35,7 @@ export function readTarballs(): Tarball[] {
 
 const unpacked = new Map<string, Tarball>();
 
-/** What `npm pack` made of a package. @throws Error when it made nothing */
+/** Tarball that `npm pack` made of a package. @throws Error when it made nothing */
 export function readTarball(name: string): Tarball {
   for (const each of unpacked.size > 0 ? [] : readTarballs())
     unpacked.set(JSON.parse(each.files.get('package.json') ?? '{}').name, each);

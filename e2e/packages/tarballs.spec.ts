@@ -7,7 +7,7 @@ import { formatMessage } from 'publint/utils';
 import { readTarball } from './installed';
 import { reachedFrom } from './reachedFrom';
 
-/** What a package is made of, beside dist. */
+/** Files of a package beside dist. */
 const papers = ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'];
 
 for (const { manifest } of publishedPackages()) {

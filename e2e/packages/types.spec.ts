@@ -44,7 +44,7 @@ const samples = (language: string): string[] =>
     .filter((sample) => sample.language === language)
     .map(({ code }) => `${code}\nexport {};\n`);
 
-/** What `tsc` says of sources in a folder, with every declaration file checked, or those of sources alone. */
+/** Messages of `tsc` for sources in a folder, with every declaration file checked, or those of sources alone. */
 function compile(
   folder: string,
   sources: readonly string[],

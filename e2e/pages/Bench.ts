@@ -9,7 +9,7 @@ export interface PageImage {
 }
 
 export interface BenchOptions {
-  /** Of the target: above 0 it is multisampled, in half floats. */
+  /** Samples of the target: above 0 it is multisampled, in half floats. */
   readonly samples?: number;
   readonly renderer?: THREE.WebGLRendererParameters;
   readonly target?: THREE.RenderTargetOptions;
@@ -23,7 +23,7 @@ const made = new Set<Bench>();
 let contexts = 0;
 const undone: (() => void)[] = [];
 
-/** Has a test's change of what the page runs on, methods of WebGL say, put back when the test has ended. */
+/** Undoes a test's change of the page's environment, such as methods of WebGL, when the test has ended. */
 export const atRelease = (undo: () => void): void => void undone.push(undo);
 
 /** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */

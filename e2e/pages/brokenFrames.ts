@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { random } from './materialScene';
 
-/** What a host's code does wrong within a frame: sets it up, and gives what takes it back. */
+/** A fault of a host's code within a frame: sets it up, and returns a function that takes it back. */
 type Fault = () => () => void;
 
 const thrown = new Error('thrown by the host');
@@ -142,7 +142,7 @@ export function faultsOf(
   };
 }
 
-/** What was thrown, as text; '' if nothing was. */
+/** Message that `action` throws; '' if it throws nothing. */
 export function messageOf(action: () => void): string {
   try {
     action();

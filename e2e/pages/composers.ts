@@ -12,7 +12,7 @@ import { compareImages, type Difference, type FloatImage, isFlat } from '../supp
 const WIDTH = 96;
 const HEIGHT = 72;
 
-/** What a case changes of the pass that draws the scene, and of the composer round it. */
+/** Changes of a case to the pass that draws the scene, and to the composer round it. */
 export interface Case {
   /** Set on the pass as it is. */
   pass?: Partial<Pick<ThreeRenderPass, 'clear' | 'clearDepth' | 'clearAlpha'>> & { ignoreBackground?: boolean };

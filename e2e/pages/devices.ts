@@ -1,4 +1,4 @@
-/** What a device lacks of the one that the tests run on. */
+/** Extensions and limits that a device lacks of the one that the tests run on. */
 export interface Subtraction {
   readonly extensions?: readonly string[];
   /** Limits by their names in WebGL. */
@@ -21,7 +21,7 @@ const LEAST = {
   MAX_FRAGMENT_UNIFORM_VECTORS: 224,
   MAX_VERTEX_UNIFORM_VECTORS: 256,
 };
-/** What only makes it faster or finer. */
+/** Extensions that only make drawing faster or finer. */
 const EXTRAS = [
   ...['EXT_float_blend', 'OES_texture_float_linear', 'EXT_disjoint_timer_query_webgl2', 'WEBGL_multi_draw'],
   ...['EXT_texture_filter_anisotropic', 'KHR_parallel_shader_compile', 'OES_draw_buffers_indexed', 'EXT_clip_control'],
@@ -142,7 +142,7 @@ export function subtract({ extensions = [], limits = {}, mediump = false }: Subt
   return seen;
 }
 
-/** What a program takes of the limits. Varyings cannot be counted: three's and Farol's shaders are linked by the driver. */
+/** Resources of a program that limits count. Varyings cannot be counted: three's and Farol's shaders are linked by the driver. */
 function programSizes(gl: WebGL2RenderingContext, program: WebGLProgram): Record<string, number> {
   let fragment = '';
   for (const shader of gl.getAttachedShaders(program) ?? []) {

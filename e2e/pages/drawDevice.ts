@@ -12,11 +12,11 @@ const HEIGHT = 90;
 
 const effectClasses = await loadEffects();
 
-/** What a technique, with or without an effect, draws on a device. */
+/** Result of a technique, with or without an effect, on a device. */
 export interface DeviceResult extends Partial<Difference> {
   readonly technique: string;
   readonly effect: string;
-  /** What was thrown when it was asked for, or empty. */
+  /** Message that was thrown when the technique was set, or empty. */
   readonly refused: string;
   /** GL errors in its frames. */
   readonly errors: number;
@@ -26,7 +26,7 @@ export interface DeviceResult extends Partial<Difference> {
 
 export interface DeviceResults {
   readonly results: DeviceResult[];
-  /** What was done beyond the device's limits. */
+  /** Calls beyond the device's limits. */
   readonly beyond: string[];
   /** PSNR (dB) of stock three on the device against stock three on the whole one: drivers may honour lower precision. */
   readonly stockPSNR: number;

@@ -1,7 +1,7 @@
 import { type Light, type Material, type Mesh, PerspectiveCamera, Texture, WebGLRenderer } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
-/** What is in a GLB by three's own loader, and its picture by three's own renderer. */
+/** Content of a GLB by three's own loader, and its picture by three's own renderer. */
 export interface ReadGltf {
   lights: { name: string; type: string; intensity: number }[];
   meshes: string[];

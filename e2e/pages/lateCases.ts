@@ -16,7 +16,7 @@ interface LateScene {
   readonly camera: THREE.Camera;
 }
 
-/** What makes a scene need a part; the renderer's settings are those of a new one but for what it sets. */
+/** Makes a scene that needs a late part; the renderer's settings are those of a new one but for those set here. */
 type MakeScene = (bench: Bench) => LateScene | Promise<LateScene>;
 
 /** A ball over a floor, lit from one side. */

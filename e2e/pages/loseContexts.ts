@@ -8,14 +8,14 @@ import { shadowScene } from './shadowScene';
 
 const effectClasses = await loadEffects();
 
-/** What was seen over some losses of the context. */
+/** Results over several losses of the context. */
 export interface LossResults {
   /** Losses after which a picture was not the same, to the bit. */
   readonly changed: number[];
   /** GPU objects after the first frames, and after the last loss. */
   readonly before: GpuObjects;
   readonly after: GpuObjects;
-  /** What three counts at the end of both. */
+  /** Counts of three (`info.memory`) after the first frames and after the last loss. */
   readonly memory: [object, object];
 }
 

@@ -41,7 +41,7 @@ import { runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
 import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
-/** What an empty page offers to a browser test that builds its own scene: three and the renderer, whole. */
+/** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
   three: typeof three;
   farol: typeof farol;
@@ -83,7 +83,7 @@ export interface TestPage {
   nodeScene(): Promise<typeof import('./nodeScene')>;
   /** Fetched by the tests that need it. */
   addonCases(): Promise<typeof import('./addonCases')>;
-  /** The same. */
+  /** Cases of node materials; fetched by the tests that need them. */
   nodeCases(): Promise<typeof import('./nodeCases')>;
   /** Fetched by the tests that need it. */
   bake(): Promise<typeof import('@farol/bake')>;

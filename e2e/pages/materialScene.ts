@@ -151,7 +151,7 @@ export interface MaterialSceneOptions {
   /** Leaves out what no G-buffer holds, so that what is compared is the deferred path alone. */
   onlyDeferred?: boolean;
   fog?: boolean;
-  /** Of every spot light; default: mixed, none hard-edged. */
+  /** Penumbra of every spot light; default: mixed, none hard-edged. */
   penumbra?: number;
 }
 

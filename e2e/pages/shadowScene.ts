@@ -6,7 +6,7 @@ export type ShadowCaster = 'spot' | 'point' | 'directional' | 'mixed';
 
 export interface ShadowSceneOptions {
   caster: ShadowCaster;
-  /** Of each shadow. */
+  /** Settings of each shadow. */
   settings?: { bias?: number; normalBias?: number; radius?: number; intensity?: number; mapSize?: number };
   /** A spot light's image. */
   map?: THREE.Texture;

@@ -5,7 +5,7 @@ export interface AreaLightCostOptions {
   techniques: readonly TechniqueName[];
   /** Lights of each kind. */
   lights: number;
-  /** Of the picture (pixels). */
+  /** Size of the picture (pixels). */
   width: number;
   height: number;
   /** Turns; in each, the kinds take turns. */

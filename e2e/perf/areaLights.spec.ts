@@ -2,7 +2,7 @@ import { areaLightCost } from './areaLightCost';
 import { expect, test } from './perfTest';
 
 /**
- * What area lights cost beside as many point lights of the same reach: 1,000 of them at 1280 × 720 on a GPU, where the
+ * Cost of area lights beside as many point lights of the same reach: 1,000 of them at 1280 × 720 on a GPU, where the
  * figures mean something, fewer in a small picture on the software rasteriser, where only what is far off is held:
  *
  * FAROL_GPU=1 FAROL_TESTS=long npm run e2e -- perf/areaLights --workers=1

@@ -13,7 +13,7 @@ interface Seen {
   readonly waited: number;
   /** Calls of onBeforeRender and onAfterRender in a frame of the technique before the change: one number. */
   readonly calls: number[];
-  /** Of the picture after the change from the one before, linear; at first of both from stock three's. */
+  /** Differences of the picture after a change from the one before it (linear); first, of both from stock three's. */
   readonly differences: readonly { largest: number; psnr: number; share: number }[];
 }
 

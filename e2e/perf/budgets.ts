@@ -1,4 +1,4 @@
-/** What one frame of a scene asks for. */
+/** Contents of one frame of a scene. */
 export interface SceneCounts {
   /** Opaque objects, one material each. */
   objects: number;
@@ -6,7 +6,7 @@ export interface SceneCounts {
   pairs: number;
 }
 
-/** What a technique may take. */
+/** Most draws, passes, garbage and shading of a technique. */
 export interface Budget {
   /** Draw calls of a frame. */
   draws(scene: SceneCounts): number;
@@ -20,7 +20,7 @@ export interface Budget {
   listsOfAll: number;
   /** Bytes of JavaScript memory that a frame allocates for each light. */
   garbageOfLight: number;
-  /** The same for each object. */
+  /** Garbage for each object (bytes a frame). */
   garbageOfObject: number;
   /** How often a pixel is shaded when an object covers it, and how often a light that reaches it is evaluated there. */
   shadings: number;
@@ -44,7 +44,7 @@ const GBUFFER = 24;
 const LISTS_BYTES = 2;
 
 /**
- * Of a technique that has no row below: it draws an object twice at most and nothing a light, and sends lists made on the
+ * Budget of a technique that has no row below: it draws an object twice at most and nothing a light, and sends lists made on the
  * CPU. Its garbage is numbers that V8 puts on the heap to pass them to a function, 12 bytes each, and arrays of lights that
  * are emptied and filled again, 14 bytes a light each; three itself takes 24 bytes an object
  * and some more a draw.
@@ -137,7 +137,7 @@ const budgets: Record<string, Partial<Budget>> = {
   'clustered-forward': { draws: ({ objects }) => objects + BACKGROUND, passes: 1 + TAIL, bytesPerPixel: LISTS_BYTES },
 };
 
-/** What `technique` may take; a new one takes what is ordinary until it gets a row of its own. */
+/** Budget of a technique; a new one has the ordinary budget until it gets a row. */
 export const budgetOf = (technique: string): Budget => ({ ...ordinary, ...budgets[technique] });
 
 /** Techniques that draw an object again for each light that reaches it; all others draw as often under any lights. */

@@ -8,7 +8,7 @@ export interface WorldOptions {
   objects?: number;
   /** Point lights just before the boxes, each within reach of one of them; default 10. */
   lights?: number;
-  /** Of which so many are spot lights; default 0. */
+  /** Number of the lights that are spot lights; default 0. */
   spots?: number;
   /** Point lights of one LightField, at the same places; default 0: there is no field. */
   fieldLights?: number;

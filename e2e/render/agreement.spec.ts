@@ -18,7 +18,7 @@ interface Pair {
 }
 
 interface SharedBench {
-  /** Of all scenes of a page: what it has compiled for one of them it need not compile for the next. */
+  /** Bench of all scenes of a page: programs that one compiled need not be compiled for the next. */
   bench?: Bench;
 }
 

@@ -3,14 +3,14 @@ import type { RectAreaLight, Scene } from 'three';
 import { expect, test } from '../support/benchTest';
 
 interface Result {
-  /** Of a disc and of a tube, against the rectangles that they are cut into (dB). */
+  /** PSNR (dB) of a disc and of a tube against the rectangles that they are cut into. */
   psnr: Record<string, number>;
   /** Programs before and after the number of area lights has grown a hundredfold. */
   programs: [number, number];
   /** Luminance of places: below the middle of a box, by an edge of its shadow, in the light; and without shadows. */
   shadow: [number, number, number];
   unshadowed: [number, number, number];
-  /** Of each technique, against forward-single-pass: largest difference under lights that end, with shadows. */
+  /** Largest difference of each technique from forward-single-pass, under lights with a range, with shadows. */
   largest: Record<string, number>;
 }
 

@@ -68,13 +68,13 @@ test('baked light is the light of known scenes, by every technique, and leaves t
     const isSame = bounced.lightmaps[0].data.every((half, i) => half === again.lightmaps[0].data[i]);
     const half = three.DataUtils.fromHalfFloat;
     const { uv1, index, sourceVertex } = bounced.meshes.find(({ mesh }) => mesh === ground)!;
-    /** Where a corner of three's plane lies, in texels: 0 left above, 1 right above, 2 left below. */
+    /** Texel of a corner of three's plane: 0 left above, 1 right above, 2 left below. */
     const texelOf = (vertex: number) => {
       const at = [...index].find((i) => sourceVertex[i] === vertex)!;
       return new three.Vector2(uv1[2 * at], uv1[2 * at + 1]).multiplyScalar(32);
     };
     const [leftAbove, right, below] = [texelOf(0), texelOf(1).sub(texelOf(0)), texelOf(2).sub(texelOf(0))];
-    /** What the ground's texels hold, by the light there in numbers. */
+    /** Ratio of the ground's texels to the light computed there. */
     const ratios: number[] = [];
     const steps = 60;
     for (let texel = 0; texel < 32 * 32; texel++) {
@@ -161,7 +161,7 @@ test('baked light is the light of known scenes, by every technique, and leaves t
 });
 
 /**
- * What has no lightmap, and lights of other kinds. Instances and a skinned mesh stand in for the mesh of their shape, and must
+ * Meshes without a lightmap, and lights of other kinds. Instances and a skinned mesh stand in for the mesh of their shape, and must
  * give the light that it gives; a floor under a sky receives pi times its radiance.
  */
 test('instances and bones throw shadows and reflect as meshes do; sky, soft suns, indirect lights and several lightmaps give known light @verify', async ({

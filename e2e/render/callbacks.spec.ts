@@ -20,7 +20,7 @@ test('what callbacks of the host change while a frame is drawn counts for the fr
     const plain = new three.MeshStandardMaterial({ color: 0x44ff44 });
     const material = box.material as typeof plain;
     const shared = { 'scene.onBeforeRender': scene, 'object.onBeforeRender': box } as const;
-    /** What callbacks change, and how it is changed back. */
+    /** Changes that callbacks make, each with its undo. */
     const changes: Record<string, [() => void, () => void]> = {
       'a light’s colour': [() => lamp.color.set(0x0044ff), () => lamp.color.set(0xff8844)],
       'a light’s intensity': [() => (spot.intensity = 5), () => (spot.intensity = 60)],
@@ -58,7 +58,7 @@ test('what callbacks of the host change while a frame is drawn counts for the fr
       'a material': [() => (box.material = other), () => (box.material = material)],
       'what the ground receives': [() => (ground.receiveShadow = false), () => (ground.receiveShadow = true)],
     };
-    /** What counts, when an object's callback changes it, for what happens to be drawn after it. */
+    /** Changes by an object's callback that count for objects drawn after it. */
     const ordered = [
       'an object moved',
       'the override material',

@@ -4,7 +4,7 @@ import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
 import { expect, test } from '../support/benchTest';
 
-/** Of shadows: texels at edges. */
+/** Limits for shadows: texels at edges may differ. */
 const SHADOWS = { largest: Infinity, psnr: 50, share: 0.006 };
 
 test('cameras of other kinds: scaled, mirrored, sheared, without planes of their own, in arrays with layers', async ({

@@ -15,7 +15,7 @@ interface Sampling extends CheckedSampling {
   readonly isCopied?: boolean;
   /** Beside stock three, by forward techniques, by lists over a G-buffer, by light volumes (dB). */
   readonly measured: readonly [number, number, number];
-  /** The same on a GPU, where it is less: GPUs choose levels and weigh texels by rules of their own (H100). */
+  /** Limits on a GPU (H100), which chooses levels and weighs texels by rules of its own. */
   readonly onGPU?: readonly [number, number, number];
 }
 

@@ -4,7 +4,7 @@ import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
 import { expect, test } from '../support/benchTest';
 
-/** What depth cannot hold: positions are then not rebuilt from it, and what is far off is not taken for nothing. */
+/** Positions are not rebuilt from a depth that is too coarse, and far surfaces are not taken for background. */
 test('cameras that see very near and very far, or through an oblique plane', async ({ benchPage: page }) => {
   const results = await page.evaluate(() => {
     const { Bench, compareImages, isFlat, techniquesInTurn, three } = window.testPage;

@@ -48,7 +48,7 @@ const LACKS: Record<DeviceName, Few | null> = {
   'anything but WebGL 2 itself': null,
 };
 
-/** Of shadows: seams of cube maps, and edges of texels. */
+/** Limits for shadows: seams of cube maps, and edges of texels. */
 const WHOLE_SCENE = { psnr: 55, share: 0.006 };
 const SCENE = { psnr: 60, share: 0.001 };
 

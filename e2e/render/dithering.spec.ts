@@ -23,7 +23,7 @@ test('a dithered material is dithered once, in the colours of the canvas, by eve
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
       return bytes;
     };
-    /** What dithering changes of each channel (steps of 1/255). */
+    /** Change of each channel by dithering (steps of 1/255). */
     const changes = (draw: () => void) => {
       const [plain, dithered] = [false, true].map((dithering) => {
         material.dithering = dithering;
@@ -40,7 +40,7 @@ test('a dithered material is dithered once, in the colours of the canvas, by eve
       const apart = found.filter((value, i) => value !== wanted[i]).length / found.length;
       return [name, apart, Math.max(...found.map((value, i) => Math.abs(value - wanted[i])))];
     });
-    /** What it adds in a target of floats (linear). */
+    /** Change by dithering in a target of floats (linear). */
     const adds = (draw: () => { data: Float32Array }) => {
       const [plain, dithered] = [false, true].map((dithering) => {
         material.dithering = dithering;

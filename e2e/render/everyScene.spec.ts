@@ -14,12 +14,12 @@ const ofTechnique = new Set(['final', 'lighting', 'light-count', 'overdraw', 'gr
 
 /** Kinds of light that an engine scene may have, with the share of its intensity that keeps the picture exposed. */
 const kinds = { point: 1, spot: 1, directional: 0.02, hemisphere: 0.02, ambient: 0.02 };
-/** Of the lights of a scene, how many shine when it is compared with stock three. */
+/** Number of lights of a scene that shine when it is compared with stock three. */
 const COMPARED_LIGHTS = 8;
-/** Of surfaces at one depth stock three shows the last drawn; one pass a light adds light to the first. */
+/** Limits of scenes with surfaces at one depth: stock three shows the last one drawn, one pass a light lights the first. */
 const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, forward': { largest: 1e-3 } };
 
-/** Of the picture (pixels). */
+/** Size of the picture (pixels). */
 const WIDTH = 96;
 const HEIGHT = 54;
 

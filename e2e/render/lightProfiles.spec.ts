@@ -31,7 +31,7 @@ test('lights with photometric profiles light a floor by every technique as the f
     grey.needsUpdate = true;
     const { Vector3 } = three;
     type Lamp = InstanceType<typeof three.PointLight> | InstanceType<typeof three.SpotLight>;
-    /** What a lamp gives beside its profile. */
+    /** Intensity of a lamp without its profile, by distance. */
     const factors = new Map<Lamp, (distance: number) => number>();
     const falloff = (range: number) => (d: number) =>
       (1 / (d * d)) * (range > 0 ? Math.max(0, 1 - (d / range) ** 4) ** 2 : 1);

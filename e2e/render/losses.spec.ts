@@ -12,7 +12,7 @@ const LOSSES = byExtent({ slice: 1, verify: 3, long: 100 });
 const LOST = /a WebGL context was lost|Context Lost|Context Restored/i;
 
 const EFFECTS: readonly EffectName[] = ['decals', 'ambient-occlusion', 'order-independent-transparency'];
-/** Of each technique once with what smooths edges. */
+/** Techniques and effects, so that each technique and each anti-aliasing has a turn. */
 const CASES: readonly (readonly [TechniqueName, readonly EffectName[]])[] = [['deferred', [...EFFECTS, 'taa']]];
 const OTHERS: typeof CASES = [
   ['inferred', ['smaa']],

@@ -13,7 +13,7 @@ import { expect, test } from '../support/benchTest';
  */
 const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
 const LARGEST = 1e-4;
-/** Of linear values, between two neighbours of 8 bits in sRGB, the largest. */
+/** Largest difference in linear values of two neighbours of 8 bits in sRGB. */
 const STEP = 0.0091;
 const PSNR = 55;
 const SHARE = 0.001;

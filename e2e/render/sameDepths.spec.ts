@@ -4,7 +4,7 @@ import { isWhole } from '@farol/tools/extent';
 import { expect, test } from '../support/benchTest';
 
 /**
- * What passes draw of one surface in turns is to have one depth: by one vertex shader, one viewport, and a pre-pass some
+ * Passes that draw one surface in turns give it one depth: by one vertex shader, one viewport, and a pre-pass some
  * rounding steps behind. Not by invariant positions: stock three's are not, and on a GPU the picture then differs from its own
  * by up to 3.5e-4. The software rasteriser rounds alike whatever the programs: holes are found on a GPU (FAROL_GPU=1).
  */

@@ -13,7 +13,7 @@ test("shadow cameras and matrices are what stock three leaves, and three's helpe
     webgl.shadowMap.enabled = true;
     bench.farol.technique = 'forward-single-pass';
     const results: { name: string; farol: string; stock: string }[] = [];
-    /** What is left of each light's shadow. */
+    /** State of each light's shadow after a frame. */
     const left = (lights: readonly Caster[]) =>
       lights.map((light) => {
         const { camera, matrix } = light.shadow;

@@ -1,6 +1,6 @@
 import { expect, test } from '../support/test';
 
-/** What packages/renderer/src/three relies on, of the three that is installed: an upgrade that takes one away is named here. */
+/** Private parts of three that packages/renderer/src/three relies on: an upgrade that removes one is named here. */
 test('three has what Farol uses of its private parts', async ({ benchPage: page }) => {
   const found = await page.evaluate(() => {
     const { three: THREE } = window.testPage;

@@ -1,7 +1,7 @@
 type Values = Record<string, unknown>;
 type Xyz = readonly [number, number, number];
 
-/** What each ball of the scene is made of. */
+/** Material of each ball of the scene. */
 const materials: readonly Values[] = [
   { colour: [0.8, 0.6, 0.4] },
   { map: 'tiles', repeat: 2 },

@@ -36,7 +36,7 @@ const limits: Record<string, Limits | undefined> = {
   'clustered-forward': FORWARD,
   inferred: { psnr: 35, share: 0.12 },
 };
-/** The same for lights with a hard edge: a pixel there may lie on its other side where positions are rebuilt. */
+/** Limits for lights with a hard edge: a pixel may lie on its other side where positions are rebuilt. */
 const hardEdges: Record<string, Limits | undefined> = {
   inferred: { psnr: 30, share: 0.14 },
 };

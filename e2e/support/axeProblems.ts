@@ -3,9 +3,9 @@ import { isWhole } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 
 /**
- * What axe finds serious or critical in the page as it is. @param rules - the only ones asked; default all
+ * Problems that axe calls serious or critical in the page as it is. @param rules - the only ones asked; default all
  *
- * What it finds in order is not listed, and the result is not handed to a page of its own, as pages with frames of other
+ * Passed rules are not listed, and the result is not handed to a page of its own, as pages with frames of other
  * origins would need: each takes longer than the rules.
  */
 export async function axeProblems(page: Page, rules?: readonly string[]): Promise<string[]> {

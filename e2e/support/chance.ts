@@ -5,7 +5,7 @@ import { recordComparison } from './comparison';
 /** Type of the annotation that a fault of a scene by chance is left in, as JSON. */
 export const CHANCE = 'scene by chance';
 
-/** What `npm run agree -- --chance N --seed n` asks for; null for any other run of the tests. */
+/** Number of scenes and seed of `npm run agree -- --chance N --seed n`; null in any other run of the tests. */
 export function askedScenes(): { readonly count: number; readonly seed: number } | null {
   const { FAROL_CHANCE: count, FAROL_CHANCE_SEED: seed = '0' } = process.env;
   return count ? { count: Number(count), seed: Number(seed) } : null;

@@ -14,7 +14,7 @@ export interface Comparison extends Difference {
 
 export const COMPARISON = 'comparison';
 
-/** What JSON has not, by name: Infinity is the PSNR of equal pictures, NaN the error of a picture that holds one. */
+/** Numbers that JSON lacks, by name: Infinity is the PSNR of equal pictures, NaN the error of a picture that holds one. */
 const special = new Map([NaN, Infinity, -Infinity].map((value) => [String(value), value]));
 
 /** Leaves a comparison in the report of the running test. */

@@ -16,7 +16,7 @@ interface Answer {
   readonly result?: { readonly result?: { readonly value?: unknown } };
 }
 
-/** Has to be asked for while the page still answers. */
+/** Handle of a tab that will be killed; to be made while the page still answers. */
 export async function deadTabOf(page: Page): Promise<DeadTab> {
   const own = await page.context().newCDPSession(page);
   const { targetInfo } = await own.send('Target.getTargetInfo');

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** What is dropped: bytes or text by file name. */
+/** Dropped files: bytes or text by file name. */
 export type Dropped = Record<string, Uint8Array | string>;
 
 /** Drops files on the window, as a user would from the desktop. */

@@ -10,15 +10,15 @@ export interface ExampleHandle {
   readonly farol: FarolRenderer;
   readonly webgl: WebGLRenderer;
   draw(by: string): Pixels | Promise<Pixels>;
-  /** Of pages with an editor. */
+  /** Attached editor of pages that have one. */
   readonly editor?: AttachedEditor | null;
   readonly scene?: Scene;
   readonly camera?: Camera;
   drawFrame?(seconds: number): void;
-  /** Of a page that shows one of several things: their names, and another of them. */
+  /** Names of the things that a page can show, and a function that shows another one. */
   readonly parts?: readonly string[];
   show?(part: string): Promise<void>;
-  /** Of a page of components: how many FarolRenderers it has made, and one more component that waits for something. */
+  /** Number of FarolRenderers that a page of components has made, and a function that suspends one more component. */
   readonly made?: number;
   suspend?(promise: Promise<unknown>): void;
 }
@@ -43,7 +43,7 @@ export async function openExample(page: Page, name: string, technique = 'deferre
   await page.evaluate(() => window.example.ready);
 }
 
-/** What the canvas of an example shows, drawn by a technique or by 'three'; decoded from sRGB to linear. */
+/** Picture of an example's canvas, drawn by a technique or by 'three'; decoded from sRGB to linear. */
 export async function drawExample(page: Page, by: string): Promise<FloatImage> {
   const { width, height, text } = await page.evaluate(async (by) => {
     const { width, height, data } = await window.example.draw(by);

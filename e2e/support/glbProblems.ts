@@ -1,6 +1,6 @@
 import { validateBytes } from 'gltf-validator';
 
-/** What Khronos' validator holds for an error or a warning in a GLB. */
+/** Errors and warnings of Khronos' validator for a GLB. */
 export async function glbProblems(bytes: Uint8Array): Promise<string[]> {
   const { issues } = await validateBytes(new Uint8Array(bytes), { maxIssues: 1000 });
   return issues.messages

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** Has the contexts of a page draw to no float colours, as some devices do; to be called before it is opened. */
+/** Takes float colour targets away from the contexts of a page, as on some devices; to be called before it is opened. */
 export async function hideFloatTargets(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const { prototype } = WebGL2RenderingContext;

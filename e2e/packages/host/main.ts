@@ -41,12 +41,12 @@ function picture(draw: () => void) {
   return { width: WIDTH, height: HEIGHT, data: [...data] };
 }
 
-/** What the test asks of the page. */
+/** Functions that the test calls in the page. */
 const page = {
   /** The scene as stock three draws it. */
   stock: () => picture(() => webgl.render(scene, camera)),
 
-  /** The same by Farol, with all that is fetched on demand. */
+  /** The scene drawn by Farol, with all code that is fetched on demand. */
   async byFarol(technique: TechniqueName) {
     await FarolRenderer.preload();
     const farol = new FarolRenderer(webgl, { technique });

@@ -12,7 +12,7 @@ import distanceFade from './distanceFade.glsl?raw';
 export class DistanceFade implements FarolEffect {
   readonly name = 'distance fade';
   readonly bytes = 0;
-  /** Where it begins, and where it covers all (m). */
+  /** Distances (m) at which the fade begins, and at which it covers everything. */
   readonly range = new Vector2(4, 12);
   private readonly pass = new FullscreenPass({
     program: 'distance fade',

@@ -16,7 +16,7 @@ export interface BakeFigures {
   readonly covered: number;
   /** Rays of indirect light, about. */
   readonly rays: number;
-  /** Of the file. */
+  /** Size of the file. */
   readonly bytes: number;
   readonly warnings: readonly string[];
 }
@@ -27,7 +27,7 @@ export interface FrameFigures {
   readonly unlit: number;
   /** Median of the quotients of the two of each round. */
   readonly ratio: number;
-  /** The same scene with its lights drawn, for comparison. */
+  /** Value in the scene with its lights drawn, for comparison. */
   readonly lit: number;
 }
 
@@ -175,7 +175,7 @@ export class BakeBench {
 
 const median = (values: readonly number[]): number => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** What the editor would write to a file. */
+/** Data that the editor would write to a file. */
 function dataOf({ lightmaps, meshes, channel }: Bake): Parameters<typeof writeBake>[0] {
   return {
     ...{ signature: '', lights: [], hasSky: false, channel, probes: null },

@@ -6,7 +6,7 @@ import { coveredTexels } from './coveredTexels';
 export interface BakeDifference {
   /** Peak signal to noise of irradiance in dB; the peak is the white below. */
   readonly linear: number;
-  /** The same of what an eye sees: coded as sRGB, clipped at white. */
+  /** Difference as an eye sees it: coded as sRGB, clipped at white. */
   readonly coded: number;
   /** Irradiance that 99.9% of the reference's texels stay below. */
   readonly white: number;

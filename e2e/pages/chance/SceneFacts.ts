@@ -10,7 +10,7 @@ export interface ThingFacts {
   readonly as?: Kind;
   /** Default 'ball'. */
   readonly shape?: Shape;
-  /** What else its geometry has or lacks. */
+  /** Other traits of its geometry: attributes that it has or lacks. */
   readonly traits?: readonly Trait[];
   readonly material?: MaterialFacts;
   readonly position?: Three;

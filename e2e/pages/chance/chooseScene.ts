@@ -7,7 +7,7 @@ import { Dice } from './Dice';
 /** Scenes in a row that have programs in common: to compile takes most of the time. */
 export const DECK = 8;
 
-/** What the scenes of a deck are dealt from: all that decides upon their programs. */
+/** Facts that all scenes of a deck share: those that decide upon their programs. */
 interface Deck {
   readonly world: WorldFacts;
   readonly view: ViewFacts;

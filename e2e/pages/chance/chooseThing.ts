@@ -29,7 +29,7 @@ function chooseScale(dice: Dice): Three {
   return [size, size, size];
 }
 
-/** What an object's parents undo of its size, or turn. */
+/** Parents of an object, which undo its scale, or turn it. */
 function chooseParents(dice: Dice): ThingFacts['parents'] {
   const far = dice.of([1e-3, 0.1, 50, 1000]);
   return dice.of([

@@ -82,7 +82,7 @@ function readCanvas(webgl: THREE.WebGLRenderer): PageImage {
   return imageOf(bytes, width, height);
 }
 
-/** What is drawn to: the target of a bench, one of another type, or the canvas. */
+/** Target of a drawing: that of a bench, one of another type, or the canvas. */
 class Output {
   readonly target: THREE.WebGLRenderTarget | null;
 

@@ -20,7 +20,7 @@ export function namesOf(facts: unknown, names = new Set<string>()): Set<string> 
   return names;
 }
 
-/** What is left of a shrunk scene, in words: faults that share them are of one kind. */
+/** Words for a shrunk scene: faults with the same words are of one kind. */
 export function kindOf(facts: SceneFacts): string {
   const words = [...namesOf({ world: facts.world, view: facts.view }), ...namesOf(facts.things)];
   const lights = [...namesOf(facts.lights)].filter((name) => name !== 'count');

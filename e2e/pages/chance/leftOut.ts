@@ -15,7 +15,7 @@ const withoutNormals = ({ as, traits = [] }: ThingFacts) =>
 const isThin = /points|line|loop|segments/;
 const isAround = (background: unknown) => background === 'cube' || background === 'equirect';
 
-/** What is not compared, since stock three's own picture of it is not defined: a line for each. */
+/** Scenes that are not compared, since stock three's own picture of them is not defined: a line for each. */
 export const leftOut: readonly LeftOut[] = [
   {
     what: 'a lit material of the scene (overrideMaterial) for sprites and other things without normals',

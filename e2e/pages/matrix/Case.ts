@@ -1,6 +1,6 @@
 import type { Object3D, Texture } from 'three';
 
-/** What cases are made of, once a page. */
+/** Resources that cases share, made once a page. */
 export interface Kit {
   /** Radiance of a room, as PMREM. */
   readonly environment: Texture;

@@ -35,7 +35,7 @@ export function addSheetLights(scene: THREE.Scene, width: number, height: number
   }
 }
 
-/** What the sheet's target is to be cleared to: the upper part of each cell is seen through. */
+/** Clear colour of the sheet's target: the upper part of each cell is seen through. */
 export const CLEAR = { color: 0x203040, alpha: 0.5 } as const;
 
 /**

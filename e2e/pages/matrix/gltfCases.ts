@@ -29,7 +29,7 @@ const colourMap = asImage(textures.colourMap);
 const greyMap = asImage(textures.greyMap);
 const normalMap = asImage(textures.normalMap);
 
-/** What is written to a file and read back, by name of what it uses. */
+/** Objects that are written to a file and read back, by the extension that they use. */
 const written: Record<string, () => THREE.Object3D> = {
   KHR_materials_clearcoat: () =>
     on({ color: 0xaa4422, clearcoat: 0.9, clearcoatRoughness: 0.2, clearcoatMap: greyMap() }),

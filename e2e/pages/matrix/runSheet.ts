@@ -34,7 +34,7 @@ export interface SheetResult {
   readonly unseen: string[];
 }
 
-/** Of all sheets of a test: what is compiled for one of them need not be for the next. */
+/** Bench of all sheets of a test: programs that one compiled need not be compiled for the next. */
 let sharedBench: Bench | null = null;
 
 function makeBench(): Bench {

@@ -6,7 +6,7 @@ import { type ActName, acts, THROWN } from './acts';
 import { GpuObjects } from './GpuObjects';
 import { casters, disposeScene, soakScenes } from './soakScenes';
 
-/** What a round did, and what came of it. */
+/** Acts of a round, and their result. */
 export interface Round {
   readonly acts: readonly string[];
   /** Largest difference of a channel from a fresh renderer's picture, of 255. */
@@ -55,7 +55,7 @@ export class Soak {
 
   private readonly calm = new THREE.WebGLRenderer({ antialias: false });
   private readonly made = new Map<EffectName, FarolEffect>();
-  /** What disposes the last fresh renderer of each technique. */
+  /** Functions that dispose the last fresh renderer, by technique. */
   private readonly last = new Map<string, () => void>();
   /**
    * Objects on the GPU that are three's own, and kept: empty textures, one of depths among them, scratch framebuffers, and the
@@ -295,8 +295,8 @@ export class Soak {
 }
 
 /**
- * Has stock three make what it keeps for good once something is lit or looks up a depth that is not there, and frees the
- * rest.
+ * Draws by stock three something lit, and a look-up of a depth that is not there, so that three makes the textures it keeps
+ * for good; frees the rest.
  * @returns textures that three has one of for all renderers: its look-up table of reflectance, and the empty map of depths
  */
 function drawLit(webgl: THREE.WebGLRenderer): THREE.Texture[] {
@@ -327,7 +327,7 @@ interface SamplerUniform {
   setValue(gl: unknown, value: null, textures: object): void;
 }
 
-/** What three binds where a material of `uniform sampler2DShadow depths` has none. */
+/** Texture that three binds where a material's `uniform sampler2DShadow depths` has none. */
 function emptyDepths(webgl: THREE.WebGLRenderer, material: THREE.Material): THREE.Texture {
   const { currentProgram } = webgl.properties.get(material) as {
     currentProgram: { getUniforms(): { map: { depths: SamplerUniform } } };

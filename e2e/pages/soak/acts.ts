@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import type { Soak } from './Soak';
 import { casters, soakScenes } from './soakScenes';
 
-/** What is thrown on purpose. */
+/** Message that is thrown on purpose. */
 export const THROWN = 'thrown by the soak';
 
 const fail = (): never => {
@@ -18,7 +18,7 @@ const meshesOf = (soak: Soak): THREE.Mesh[] => {
   return meshes;
 };
 
-/** Has callbacks throw for some frames, one after another or many at once. */
+/** Makes callbacks throw for some frames, one after another or many at once. */
 function exceptions(soak: Soak): string {
   const mesh = pick(soak, meshesOf(soak));
   const [material] = [mesh.material].flat();
