@@ -18,7 +18,7 @@ import { runTool } from './runTool.mjs';
 /** Made by --pack: a folder that holds everything is neither installed nor built. */
 const marker = join(root, 'agree-packed.json');
 
-/** What a packed folder holds: sources of the tests, built pages, and the packages that the tests run by. */
+/** Contents of a packed folder: sources of the tests, built pages, and the packages that the tests need. */
 const packed = [
   ...[
     'package.json',

@@ -2,8 +2,8 @@
 export const addressFile = 'apps.json';
 
 /**
- * Where the apps are, as each of them reads it from `apps.json` beside it: addresses relative to that file. What is built is
- * meant to lie in folders of these names beside one another.
+ * Addresses of the apps, as each of them reads them from `apps.json` beside it, relative to that file. Built apps are meant to
+ * lie in folders of these names beside one another.
  */
 export const besideOneAnother = { editor: '../editor/', viewer: '../viewer/', lab: '../lab/' };
 

@@ -57,7 +57,7 @@ export class BenchBrowser {
   }
 
   /**
-   * What a viewer offers.
+   * Scenes and techniques of a viewer.
    *
    * @param {string} url
    * @param {number} timeout - s

@@ -56,7 +56,7 @@ export function benchCases(options, builds) {
   return cases;
 }
 
-/** The same in every build and every round: what a row of the table is about. @param {BenchCase} benchCase */
+/** Key of a case, equal in every build and round: a row of the table. @param {BenchCase} benchCase */
 export function caseKey({ scene, technique, lights, size }) {
   return [scene, `${size.width}×${size.height}`, lights ?? '', technique].join(' ');
 }

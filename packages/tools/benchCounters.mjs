@@ -55,7 +55,7 @@ export function installCounters() {
   };
 
   /**
-   * Has methods go by rules before they do their work.
+   * Makes methods of an object call a rule with their arguments before they do their work.
    *
    * @param {object} object
    * @param {Record<string, (args: unknown[]) => void>} rules

@@ -173,7 +173,7 @@ export function parseBenchOptions(args) {
 }
 
 /**
- * Of the Lab's address: the preset or link, with what else the command line says.
+ * Fragment of the Lab's address: the preset or link, and the other options of the command line.
  *
  * @param {{ preset?: string, link?: string, techniques?: string, size?: string, rounds?: string, turn?: string }} values
  */

@@ -20,7 +20,7 @@ export function installRivals() {
   if (status !== 0) throw new Error('npm ci failed in apps/lab/rivals: see its message above; the network may be off.');
 }
 
-/** What WebGL 2 never runs: Babylon's shaders for WebGPU. @returns {import('vite').Plugin} */
+/** Leaves Babylon's shaders for WebGPU out, which WebGL 2 never runs. @returns {import('vite').Plugin} */
 function withoutWgsl() {
   return {
     name: 'farol-without-wgsl',

@@ -1,5 +1,5 @@
 /**
- * What a page of Farol may do. Scripts are its own files alone; WebAssembly decodes models; workers are its own or made of
+ * Content security policy of Farol's pages. Scripts are its own files alone; WebAssembly decodes models; workers are its own or made of
  * its own text; pictures come as bytes. Libraries of controls write style elements.
  *
  * @param {object} [options]

@@ -78,7 +78,7 @@ export function circlesOverLimit(circles, limits) {
   });
 }
 
-/** What a specifier without or with an ending may stand for. */
+/** Endings that complete a specifier to the path of a file. */
 const ENDINGS = ['', '.ts', '.tsx', '.mjs', '/index.ts', '/index.tsx'];
 
 /**

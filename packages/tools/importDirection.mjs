@@ -230,7 +230,7 @@ function isTest(path) {
 }
 
 /**
- * What a file imports of three by name, '*' for all of it.
+ * Names that a file imports from three, '*' for all of it.
  *
  * @param {string} path @param {string} source @returns {string[]}
  */
@@ -241,7 +241,7 @@ function namesOfThree(path, source) {
 }
 
 /**
- * What a package of the repository exports, by the names it is imported by.
+ * Entries of a package of the repository, as import specifiers.
  *
  * @param {string} name
  * @param {ReadonlyMap<string, { name?: string, exports?: object }>} manifests

@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import { root } from './root.mjs';
 
 /**
- * What the Lab's page knows of its own build, for Vite's `define`: `__FAROL_BUILD__`, version and commit, and
- * `__FAROL_VERSIONS__`, that of three.
+ * Constants of the Lab's build for Vite's `define`: `__FAROL_BUILD__`, its version and commit, and `__FAROL_VERSIONS__`, that
+ * of three.
  *
  * @returns {Record<string, string>}
  */

@@ -1,4 +1,4 @@
-/** What `workSeconds` takes on the reference machine (s): see {@link machineSlowness}. */
+/** Result of `workSeconds` on the reference machine (s): see {@link machineSlowness}. */
 const REFERENCE = 0.17;
 
 const ROUNDS = 3;
@@ -12,7 +12,7 @@ function sceneLikeText() {
   return JSON.stringify(Array.from({ length: 8000 }, (_, i) => ({ id: `object-${i}`, components })));
 }
 
-/** What is made of a component. @param {{ type: string, values: Record<string, number> }} component */
+/** An object of a component, as the work reads it. @param {{ type: string, values: Record<string, number> }} component */
 function partOf({ type, values }) {
   const matrix = Array.from({ length: 16 }, () => 0);
   return { type, matrix, values: { ...values }, byName: new Map(Object.entries(values)) };

@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
-/** What the id of a module begins with that this three does not have yet: its class throws when it is used. */
+/** Prefix of the ids of modules that this version of three does not have: their classes throw when they are used. */
 const MISSING = '\0farol-missing:';
 
 /**

@@ -4,7 +4,7 @@ import { sourceFiles } from './sourceFiles.mjs';
 /** Folders whose code is to ask for what passes hand over, never for a pass. */
 const FOLDERS = /^(packages\/renderer\/src\/(techniques|effects|adapters|lazy)|apps\/editor\/src\/plugins)\//;
 
-/** What tells passes from one another, or a pass from its name. */
+/** Code that tells passes apart by class or name; passes are to be found by the resources that they write. */
 const BY_CLASS = /\binstanceof\s+\w*Pass\b/;
 const BY_NAME =
   /\bpass\.name\s*[!=]==?|[!=]==?\s*pass\.name\b|\bname\s*===?\s*['"](g-buffer|depth|output|transparent)['"]/i;

@@ -22,7 +22,7 @@ export function promisesOf(page) {
 }
 
 /**
- * What keeps a promise from being held: no test, a file that is not there, a title that no test of `npm run verify` has.
+ * Reasons why a promise is not held: no test, a file that is not there, a title that no test of `npm run verify` has.
  *
  * @param {Promised} promise
  * @param {(path: string) => string | null} read - gives the source of a test file, null where there is none

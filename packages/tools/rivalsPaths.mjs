@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { root } from './root.mjs';
 
-/** Where the engines are installed that the Lab measures beside Farol: no workspace, so that npm ci leaves them out. */
+/** Folder of the engines that the Lab measures beside Farol: no workspace, so that `npm ci` leaves them out. */
 export const rivalsFolder = join(root, 'apps/lab/rivals');
 
 /** Their modules, and `versions.json`. */

@@ -7,7 +7,7 @@ import { rivalsDist } from './rivalsPaths.mjs';
 const none = { versions: {}, canInstall: false };
 
 /**
- * What `rivals/versions.json` says: versions by competitor's key, and whether a POST to `rivals/install` installs them.
+ * Content of `rivals/versions.json`: versions by competitor's key, and whether a POST to `rivals/install` installs them.
  *
  * @param {string} [folder] - where their modules lie
  */
@@ -53,7 +53,7 @@ function install() {
 let installing = null;
 
 /**
- * What the development server answers under `rivals/`.
+ * Answer of the development server to a request under `rivals/`.
  *
  * @param {string} name - of the file, or `install`
  * @param {Parameters<typeof isOwnRequest>[0]} request

@@ -16,7 +16,7 @@ import { serveApps } from './serveApps.mjs';
 /** CSS pixels of a picture; it is drawn at twice that. */
 const WIDTH = 320;
 const HEIGHT = 180;
-/** Of 1. */
+/** Quality of the WebP pictures, 0 to 1. */
 const QUALITY = 0.82;
 
 const folder = join(root, 'apps/editor/src/panels/welcome/pictures');

@@ -16,9 +16,9 @@ const specifiers = [
   '@farol/renderer',
   '@farol/renderer/authoring',
 ];
-/** What scripts may use of the language and of the page. */
+/** TypeScript's libraries that scripts may use. */
 const libraries = ['es2023', 'dom', 'dom.iterable'];
-/** Of three's WebGPU renderer, which scripts have not: a third of its declarations. */
+/** Files of three's WebGPU renderer, which scripts do not have: a third of three's declarations. */
 const leftOut = /\/src\/(nodes|materials\/nodes|renderers\/(common|webgpu))\//;
 
 /**

@@ -6,7 +6,7 @@
  *   page's own thread stood still in the seconds before (ms)
  */
 
-/** What is edited while the tab is killed. */
+/** Kinds of edits during which the tab is killed. */
 export const killModes = /** @type {const} */ (['steps', 'drag', 'objects', 'slow']);
 
 /** Between two edits (ms): of a drag, and of others. */

@@ -12,7 +12,7 @@ const ENOUGH = 12;
 /** How many standard errors a slope must differ from none to count. */
 const CERTAIN = 4;
 
-/** What may come in over a whole run without being called a leak. */
+/** Growth over a whole run that is not called a leak (heap in kB, objects on the GPU). */
 const noise = { heap: 1024, objects: 8 };
 
 /**

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { growthOf, slopeOf } from './soakReport.mjs';
 
-/** The same wave of noise in each run, from -1 to 1. */
+/** Deterministic noise, from -1 to 1. */
 const noise = (i: number): number => Math.sin(i * 12.9898) * Math.cos(i * 78.233);
 
 const samples = (heapSlope: number, objectSlope: number, count = 60) =>

@@ -7,14 +7,14 @@ import { growthOf } from './soakReport.mjs';
  *   table: Record<string, number>, left: Record<string, number> }} SoakResult left: GPU objects once all is disposed
  */
 
-/** What the browser says of a context that the soak takes away itself. */
+/** Messages of the browser about a context that the soak itself takes away. */
 const lost = [/CONTEXT_LOST_WEBGL: loseContext/, /GPU stall due to ReadPixels/, /Automatic fallback to software WebGL/];
 
 /** A channel that differs by more is a mismatch (of 255). */
 const NEAR = 1;
 
 /**
- * Has a renderer go through seeded rounds of everything that can happen to it, for a time: see e2e/pages/soak.
+ * Takes a renderer through seeded rounds of everything that can happen to it, for a time: see e2e/pages/soak.
  *
  * @param {Page} page
  * @param {object} options
@@ -77,7 +77,7 @@ export async function soakRounds(page, { url, seed, isOver, every = 10, without 
   return result;
 }
 
-/** What is wrong with a run: a line each; empty when nothing is. @param {SoakResult} result */
+/** Faults of a run, a line each; empty when there is none. @param {SoakResult} result */
 export function soakFaults({ mismatches, messages, samples }) {
   return [...mismatches, ...messages, ...growthOf(samples).grows];
 }

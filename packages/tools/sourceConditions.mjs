@@ -9,5 +9,5 @@ export const sourceCondition = 'farol-source';
 /** Conditions by which Vite takes the repository's packages from source: for pages. */
 export const sourceConditions = [sourceCondition, ...defaultClientConditions];
 
-/** The same for code that runs in Node, such as unit tests. */
+/** Conditions by which Vite takes the repository's packages from source: for code in Node, such as unit tests. */
 export const serverSourceConditions = [sourceCondition, ...defaultServerConditions];

@@ -32,7 +32,7 @@ export function startScript(script, args, { env = {}, isHeld = false } = {}) {
 }
 
 /**
- * The same with a command of an installed package.
+ * Starts a command of an installed package.
  *
  * @param {string} packageName
  * @param {string} command

@@ -32,7 +32,7 @@ if (values.verify) process.env.FAROL_TESTS = 'verify';
 if (values.gpu) process.env.FAROL_GPU = '1';
 
 const isSmall = availableParallelism() < 6;
-/** Of what runs beside others on a small machine, the output is shown in one piece. */
+/** Option of stages that run beside others on a small machine: their output is shown in one piece. */
 const held = { isHeld: true };
 
 /** @type {Record<keyof typeof stagePlan, () => Promise<boolean>>} */

@@ -74,7 +74,7 @@ function literalsOf(node) {
   }
 }
 
-/** What stands around the values of a template. @param {any} node @returns {string[]} */
+/** Literal pieces of a template, around its values. @param {any} node @returns {string[]} */
 function piecesOf(node) {
   if (node?.type === 'ConditionalExpression') return [...piecesOf(node.consequent), ...piecesOf(node.alternate)];
   if (node?.type === 'LogicalExpression') return [...piecesOf(node.left), ...piecesOf(node.right)];

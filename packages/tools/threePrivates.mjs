@@ -1,5 +1,5 @@
 /**
- * What three keeps private, by how it is written: fields that begin with underscores, WebGLState, WebGLProperties, the render
+ * Private parts of three, by how they are written: fields that begin with underscores, WebGLState, WebGLProperties, the render
  * lists, the way of drawing one object, and what programs of `info.programs` can do.
  */
 const names = [

@@ -62,7 +62,7 @@ const builtIns = [
   [JSON, ['parse'], ofArguments],
 ];
 
-/** Has built-in functions count. @returns {() => void} puts them back */
+/** Makes built-in functions count their steps. @returns {() => void} puts them back */
 function countBuiltIns() {
   /** @type {(() => void)[]} */
   const undo = [];
