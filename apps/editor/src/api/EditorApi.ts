@@ -81,7 +81,7 @@ export interface EditorApi {
   /** Whether unsaved changes are being stored. */
   readonly drafts: Drafts;
 
-  /** All commands that the user can run. */
+  /** Registry of the commands that the user can run. */
   readonly actions: Registry<Action>;
   /** The user's key bindings. */
   readonly keys: KeyBindings<Action>;

@@ -7,7 +7,9 @@ export interface FieldEditorProps<F extends Field> {
   readonly name: string;
   /** Null when several objects are edited and their values differ. */
   readonly value: ValueOf<F> | null;
-  /** For vectors whose values differ: the coordinates that are equal in all objects, null for others. */
+  /**
+   * Coordinates of a vector that are equal in all edited objects, null for others; absent when no coordinates differ.
+   */
   readonly parts?: readonly (number | null)[];
   /** Whether the values differ. */
   readonly mixed: boolean;

@@ -4,7 +4,7 @@ import { Icon } from '../ui/Icon';
 import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
 
 interface KeyEditorProps {
-  /** KeyboardEvent.code; null when the values differ. */
+  /** KeyboardEvent.code of the key; null when the edited objects have different ones. */
   readonly value: string | null;
   /** Accessible name. */
   readonly label: string;

@@ -87,7 +87,7 @@ function animate(editor: EditorApi, clip: string, target: GameObject): void {
   document.selection.set([target.id]);
 }
 
-/** Makes an object play a sound: by an AudioSource without one, else by a new AudioSource. */
+/** Makes an object play a sound, in its first AudioSource that has none, else in a new AudioSource. */
 function sound(editor: EditorApi, name: string, target: GameObject): void {
   const { document, commands } = editor;
   const owner = target.getComponents(AudioSource).find((each) => each.getAuthored('sound') === null);

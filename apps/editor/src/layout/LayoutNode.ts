@@ -13,7 +13,7 @@ export interface PanelGroup {
 export interface LayoutSplit {
   readonly kind: 'split';
   readonly direction: 'row' | 'column';
-  /** At least two, none of them a split in the same direction. */
+  /** The split's parts: at least two, none of them a split in the same direction. */
   readonly children: readonly LayoutNode[];
   /** Preferred width or height of each child (CSS pixels). The child with the viewport takes the rest. */
   readonly sizes: readonly number[];

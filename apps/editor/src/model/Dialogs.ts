@@ -48,7 +48,7 @@ export interface RecoveryOffer {
   readonly sessions: readonly SessionInfo[];
   /** Opens the scene of a session. */
   recover(session: SessionInfo): Promise<unknown>;
-  /** Deletes a session. */
+  /** Deletes an unsaved scene for good. */
   discard(session: SessionInfo): Promise<void>;
 }
 

@@ -5,7 +5,7 @@ import { Slider } from './Slider';
 import { useScrub } from './useScrub';
 
 export interface NumberInputProps {
-  /** Null when several values differ. */
+  /** Value shown; null when the edited objects have different ones. */
   readonly value: number | null;
   readonly min?: number;
   readonly max?: number;

@@ -10,7 +10,7 @@ export interface SelectOption<T extends string> {
 }
 
 export interface SelectBoxProps<T extends string> {
-  /** Null when several values differ. */
+  /** Chosen value; null when the edited objects have different ones. */
   readonly value: T | null;
   readonly options: readonly SelectOption<T>[];
   /** Accessible name. */

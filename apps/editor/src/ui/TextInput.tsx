@@ -3,7 +3,7 @@ import { leaveField } from './leaveField';
 import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 
 interface TextInputProps {
-  /** Null when several values differ. */
+  /** Text shown; null when the edited objects have different ones. */
   readonly value: string | null;
   /** Accessible name. */
   readonly label: string;

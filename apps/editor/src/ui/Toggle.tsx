@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { Icon } from './Icon';
 
 interface ToggleProps {
-  /** Null when several values differ. */
+  /** State shown; null when the edited objects have different ones. */
   readonly value: boolean | null;
   /** Accessible name. */
   readonly label: string;

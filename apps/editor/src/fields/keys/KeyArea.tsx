@@ -2,9 +2,9 @@ import { type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactNo
 
 /** Position and labels of a key in the area. */
 export interface ShownKey {
-  /** From 0 (left) to 1 (right). */
+  /** Horizontal position, from 0 (left) to 1 (right). */
   readonly x: number;
-  /** From 0 (bottom) to 1 (top); centred when absent. */
+  /** Vertical position, from 0 (bottom) to 1 (top); centred when absent. */
   readonly y?: number;
   /** Accessible name. */
   readonly label: string;

@@ -11,7 +11,7 @@ type Baker = typeof import('@farol/bake');
 
 /** Progress of the running bake. */
 export interface BakeState {
-  /** 0 to 1. */
+  /** Finished share of the bake, 0 to 1. */
   readonly share: number;
   /** Current stage. */
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing' | 'saving';

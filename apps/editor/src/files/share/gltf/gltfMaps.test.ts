@@ -31,7 +31,7 @@ interface Held {
   readonly needs?: Values;
 }
 
-/** For each map of three's MeshPhysicalMaterial: how glTF holds it, or why it does not. */
+/** How glTF holds each map of three's MeshPhysicalMaterial, or why it does not. */
 const table: Readonly<Record<string, Held | string>> = {
   map: { channels: 'rgba' },
   emissiveMap: { channels: 'rgb', needs: { emissive: [1, 1, 1] } },
