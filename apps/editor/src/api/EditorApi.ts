@@ -57,7 +57,7 @@ export interface CustomFieldEditor {
  * several, each with its own registries, preferences and layout.
  */
 export interface EditorApi {
-  /** Scene, selection, simulation and history. */
+  /** The edited document: scene, selection, simulation and history. */
   readonly document: EditorDocument;
   /** Canvas, cameras, gizmo and renderer. */
   readonly viewport: Viewport;

@@ -15,7 +15,7 @@ export interface FieldEditorProps<F extends Field> {
   readonly mixed: boolean;
   /** Allowed texts of a text field with choices; absent when any text is allowed. */
   readonly choices?: readonly string[];
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   /** Help, unit and range as text. */
   readonly description: string;

@@ -28,7 +28,7 @@ export type DropSide = 'centre' | 'left' | 'right' | 'top' | 'bottom';
 /** Id of the panel that takes the space left by others. */
 export const MAIN_PANEL = 'viewport';
 
-/** All groups, from left to right and from top to bottom. */
+/** All groups of a layout, from left to right and from top to bottom. */
 export function groupsOf(node: LayoutNode): PanelGroup[] {
   return node.kind === 'group' ? [node] : node.children.flatMap(groupsOf);
 }

@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import type { FileProblem } from '@farol/engine/files';
 import type { SessionInfo } from './SessionInfo';
 
-/** A question with two answers, or three. */
+/** Asks the user a question with two answers, or three. */
 export interface ConfirmDialog {
   readonly kind: 'confirm';
   readonly title: string;

@@ -15,7 +15,7 @@ export interface NumberInputProps {
   readonly unit?: string;
   /** Number of decimals: five for 'long', three for 'short'. */
   readonly digits?: 'long' | 'short';
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   /** Element that can be dragged to change the number. */

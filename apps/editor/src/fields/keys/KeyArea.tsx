@@ -6,7 +6,7 @@ export interface ShownKey {
   readonly x: number;
   /** Vertical position, from 0 (bottom) to 1 (top); centred when absent. */
   readonly y?: number;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   /** Value as text. */
   readonly valueText: string;
@@ -15,7 +15,7 @@ export interface ShownKey {
 
 interface KeyAreaProps {
   readonly className: string;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description: string;
   readonly keys: readonly ShownKey[];

@@ -91,7 +91,7 @@ export class LightBaker {
     }
   }
 
-  /** @returns the file of the baked light */
+  /** Bakes the scene. @returns the file of the baked light */
   private async run(scene: Scene, abort: AbortController): Promise<Blob> {
     const { document, viewport, notices } = this.editor;
     const baker = await this.loadBaker();

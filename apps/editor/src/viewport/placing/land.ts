@@ -107,7 +107,7 @@ function surfacesThrough(view: LandingView, point: Vector2): Surface[] {
   return [...surfaces.filter(({ distance }) => distance <= limit), ground];
 }
 
-/** A point at a comfortable distance before the eye. */
+/** A point at a moderate distance from the eye, for objects placed in empty space. */
 function pointBefore(view: LandingView, point: Vector2): Vector3 {
   const ray = rayThrough(view.camera, point);
   const distance = Math.min(FARTHEST, Math.max(NEAREST, ray.origin.distanceTo(view.target)));

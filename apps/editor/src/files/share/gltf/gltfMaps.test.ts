@@ -212,7 +212,7 @@ describe('glTF', () => {
         expect(turned(x < 0, bytesOf(texture, 'r')), message).toEqual(
           turned(scale < 0, bytesOf(pictureOf(property), 'r')),
         );
-        // with tangents green is against v, without them along v
+        // with tangents green is against v, without tangents along v
         expect(turned(y < 0 !== hasTangents, bytesOf(texture, 'g')), message).toEqual(
           turned(scale < 0 !== flip, bytesOf(pictureOf(property), 'g')),
         );
