@@ -105,7 +105,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const map = kind === 'texture' && holdsNormals(assets, name) ? 'normalMap' : 'map';
   const shared = kind === 'texture' && renderer.material !== null ? assets.materialAsset(renderer.material) : null;
   if (shared) {
-    // only the map changes, since other objects may share the material
+    // the library material gets the map, for all objects that share it, and keeps its other values
     const label = t('Gave {asset} to {object}', { object: shared.name, asset: name });
     editor.commands.run(new SetFields(label, [{ owner: shared, name: map, value: name }]));
     return true;
