@@ -15,7 +15,9 @@ declare module 'virtual:whole-three' {
   export * from 'three';
 }
 
-/** All of the engine and of its declarations of fields, apart from the script of the first frame: see `@farol/tools/wholeThree`. */
+/**
+ * The complete engine with its field declarations, apart from the first frame's code; see `@farol/tools/wholeThree`.
+ */
 declare module 'virtual:whole-engine' {
   export * from '@farol/engine';
 }

@@ -27,7 +27,7 @@ export interface Action {
   run(editor: EditorApi): unknown;
   /** Whether the action is available now; always when absent. */
   enabled?(editor: EditorApi): boolean;
-  /** For switches: whether it is on. */
+  /** Whether a switch is on; absent for actions that are not switches. */
   checked?(editor: EditorApi): boolean;
 }
 

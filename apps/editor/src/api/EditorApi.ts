@@ -57,7 +57,7 @@ export interface CustomFieldEditor {
  * several, each with its own registries, preferences and layout.
  */
 export interface EditorApi {
-  /** Scene, selection, simulation and history. */
+  /** The edited document: scene, selection, simulation and history. */
   readonly document: EditorDocument;
   /** Canvas, cameras, gizmo and renderer. */
   readonly viewport: Viewport;
@@ -81,7 +81,7 @@ export interface EditorApi {
   /** Whether unsaved changes are being stored. */
   readonly drafts: Drafts;
 
-  /** All commands that the user can run. */
+  /** Registry of the commands that the user can run. */
   readonly actions: Registry<Action>;
   /** The user's key bindings. */
   readonly keys: KeyBindings<Action>;

@@ -7,13 +7,15 @@ export interface FieldEditorProps<F extends Field> {
   readonly name: string;
   /** Null when several objects are edited and their values differ. */
   readonly value: ValueOf<F> | null;
-  /** For vectors whose values differ: the coordinates that are equal in all objects, null for others. */
+  /**
+   * Coordinates of a vector that are equal in all edited objects, null for others; absent when no coordinates differ.
+   */
   readonly parts?: readonly (number | null)[];
   /** Whether the values differ. */
   readonly mixed: boolean;
   /** Allowed texts of a text field with choices; absent when any text is allowed. */
   readonly choices?: readonly string[];
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   /** Help, unit and range as text. */
   readonly description: string;

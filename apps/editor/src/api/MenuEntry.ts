@@ -11,7 +11,7 @@ export type MenuEntry =
       /** Key combination shown at the right. */
       readonly keys?: string;
       readonly disabled?: boolean;
-      /** For switches: whether it is on. */
+      /** Whether a switch is on; absent for entries that are not switches. */
       readonly checked?: boolean;
       run(): void;
     }

@@ -1,6 +1,6 @@
 import { type SceneDefinition, scenes } from '@farol/scenes';
 
-/** A sample scene. */
+/** A sample scene, offered on the welcome page and in the File menu. */
 export interface Sample {
   /** Unique name, also of its thumbnail. */
   readonly name: string;

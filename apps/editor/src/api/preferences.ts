@@ -25,7 +25,7 @@ export interface Preferences {
   pivot: GizmoPivot;
   /** Whether playing scenes are muted. */
   isMuted: boolean;
-  /** One view or four, and their shadings. */
+  /** Number of views (one or four), and their shadings. */
   views: ViewChoice;
 }
 

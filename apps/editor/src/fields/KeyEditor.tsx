@@ -4,9 +4,9 @@ import { Icon } from '../ui/Icon';
 import { SearchSelect, type SearchOption } from '../ui/SearchSelect';
 
 interface KeyEditorProps {
-  /** KeyboardEvent.code; null when the values differ. */
+  /** KeyboardEvent.code of the key; null when the edited objects have different ones. */
   readonly value: string | null;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

@@ -8,7 +8,7 @@ import { canRename, splitName } from '../model/assetNames';
 /** Kind of a card of the Assets panel: an asset type, or a prefab. */
 export type AssetKind = AssetType | 'prefab';
 
-/** One card of the Assets panel. */
+/** Data of a card in the Assets panel. */
 export interface AssetEntry {
   readonly kind: AssetKind;
   /** Name of the asset, or id of the prefab. */
@@ -18,7 +18,9 @@ export interface AssetEntry {
   readonly isBuiltin: boolean;
   /** Path of its folder; '' for the top. */
   readonly folder: string;
-  /** Whether it duplicates another entry: a built-in texture in another size, or an image used twice in a model. */
+  /**
+   * Whether the asset duplicates another one: a built-in texture in another size, or an image used twice in a model.
+   */
   readonly isVariant: boolean;
 }
 

@@ -33,7 +33,7 @@ export interface Dropped {
 export type DropTarget =
   | { readonly kind: 'picture'; /** CSS pixels of the page. */ readonly x: number; readonly y: number }
   | { readonly kind: 'tree'; /** Id of the object of the row; null beside the rows. */ readonly id: string | null }
-  /** Files are imported without being placed. */
+  /** Outside viewport and tree: files are imported but not placed. */
   | { readonly kind: 'elsewhere' };
 
 function placeOf(editor: EditorApi, target: DropTarget): DropPlace {

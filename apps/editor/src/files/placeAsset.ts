@@ -87,7 +87,7 @@ function animate(editor: EditorApi, clip: string, target: GameObject): void {
   document.selection.set([target.id]);
 }
 
-/** Makes an object play a sound: by an AudioSource without one, else by a new AudioSource. */
+/** Makes an object play a sound, in its first AudioSource that has none, else in a new AudioSource. */
 function sound(editor: EditorApi, name: string, target: GameObject): void {
   const { document, commands } = editor;
   const owner = target.getComponents(AudioSource).find((each) => each.getAuthored('sound') === null);
@@ -105,7 +105,7 @@ function paint(editor: EditorApi, { kind, name }: DraggedAsset, target: GameObje
   const map = kind === 'texture' && holdsNormals(assets, name) ? 'normalMap' : 'map';
   const shared = kind === 'texture' && renderer.material !== null ? assets.materialAsset(renderer.material) : null;
   if (shared) {
-    // only the map changes, since other objects may share the material
+    // the library material gets the map, for all objects that share it, and keeps its other values
     const label = t('Gave {asset} to {object}', { object: shared.name, asset: name });
     editor.commands.run(new SetFields(label, [{ owner: shared, name: map, value: name }]));
     return true;

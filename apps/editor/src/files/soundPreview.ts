@@ -41,7 +41,7 @@ class SoundPreview {
     this.changed.emit();
   }
 
-  /** Pauses. */
+  /** Pauses the sound that plays. */
   hold(): void {
     const { heard, node } = this;
     if (!heard || !node) return;

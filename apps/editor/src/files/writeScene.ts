@@ -40,7 +40,7 @@ export async function writeScene(editor: EditorApi, handle: FileSystemFileHandle
   }
 }
 
-/** @returns the name of the file */
+/** Writes the scene to a file. @returns the file's name */
 async function writeTo(editor: EditorApi, handle: FileSystemFileHandle | null): Promise<string> {
   const { scene } = editor.document;
   const fileName = handle?.name ?? editor.file.name ?? `${fileNameOf(scene.name)}.farol`;

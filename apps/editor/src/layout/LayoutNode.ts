@@ -13,7 +13,7 @@ export interface PanelGroup {
 export interface LayoutSplit {
   readonly kind: 'split';
   readonly direction: 'row' | 'column';
-  /** At least two, none of them a split in the same direction. */
+  /** The split's parts: at least two, none of them a split in the same direction. */
   readonly children: readonly LayoutNode[];
   /** Preferred width or height of each child (CSS pixels). The child with the viewport takes the rest. */
   readonly sizes: readonly number[];
@@ -28,7 +28,7 @@ export type DropSide = 'centre' | 'left' | 'right' | 'top' | 'bottom';
 /** Id of the panel that takes the space left by others. */
 export const MAIN_PANEL = 'viewport';
 
-/** All groups, from left to right and from top to bottom. */
+/** All groups of a layout, from left to right and from top to bottom. */
 export function groupsOf(node: LayoutNode): PanelGroup[] {
   return node.kind === 'group' ? [node] : node.children.flatMap(groupsOf);
 }

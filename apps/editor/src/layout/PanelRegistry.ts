@@ -12,7 +12,7 @@ export interface Panel {
   readonly icon: IconName;
   /** Default place; panels with the same place share a group, in the order of the registry. */
   readonly place: PanelPlace;
-  /** Whether it is open by default; true when absent. The Panels menu opens others. */
+  /** Whether the panel is open by default; true when absent. The Panels menu opens others. */
   readonly isOpen?: boolean;
   /** Fetches the component when the panel is first in front. Its effects are off while it is behind another panel. */
   load(): Promise<ComponentType>;

@@ -5,7 +5,7 @@ import type { ConsoleLog } from '../model/ConsoleLog';
 /** Delay between the last key press and compiling (ms). */
 const DELAY = 180;
 
-/** Why a text is not in use. */
+/** Why an edited GLSL text is not drawn with: message, and the compiler's errors. */
 export interface MicroShaderProblemText {
   readonly message: string;
   /** Compiler errors by microshader and line; empty when the text could not be parsed. */

@@ -2,7 +2,7 @@ import { Signal } from '@farol/editing';
 import type { FileProblem } from '@farol/engine/files';
 import type { SessionInfo } from './SessionInfo';
 
-/** A question with two answers, or three. */
+/** Asks the user a question with two answers, or three. */
 export interface ConfirmDialog {
   readonly kind: 'confirm';
   readonly title: string;
@@ -48,7 +48,7 @@ export interface RecoveryOffer {
   readonly sessions: readonly SessionInfo[];
   /** Opens the scene of a session. */
   recover(session: SessionInfo): Promise<unknown>;
-  /** Deletes a session. */
+  /** Deletes an unsaved scene for good. */
   discard(session: SessionInfo): Promise<void>;
 }
 

@@ -24,7 +24,7 @@ export class EditorDocument {
   /** Edits made while the scene played. */
   readonly playEdits = new PlayEdits(this);
   readonly simulation = new Simulation(() => this.scene, this.playEdits);
-  /** The scripts of the scene: whether they run, and what is wrong with them. */
+  /** The scene's scripts: whether they run, and their errors. */
   readonly scripts: DocumentScripts;
   /** Emits after every edit of any kind, previews included. */
   readonly edited = new Signal();
@@ -36,7 +36,7 @@ export class EditorDocument {
    * Emits when an asset of the scene's library is added, loaded, fails or is removed, and when the library is replaced.
    */
   readonly assetsChanged = new Signal();
-  /** Emits when a prefab of the scene changes, or an object becomes or ceases to be a copy of one. */
+  /** Emits when a prefab of the scene changes, or an object becomes an instance of one or stops being one. */
   readonly prefabs = new Signal();
   /** Called with the error when an asset fails to load. */
   onAssetFailed: (error: Error) => void = () => {};
@@ -85,7 +85,7 @@ export class EditorDocument {
     return this.current;
   }
 
-  /** Meshes, textures and models of the scene. */
+  /** The asset library of the scene. */
   get assets(): AssetLibrary {
     return this.current.assets;
   }

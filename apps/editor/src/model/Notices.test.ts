@@ -22,7 +22,7 @@ it('says the same once, and counts it', () => {
     ['Opened', 1],
     ['Saved', 2],
   ]);
-  // once it has left, it begins anew
+  // a repeated message counts from 1 again after its notice was removed
   notices.remove(first);
   notices.show('info', 'Saved');
   expect(notices.current.at(-1)).toMatchObject({ text: 'Saved', count: 1 });

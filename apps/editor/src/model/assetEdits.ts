@@ -27,7 +27,7 @@ export function newFieldAsset(assets: AssetLibrary, type: FieldAssetType, name: 
   return assets.take(free);
 }
 
-/** Adds a material, and gives it to objects. @returns the command, and the material's name */
+/** Adds a material to the library, and assigns it to objects. @returns the command, and the material's name */
 export function addMaterial(
   scene: Scene,
   name: string,

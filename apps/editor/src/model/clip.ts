@@ -31,7 +31,7 @@ export interface Clip {
   readonly objects: readonly FileObject[];
   /** Assets, each after those that it uses; files are named as in the clipboard. */
   readonly assets: readonly FileAsset[];
-  /** For component types defined by scripts: their fields that name assets and objects. */
+  /** Fields that name assets and objects, for each component type defined by a script. */
   readonly naming: Readonly<Record<string, NamingFields>>;
   /** Prefabs of the objects, and prefabs within these; none when absent. */
   readonly prefabs?: readonly Prefab[];

@@ -67,7 +67,7 @@ it.each(isWhole ? [1, 2, 3, 4] : [1])(
     }
     document.simulation.stop();
     if (commands.history.length < steps) states.splice((steps = commands.history.length) + 1);
-    // strings of kilobytes are compared by ===, which is quicker than expect
+    // long texts are compared by ===, which is faster than expect
     const isAt = (step: number): boolean => stateOf(document) === states[step];
     while (commands.undo()) if (!isAt(--steps)) expect.fail(`not what it was before '${commands.redoLabel}'`);
     expect(steps).toBe(0);

@@ -30,7 +30,7 @@ const inWords = (found: string): string =>
 
 /**
  * Why a model must stay one object; null when it can be unpacked.
- * @param parts - names of the parts that a ModelRenderer draws; '' for all
+ * @param parts - paths of the nodes that a ModelRenderer draws, with semicolons between; '' for the whole model
  * @throws AssetError when the model is not loaded
  */
 export function whyNotUnpack(assets: AssetLibrary, name: string, parts = ''): string | null {

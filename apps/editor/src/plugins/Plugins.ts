@@ -21,7 +21,7 @@ function asUnknown(component: Component): UnknownComponent {
   return makeUnknownComponent(components.find(({ id }) => id === component.id)!);
 }
 
-/** The plugins of one editor. */
+/** Adds and removes the plugins of one editor. */
 export class Plugins {
   /** Emits when a plugin is added or removed, by undo and redo too. */
   readonly changed = new Signal();

@@ -5,7 +5,7 @@ import { Slider } from './Slider';
 import { useScrub } from './useScrub';
 
 export interface NumberInputProps {
-  /** Null when several values differ. */
+  /** Value shown; null when the edited objects have different ones. */
   readonly value: number | null;
   readonly min?: number;
   readonly max?: number;
@@ -15,7 +15,7 @@ export interface NumberInputProps {
   readonly unit?: string;
   /** Number of decimals: five for 'long', three for 'short'. */
   readonly digits?: 'long' | 'short';
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   /** Element that can be dragged to change the number. */

@@ -10,10 +10,10 @@ export interface SelectOption<T extends string> {
 }
 
 export interface SelectBoxProps<T extends string> {
-  /** Null when several values differ. */
+  /** Chosen value; null when the edited objects have different ones. */
   readonly value: T | null;
   readonly options: readonly SelectOption<T>[];
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

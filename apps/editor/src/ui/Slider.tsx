@@ -2,7 +2,7 @@ import { valueOnSlider } from '@farol/editing';
 import { type PointerEvent, type ReactNode, useRef } from 'react';
 
 interface SliderProps {
-  /** Null when several values differ. */
+  /** Value shown; null when the edited objects have different ones. */
   readonly value: number | null;
   readonly min: number;
   readonly max: number;

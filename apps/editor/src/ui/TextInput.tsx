@@ -3,9 +3,9 @@ import { leaveField } from './leaveField';
 import { type KeyboardEvent, type ReactNode, useRef, useState } from 'react';
 
 interface TextInputProps {
-  /** Null when several values differ. */
+  /** Text shown; null when the edited objects have different ones. */
   readonly value: string | null;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

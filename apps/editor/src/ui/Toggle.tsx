@@ -3,9 +3,9 @@ import type { ReactNode } from 'react';
 import { Icon } from './Icon';
 
 interface ToggleProps {
-  /** Null when several values differ. */
+  /** State shown; null when the edited objects have different ones. */
   readonly value: boolean | null;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description?: string;
   readonly disabled?: boolean;

@@ -21,7 +21,7 @@ interface TurningBallProps {
   materialOf(): Material | null;
   /** Changes each time the material may look different. */
   readonly revision: number;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
 }
 

@@ -28,7 +28,7 @@ const { ACTION } = CameraControls;
 const DEFAULT_DISTANCE = 15;
 const FARTHEST_TARGET = 60;
 
-/** Movement for each key while the canvas has focus: angles (rad), or with Shift shares of the orbit distance. */
+/** Movement for each key while the canvas has focus: angles (rad); with Shift, + and - shares of the orbit distance. */
 const nudges: Readonly<
   Record<string, { azimuth?: number; polar?: number; right?: number; up?: number; closer?: number }>
 > = {

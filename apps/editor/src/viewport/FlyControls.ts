@@ -4,7 +4,7 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 /** Rotation per pixel of pointer movement (rad). */
 const TURN = 0.0035;
 
-/** In orthographic views: share of the view's height per second that 1 m/s stands for. */
+/** In orthographic views: share of the orbit distance per second that a speed of 1 m/s stands for. */
 const FLAT_PART = 0.08;
 
 /** Largest pitch above or below the horizon (rad). */

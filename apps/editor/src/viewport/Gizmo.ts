@@ -30,11 +30,11 @@ export type GizmoPivot = 'centre' | 'each' | 'active';
 
 /** Increments of drags while snapping. */
 export interface SnapSteps {
-  /** Metres. */
+  /** Increment of moves (m). */
   readonly translate: number;
-  /** Radians. */
+  /** Increment of rotations (rad). */
   readonly rotate: number;
-  /** Share of the size at the start of the drag. */
+  /** Increment of scaling, as a share of the size at the start of the drag. */
   readonly scale: number;
 }
 

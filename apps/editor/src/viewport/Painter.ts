@@ -4,7 +4,7 @@ import type { Camera, Scene } from 'three';
 export interface Painter {
   /** Whether grid, icons and handles are drawn on top. */
   readonly drawsHelpers: boolean;
-  /** Whether it shows many images in a grid; overlays such as the camera inset are then hidden. */
+  /** Whether the painter shows many images in a grid; overlays such as the camera inset are then hidden. */
   readonly isGrid: boolean;
   /** Renders to the canvas; the GL viewport must be the whole canvas before and after. */
   render(scene: Scene, camera: Camera): void;

@@ -4,7 +4,7 @@ export interface ViewPose {
   readonly position: readonly [number, number, number];
   /** Orbit target (m, world), never at the eye. Its distance determines the size of an orthographic view. */
   readonly target: readonly [number, number, number];
-  /** Vertical field of view for a wide aspect ratio (rad). */
+  /** Vertical field of view for a wide aspect ratio (rad); narrow viewports show more vertically. */
   readonly fov: number;
   /** Whether the view is orthographic. */
   readonly orthographic: boolean;

@@ -334,7 +334,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   async drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
     this.ball ??= import('./MaterialBall').then((code) => new code.MaterialBall(this.webgl));
     const { ball } = this;
-    ball.catch(() => (this.ball = null)); // asked for again by the next picture
+    ball.catch(() => (this.ball = null)); // a failed fetch is retried by the next preview
     await (await ball).draw(material, this.document.scene.three.environment, canvas, turn);
   }
 

@@ -14,7 +14,7 @@ const to = new Vector3();
 const start = new Vector3();
 const end = new Vector3();
 
-/** Three circles about `centre`. */
+/** Adds three circles about `centre`, in the planes of the axes. */
 function drawSphere(lines: LineSet, radius: number, segments = 64): void {
   x.set(radius, 0, 0);
   y.set(0, radius, 0);

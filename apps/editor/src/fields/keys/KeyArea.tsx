@@ -2,11 +2,11 @@ import { type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactNo
 
 /** Position and labels of a key in the area. */
 export interface ShownKey {
-  /** From 0 (left) to 1 (right). */
+  /** Horizontal position, from 0 (left) to 1 (right). */
   readonly x: number;
-  /** From 0 (bottom) to 1 (top); centred when absent. */
+  /** Vertical position, from 0 (bottom) to 1 (top); centred when absent. */
   readonly y?: number;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   /** Value as text. */
   readonly valueText: string;
@@ -15,7 +15,7 @@ export interface ShownKey {
 
 interface KeyAreaProps {
   readonly className: string;
-  /** Accessible name. */
+  /** Accessible name of the control. */
   readonly label: string;
   readonly description: string;
   readonly keys: readonly ShownKey[];

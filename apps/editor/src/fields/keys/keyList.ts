@@ -26,7 +26,6 @@ export function moveKey<K extends TimedKey>(keys: readonly K[], index: number, k
   return { keys: others.toSpliced(place, 0, key), index: place };
 }
 
-/** Removes a key. */
 export const removeKey = <K extends TimedKey>(keys: readonly K[], index: number): readonly K[] =>
   keys.toSpliced(index, 1);
 

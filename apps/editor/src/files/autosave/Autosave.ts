@@ -26,7 +26,7 @@ const RETRIES = [1000, 2000, 5000, 10_000, 30_000];
 export class Autosave implements DraftKeeper {
   /** Emits each time everything has been stored. */
   readonly stored = new Signal();
-  /** For measurements: durations of the last slices (ms), numbers of parts read and of commits. */
+  /** Measurements: durations of the last slices (ms), numbers of parts read and of commits. */
   readonly statistics = { slices: [] as number[], parts: 0, commits: 0 };
 
   private session = createId();

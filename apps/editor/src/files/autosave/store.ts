@@ -106,7 +106,6 @@ export async function readSession(id: string): Promise<{ parts: Map<PartKey, str
   return { parts: mergeParts(base, parts), files };
 }
 
-/** Deletes a session. */
 export async function deleteSession(id: string): Promise<void> {
   await write((sessions, parts, files) => {
     sessions.delete(id);

@@ -11,7 +11,7 @@ type Baker = typeof import('@farol/bake');
 
 /** Progress of the running bake. */
 export interface BakeState {
-  /** 0 to 1. */
+  /** Finished share of the bake, 0 to 1. */
   readonly share: number;
   /** Current stage. */
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing' | 'saving';
@@ -91,7 +91,7 @@ export class LightBaker {
     }
   }
 
-  /** @returns the file of the baked light */
+  /** Bakes the scene. @returns the file of the baked light */
   private async run(scene: Scene, abort: AbortController): Promise<Blob> {
     const { document, viewport, notices } = this.editor;
     const baker = await this.loadBaker();

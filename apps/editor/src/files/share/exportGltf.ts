@@ -7,7 +7,7 @@ import { GltfScene } from './gltf/GltfScene';
 /** A glTF file, and descriptions of what it lacks. */
 export interface ExportedGltf {
   readonly blob: Blob;
-  /** One line for each kind of thing. */
+  /** Descriptions of what the file lacks, one line for each kind of thing. */
   readonly leftOut: readonly string[];
 }
 

@@ -6,7 +6,6 @@ import { compileScript, ScriptError } from '@farol/engine/scripts';
 import { scriptElement } from './scriptElement';
 import { sharedContent, type ShareOptions } from './sharedContent';
 
-/** Base64 of bytes. */
 function base64Of(bytes: Uint8Array): string {
   let letters = '';
   for (let i = 0; i < bytes.length; i += 0x8000) letters += String.fromCharCode(...bytes.subarray(i, i + 0x8000));

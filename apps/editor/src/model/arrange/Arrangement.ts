@@ -45,7 +45,7 @@ export interface Arrangement {
   readonly grouped: boolean;
 }
 
-/** From this number of lights on, they share the brightness of the original by default. */
+/** Number of lights from which they share the brightness of the original by default. */
 const MANY_LIGHTS = 20;
 
 /** Whether the lights of an arrangement share the brightness of the original. @param total - number of objects */

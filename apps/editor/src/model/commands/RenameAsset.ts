@@ -25,7 +25,10 @@ export class RenameAsset implements Command {
     this.rename(this.to, this.from);
   }
 
-  /** @throws AssetError when the name is taken; nothing has changed then */
+  /**
+   * Renames the asset and updates everything that names it. @throws AssetError when the name is taken; nothing has
+   * changed then
+   */
   private rename(from: string, to: string): void {
     const { scene } = this;
     const names = scene.assets.rename(from, to);

@@ -39,7 +39,7 @@ export function moveEvents(data: ClipData, places: readonly number[], by: number
   return sorted(data, events, [...moved.values()]);
 }
 
-/** Removes events. */
+/** Removes events, given by their indices. */
 export const removeEvents = (data: ClipData, places: readonly number[]): ClipData => ({
   ...data,
   events: data.events.filter((_, i) => !places.includes(i)),

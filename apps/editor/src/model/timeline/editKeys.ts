@@ -20,7 +20,7 @@ import { type CurveControl, splitCurve } from './easingCurve';
  * without touched keys, stay the same objects.
  */
 
-/** Ids of keys, see `keyId`. */
+/** A selection of keys, by `keyId`. */
 export type KeySelection = ReadonlySet<string>;
 
 /** A clip after an edit, and the new ids of its selected keys. */
@@ -83,7 +83,7 @@ export function eachSelected(
   }
 }
 
-/** The selected keys. */
+/** Tracks and keys that are selected. */
 export function selectedKeys(
   data: ClipData,
   selected: KeySelection,
@@ -93,7 +93,7 @@ export function selectedKeys(
   return found;
 }
 
-/** Every key. */
+/** Ids of all keys of a clip. */
 export const allKeys = ({ tracks }: ClipData): Set<string> =>
   new Set(
     tracks.flatMap((track) => {

@@ -39,7 +39,7 @@ function trackObjects(scene: Scene): TrackObjects {
   return clips;
 }
 
-/** The path that finds all of these objects now; null where there is none. */
+/** The path that now finds all of several objects, each below its root; null where there is none. */
 function commonPath(found: readonly Found[]): string | null {
   const paths = new Set(found.map(({ root, object }) => pathBelow(root, object)));
   return paths.size === 1 ? [...paths][0] : null;

@@ -8,7 +8,7 @@ import { useEditor } from '../../ui/EditorContext';
 /** Distance (CSS pixels) that an arrow key moves an edge. */
 const STEP = 16;
 
-/** Title of the first panel at one side of an edge, for the edge's label. */
+/** Title of the first panel at one side of a divider, for the divider's accessible name. */
 function firstTitle(node: LayoutNode, panels: PanelRegistry): string {
   if (node.kind === 'split') return firstTitle(node.children[0], panels);
   return t(panels.get(node.active)?.title ?? node.active);

@@ -8,7 +8,7 @@ const TabStrip = lazy(async () => ({ default: (await import('./TabStrip')).TabSt
 interface DockGroupProps {
   readonly group: PanelGroup;
   readonly rectangle: Rectangle;
-  /** All visible groups. */
+  /** All visible groups, as targets for dragged tabs. */
   readonly groups: readonly PlacedGroup[];
   onDrag(panel: string, event: PointerEvent): void;
 }

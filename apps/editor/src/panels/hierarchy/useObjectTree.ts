@@ -29,7 +29,7 @@ type Item = ItemInstance<string>;
 type Enabled = (tree: TreeInstance<string>) => boolean;
 type Handler = (event: KeyboardEvent, tree: TreeInstance<string>) => void;
 
-/** The tree of the document's GameObjects. */
+/** State and actions of the hierarchy's tree. */
 export interface ObjectTree {
   readonly tree: TreeInstance<string>;
   /** The visible rows, in order. */

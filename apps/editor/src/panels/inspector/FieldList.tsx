@@ -23,7 +23,7 @@ function shownField(owners: readonly FieldOwner[], name: string): Field {
 }
 
 interface FieldListProps {
-  /** At least one; memoised. */
+  /** Edited components or settings of one type, at least one; memoised. */
   readonly owners: readonly FieldOwner[];
   /** Names of the fields to show, in this order; all when absent. */
   readonly names?: readonly string[];

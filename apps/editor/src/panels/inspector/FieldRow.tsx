@@ -11,14 +11,14 @@ import { useIsFound } from '../../ui/FieldFilter';
 import { Icon } from '../../ui/Icon';
 
 interface FieldRowProps {
-  /** All of one type; memoised. */
+  /** Edited components or settings of one type; memoised. */
   readonly owners: readonly FieldOwner[];
   readonly name: string;
   readonly field: Field;
-  /** Null when the owners' values differ. */
+  /** Common value of the owners; null when their values differ. */
   readonly value: FieldValue;
   readonly mixed: boolean;
-  /** For vectors whose values differ: the coordinates that are equal in all owners, as JSON. */
+  /** Coordinates of a vector that are equal in all owners, as JSON; others are null. */
   readonly parts: string;
   /** Whether all owners have the default value. */
   readonly isDefault: boolean;

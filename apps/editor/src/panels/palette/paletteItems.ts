@@ -43,7 +43,7 @@ export const groupOf = (id: string): string => {
 /** Objects are listed only when the search finds no more than this many. */
 export const OBJECTS = 30;
 
-/** All items available now. */
+/** Commands that are available now. */
 export function paletteItems(editor: EditorApi): PaletteItem[] {
   const { document } = editor;
   const done = allActions(editor)

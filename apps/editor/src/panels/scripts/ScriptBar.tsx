@@ -6,7 +6,7 @@ interface ScriptBarProps {
   readonly name: string;
   /** Whether the script has a syntax error. */
   readonly isBroken: boolean;
-  /** Number of problems. */
+  /** Number of errors and warnings. */
   readonly problems: number;
   /** Whether TypeScript's language service is ready. */
   readonly isReady: boolean;

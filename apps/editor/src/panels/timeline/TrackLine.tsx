@@ -67,7 +67,7 @@ function KeyButton({ view, row }: { view: TimelineView; row: TrackRow }): ReactN
   );
 }
 
-/** Name of a row, its value at the playhead, and its buttons. */
+/** A row of the timeline's list: name, value at the playhead, and buttons. */
 export function TrackLine(props: TrackLineProps): ReactNode {
   const { view, row, index, isCurrent, isChosen, onFold, onRemove } = props;
   const isOpen = row.kind === 'group' || row.kind === 'track' ? row.isOpen : null;

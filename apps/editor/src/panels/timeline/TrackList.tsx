@@ -24,7 +24,7 @@ export function TrackList({ view, height, scrollTop, scroller }: TrackListProps)
   const first = Math.max(Math.floor(scrollTop / rowHeight) - 2, 0);
   const last = Math.min(first + Math.ceil(Math.max(height, 0) / rowHeight) + 5, rows.length);
   const rendered = [...rows.keys()].slice(first, last);
-  // the focused row stays rendered
+  // the focused row is rendered even when scrolled out of view
   if (current < first) rendered.unshift(current);
   else if (current >= last && current < rows.length) rendered.push(current);
 

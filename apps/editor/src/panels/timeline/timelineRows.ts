@@ -59,7 +59,7 @@ export interface RowFolds {
 
 const CHANNELS = [0, 1, 2] as const;
 
-/** Letters of the coordinates of a field. */
+/** Letters of a vector's or colour's coordinates: 'xyz' or 'rgb'. */
 export const channelNames = (field: Field | null): string => (field?.kind === 'colour' ? 'rgb' : 'xyz');
 
 const objectLabel = (root: GameObject | null, path: string): string =>

@@ -28,7 +28,7 @@ export function ViewCube(): ReactNode {
   useEffect(() => {
     let lastTransform = '';
     const follow = (): void => {
-      // the view's rotation; y points down in CSS
+      // CSS matrix of the view's rotation; y points down in CSS
       const e = matrix.extractRotation(viewport.camera.matrixWorldInverse).elements;
       const n = (value: number): string => value.toFixed(3);
       const transform = `matrix3d(${n(e[0])},${n(-e[1])},${n(e[2])},0,${n(-e[4])},${n(e[5])},${n(-e[6])},0,${n(e[8])},${n(-e[9])},${n(e[10])},0,0,0,0,1)`;

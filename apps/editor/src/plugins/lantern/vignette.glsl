@@ -1,4 +1,4 @@
-// What the picture is multiplied by: 1 in the middle, less towards the corners.
+// Vignette: factor of the image's brightness, 1 at the centre, less towards the corners.
 // Farol
 uniform vec2 lantern_size; // pixels
 layout(location = 0) out highp vec4 lantern_share;

@@ -13,7 +13,7 @@ export interface CodeProblem {
   /** Start and end of the marked part (characters from the start of the text). */
   readonly from?: number;
   readonly to?: number;
-  /** 'error' when absent. */
+  /** Severity of the problem; 'error' when absent. */
   readonly severity?: 'error' | 'warning' | 'hint';
 }
 

@@ -9,7 +9,7 @@ const CLEARANCE = 12;
 
 /** Handles that size area lights; the code is fetched when one is first selected. */
 export class LateLightHandles {
-  /** Null until fetched. */
+  /** The handles; null until their code is fetched. */
   points: HandlePoints | null = null;
 
   private isAsked = false;

@@ -16,7 +16,7 @@ export class ViewsPainter implements Painter {
   readonly isGrid = true;
   private readonly farol: FarolRenderer;
 
-  /** @throws Error naming what the device lacks */
+  /** Checks that the device can draw all views. @throws Error naming what the device lacks */
   constructor(private readonly viewport: Viewport) {
     this.farol = viewport.farol;
     const { view } = this.farol;

@@ -66,7 +66,7 @@ export class WipePainter implements Painter {
     return this.other.technique;
   }
 
-  /** @throws Error naming what the device lacks */
+  /** Technique to compare with. @throws Error naming what the device lacks */
   set technique(technique: TechniqueName) {
     this.other.technique = technique;
     this.settingChanged();

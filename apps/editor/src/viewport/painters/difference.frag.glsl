@@ -1,4 +1,5 @@
-// Amplified difference of two sRGB-encoded images, per channel. Farol
+// Amplified difference of two sRGB-encoded images, per channel.
+// Farol
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D a;

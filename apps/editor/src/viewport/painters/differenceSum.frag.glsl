@@ -1,5 +1,6 @@
 // For each block of 16 by 16 pixels: sum of squared differences of all channels, largest difference, number of pixels
-// off by more than 2/255. Farol
+// off by more than 2/255.
+// Farol
 precision highp float;
 precision highp sampler2D;
 uniform sampler2D a;

@@ -1,4 +1,5 @@
-// Covers the whole target. Farol
+// Covers the whole target.
+// Farol
 in vec3 position;
 void main() {
   gl_Position = vec4(position.xy, 0.0, 1.0);

@@ -11,7 +11,7 @@ export interface PreviewHost {
 
 /** Preview of selected emitters; the code is fetched once a scene has any. */
 export class LateParticlePreview {
-  /** Null until fetched. */
+  /** The preview; null until its code is fetched. */
   preview: ParticlePreview | null = null;
 
   private isAsked = false;

@@ -29,7 +29,7 @@ export class ParticlePreview {
     return this.shown.filter(({ scene }) => scene !== null);
   }
 
-  /** Whether time advances. */
+  /** Whether the preview is running rather than paused. */
   get isPlaying(): boolean {
     return this.isRunning;
   }

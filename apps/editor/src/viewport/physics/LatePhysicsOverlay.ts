@@ -5,7 +5,7 @@ const types = ['Collider', 'Joint', 'CharacterController'];
 
 /** Lines and handles for physics; the code is fetched once a scene has any. */
 export class LatePhysicsOverlay {
-  /** Null until fetched. */
+  /** The lines and handles; null until their code is fetched. */
   overlay: PhysicsOverlay | null = null;
 
   private isAsked = false;

@@ -91,13 +91,13 @@ function floorBelow(view: LandingView, from: Vector3, box: Box3): Surface | null
   return floors[0] ?? groundAlong(ray, Infinity);
 }
 
-/** Whether a point is in the picture, not at its very edge. */
+/** Whether a point is visible on screen, with some margin to the edge. */
 function isSeen(point: Vector3, camera: Camera): boolean {
   const { x, y, z } = middle.copy(point).project(camera);
   return Math.abs(x) < 0.9 && Math.abs(y) < 0.9 && z > -1 && z < 1;
 }
 
-/** The surfaces that a ray through a point of the picture meets: of what is drawn, nearest first, then the ground. */
+/** Surfaces hit by a ray through a point on screen: meshes, nearest first, then the ground. */
 function surfacesThrough(view: LandingView, point: Vector2): Surface[] {
   const ray = rayThrough(view.camera, point);
   const limit = Math.max(FARTHEST_GROUND, 2 * ray.origin.distanceTo(view.target));
@@ -107,7 +107,7 @@ function surfacesThrough(view: LandingView, point: Vector2): Surface[] {
   return [...surfaces.filter(({ distance }) => distance <= limit), ground];
 }
 
-/** A point at a comfortable distance before the eye. */
+/** A point at a moderate distance from the eye, for objects placed in empty space. */
 function pointBefore(view: LandingView, point: Vector2): Vector3 {
   const ray = rayThrough(view.camera, point);
   const distance = Math.min(FARTHEST, Math.max(NEAREST, ray.origin.distanceTo(view.target)));
@@ -152,7 +152,7 @@ function standsAt(view: LandingView, point: Vector2, box: Box3): Stand[] {
   return behind ? [{ at: behind.point, on: behind }, inFront] : [inFront];
 }
 
-/** On the floor in front of a wall, or of the side of something large. */
+/** Place on the floor in front of a wall, or of the side of something large. */
 function standBefore(view: LandingView, seen: Surface, box: Box3): Stand {
   box.getSize(size);
   const out = seen.normal.clone().setY(0);

@@ -9,7 +9,7 @@ export interface ProfileLight {
   readonly profile: PhotometricProfile;
   /** Factor of the profile's intensities. */
   readonly multiplier: number;
-  /** Linear, 0 to 1. */
+  /** Colour of the light (linear RGB, 0 to 1). */
   readonly color: readonly number[];
 }
 

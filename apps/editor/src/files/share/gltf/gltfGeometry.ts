@@ -4,11 +4,11 @@ import { tangentsOf } from './tangentsOf';
 /** Attributes of a mesh that its material needs. */
 export interface GeometryUse {
   readonly vertexColours: boolean;
-  /** One normal per face. */
+  /** Whether each face has one normal. */
   readonly flat: boolean;
-  /** Tangents for normal maps; existing ones are kept. */
+  /** Whether tangents are needed, for normal maps; existing ones are kept. */
   readonly tangents: boolean;
-  /** Only the edges of the triangles. */
+  /** Whether only the edges of triangles are exported, for wireframes. */
   readonly edges: boolean;
 }
 

@@ -8,7 +8,7 @@ import type { ProfileLight } from './GltfProfiles';
 /** Least softness of a spot light's edge, since glTF allows no hard edge. */
 const THINNEST_EDGE = 1e-3;
 
-/** Share of a light's intensity at a distance (m). */
+/** Falloff of a light: share of its intensity that is left at a distance (m). */
 function left(light: Light, distance: number): number {
   if (light.attenuation === 'near-far') {
     return Math.min(1, Math.max(0, (light.far - distance) / Math.max(1e-6, light.far - light.near)));

@@ -31,7 +31,7 @@ interface Held {
   readonly needs?: Values;
 }
 
-/** For each map of three's MeshPhysicalMaterial: how glTF holds it, or why it does not. */
+/** How glTF holds each map of three's MeshPhysicalMaterial, or why it does not. */
 const table: Readonly<Record<string, Held | string>> = {
   map: { channels: 'rgba' },
   emissiveMap: { channels: 'rgb', needs: { emissive: [1, 1, 1] } },
@@ -212,7 +212,7 @@ describe('glTF', () => {
         expect(turned(x < 0, bytesOf(texture, 'r')), message).toEqual(
           turned(scale < 0, bytesOf(pictureOf(property), 'r')),
         );
-        // with tangents green is against v, without them along v
+        // with tangents green is against v, without tangents along v
         expect(turned(y < 0 !== hasTangents, bytesOf(texture, 'g')), message).toEqual(
           turned(scale < 0 !== flip, bytesOf(pictureOf(property), 'g')),
         );

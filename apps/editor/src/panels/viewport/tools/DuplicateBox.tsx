@@ -161,7 +161,7 @@ function FollowPart({ tool, value }: PartProps): ReactNode {
 
 interface PartRowProps {
   readonly label: string;
-  /** 0 to 1. */
+  /** Share, 0 to 1. */
   readonly value: number;
   onChange(value: number): void;
 }
