@@ -5,6 +5,7 @@ import { runInfo } from '@farol/tools/runInfo';
 import { rivals } from '@farol/tools/rivalsPlugin';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
+import { valueModules } from '@farol/tools/valueModules';
 import { defineConfig } from 'vite';
 
 export default defineConfig(({ command }) => ({
@@ -12,7 +13,14 @@ export default defineConfig(({ command }) => ({
   publicDir: false,
   define: labBuild(),
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), runInfo(), securePages(), rivals(), appAddresses()],
+  plugins: [
+    stanfordDragon(),
+    runInfo(),
+    securePages(),
+    rivals(),
+    appAddresses(),
+    valueModules('/lab/src/competitors/competitorNames.ts'),
+  ],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   resolve: {
     dedupe: ['three'],

@@ -15,8 +15,8 @@ const mark = (light: string, dark: string, symbol: MarkSymbolName, hollow = fals
   ...{ light, dark, symbol, hollow },
 });
 
-/** Marks by competitor: told apart by symbol where a colour-blind eye cannot tell two colours apart. */
-export const competitorMarks: Readonly<Record<string, CompetitorMark>> = {
+/** Marks that were chosen: told apart by symbol where a colour-blind eye cannot tell two colours apart. */
+const chosen: Readonly<Record<string, CompetitorMark>> = {
   auto: mark('#16181d', '#f4f6fa', 'star'),
   forward: mark('#c8430a', '#ff8149', 'circle'),
   'forward-single-pass': mark('#a06c00', '#eebb45', 'circle', true),
@@ -33,7 +33,24 @@ export const competitorMarks: Readonly<Record<string, CompetitorMark>> = {
   'three-webgpu': mark('#4a44c4', '#9d97ff', 'plus'),
   playcanvas: mark('#a3172b', '#ff6f7d', 'wye'),
   babylon: mark('#96657f', '#d6adc4', 'asterisk'),
-} satisfies Record<keyof typeof competitorNames, CompetitorMark>;
+};
+
+/** Marks of techniques that have none above, in turn. */
+const spare: readonly CompetitorMark[] = [
+  mark('#8c5a00', '#e0a850', 'star', true),
+  mark('#00708a', '#55c2dd', 'wye', true),
+  mark('#9a4d86', '#e39bd0', 'cross', true),
+];
+
+/** Marks by competitor. */
+export const competitorMarks: Readonly<Record<string, CompetitorMark>> = {
+  ...chosen,
+  ...Object.fromEntries(
+    Object.keys(competitorNames)
+      .filter((name) => !Object.hasOwn(chosen, name))
+      .map((name, i) => [name, spare[i % spare.length]]),
+  ),
+};
 
 const unknown = mark('#565f6c', '#aab4c2', 'plus');
 

@@ -1,55 +1,35 @@
-/** Competitors in the order of menus and colours. The page knows names and words; `stage.html` alone holds their code. */
+import { type TechniqueName, techniques } from '@farol/renderer';
+
+/**
+ * Competitors in the order of menus and colours. Run when the page is built (`valueModules`): the page has names and words,
+ * `stage.html` alone the code.
+ */
 export interface CompetitorWords {
   readonly label: string;
   readonly help: string;
   readonly kind: 'farol' | 'three' | 'rival';
 }
 
-/** Words of the competitors, by key. */
+/** A technique's name within a label: its own label where that spells the key, else the key. */
+function shortName(key: string, label: string): string {
+  const letters = label
+    .toLowerCase()
+    .replaceAll('+', 'plus')
+    .replaceAll(/[^a-z]/g, '');
+  if (letters !== key.replaceAll('-', '')) return key.replaceAll('-', ' ');
+  return label.includes('+') ? label : label.charAt(0).toLowerCase() + label.slice(1);
+}
+
+const techniqueCompetitors = Object.fromEntries(
+  Object.entries(techniques).map(([name, { label, help }]) => [
+    name,
+    { label: `Farol: ${shortName(name, label)}`, kind: 'farol', help },
+  ]),
+) as Readonly<Record<TechniqueName, CompetitorWords>>;
+
+/** Words of the competitors, by key: Farol's techniques, then the others. */
 export const competitorNames = {
-  auto: { label: 'Farol: auto', kind: 'farol', help: 'Picks a technique for the scene on show.' },
-  forward: {
-    label: 'Farol: forward',
-    kind: 'farol',
-    help: 'One additive pass over an object for each light, as in the thesis.',
-  },
-  'forward-single-pass': {
-    label: 'Farol: forward, single pass',
-    kind: 'farol',
-    help: 'All lights in one loop of the object’s shader.',
-  },
-  deferred: { label: 'Farol: deferred', kind: 'farol', help: 'A G-buffer, then a volume for each light.' },
-  'light-prepass': {
-    label: 'Farol: light pre-pass',
-    kind: 'farol',
-    help: 'Normals first, light into a buffer, then the objects once more.',
-  },
-  inferred: { label: 'Farol: inferred', kind: 'farol', help: 'A light pre-pass at a lower resolution.' },
-  'tiled-deferred': {
-    label: 'Farol: tiled deferred',
-    kind: 'farol',
-    help: 'A G-buffer, then lists of lights for tiles of the picture.',
-  },
-  'tiled-forward': {
-    label: 'Farol: tiled forward',
-    kind: 'farol',
-    help: 'Lists of lights for tiles, read while objects are drawn.',
-  },
-  'forward-plus': {
-    label: 'Farol: Forward+',
-    kind: 'farol',
-    help: 'Depth first, then tiled forward with lists cut by depth.',
-  },
-  'clustered-deferred': {
-    label: 'Farol: clustered deferred',
-    kind: 'farol',
-    help: 'A G-buffer, lists by tile and depth.',
-  },
-  'clustered-forward': {
-    label: 'Farol: clustered forward',
-    kind: 'farol',
-    help: 'Lists by tile and depth, read while objects are drawn.',
-  },
+  ...techniqueCompetitors,
   stock: {
     label: 'three: WebGLRenderer',
     kind: 'three',

@@ -21,7 +21,7 @@ export interface Technique {
    */
   readonly lazy?: Lazy<object>;
   /**
-   * `gbuffer`, and `scene-depth` of the picture's size, where its passes write them: for whoever asks before `lazy` is there.
+   * `gbuffer`, or else `scene-depth` of the picture's size, where its passes write it: for whoever asks before `lazy` is there.
    * Default none; where no code is fetched the passes say it.
    */
   readonly writes?: readonly Resource[];

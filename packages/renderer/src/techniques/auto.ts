@@ -10,7 +10,7 @@ export const auto: Technique = {
   // most scenes are drawn by it: fetched ahead
   lazy: gridCode,
   // it picks one that writes what an effect works on
-  writes: ['gbuffer', 'scene-depth'],
+  writes: ['gbuffer'],
   passes() {
     throw new Error('Farol: "auto" has no passes; those of the technique that it picks draw.');
   },

@@ -12,6 +12,6 @@ export const clusteredDeferred: Technique = {
   needsFloatTargets: true,
   fills: 'every-pixel',
   lazy: gridCode,
-  writes: ['gbuffer', 'scene-depth'],
+  writes: ['gbuffer'],
   passes: () => gridCode.required.clusteredDeferredPasses(),
 };

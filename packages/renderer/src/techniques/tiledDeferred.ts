@@ -13,6 +13,6 @@ export const tiledDeferred: Technique = {
   needsFloatTargets: true,
   fills: 'every-pixel',
   lazy: tileCode,
-  writes: ['gbuffer', 'scene-depth'],
+  writes: ['gbuffer'],
   passes: () => tileCode.required.tiledDeferredPasses(),
 };
