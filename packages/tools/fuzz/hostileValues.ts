@@ -82,7 +82,7 @@ const put = (holder: Holder, key: string, value: unknown): void => {
 /** JSON text of a value that is nested deeper than the stack is: JSON.stringify calls itself. */
 function deepText(value: unknown): string {
   const parts: string[] = [];
-  /** What is still to be written, the next one last: text as it is, values in lists of one. */
+  /** Parts still to be written, the next one last: text as it is, values in lists of one. */
   const left: (string | readonly [unknown])[] = [[value]];
   while (left.length > 0) {
     const next = left.pop()!;
@@ -107,7 +107,7 @@ function deepText(value: unknown): string {
   return parts.join('');
 }
 
-/** What `run` gives; what `deep` gives where the stack ends, whose size is not the same in each thread. */
+/** Result of `run`, or of `deep` when `run` overflows the stack, whose size differs between threads. */
 function orDeep<T>(run: () => T, deep: () => T): T {
   try {
     return run();

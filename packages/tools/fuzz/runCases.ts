@@ -8,7 +8,7 @@ const SHRINKS = 400;
 /** Seconds after which no smaller case is tried: a case that is slow is slow each time. */
 const SHRINKING = 60;
 
-/** What came of a run of cases, which ends with the first that fails. */
+/** Result of a run of cases, which ends with the first that fails. */
 export interface FuzzSummary {
   readonly seed: number;
   readonly cases: number;
