@@ -86,7 +86,7 @@ class ObjParser {
   private object = '';
   /** Numbers of the names of object and group. */
   private key = '0 0';
-  /** Lines read until now. */
+  /** Work of the current step: lines, and what cutting a polygon costs in lines. */
   private work = 0;
   private hasColours = false;
   /** The vertex of the highest number, and the line that names it. */
