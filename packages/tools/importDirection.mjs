@@ -43,7 +43,7 @@ const engineFloors = [
   // slices of long work, code fetched late, random numbers
   ['base'],
   ['fields'],
-  // unpacking with limits, and the error of files that are refused
+  // files of strangers, counted before they are read, and the error of those that are refused
   ['guard'],
   ['geometry', 'textures', 'profiles'],
   ['assets'],

@@ -17,7 +17,7 @@ const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(res
  * It is never more than the time on the wall, which threads that work at once would make it.
  */
 export class CaseMeter {
-  /** Duration of the longest lap. */
+  /** Time of the longest lap. */
   seconds = 0;
   /** Bytes that were taken until the end of the first lap. */
   memory = 0;

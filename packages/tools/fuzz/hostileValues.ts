@@ -107,7 +107,7 @@ function deepText(value: unknown): string {
   return parts.join('');
 }
 
-/** Result of `run`, or of `deep` where the stack ends; its size is not equal in all threads. */
+/** Result of `run`, or of `deep` when `run` overflows the stack, whose size differs between threads. */
 function orDeep<T>(run: () => T, deep: () => T): T {
   try {
     return run();

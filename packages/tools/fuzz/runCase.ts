@@ -26,16 +26,16 @@ export interface FuzzBudget {
 export const fuzzBudget: FuzzBudget = { seconds: 2, memory: (bytes) => 4 * bytes + 64 * 2 ** 20 };
 
 export interface FuzzResult {
-  /** The fault; null when all is well. */
+  /** Fault of the case; null when there is none. */
   readonly failure: string | null;
   readonly isTaken: boolean;
-  /** Duration of opening and saving the case, or of opening and saving the saved file: the longer of both. */
+  /** Time of opening and saving the case, or of opening and saving the saved file: the longer one. */
   readonly seconds: number;
   /** Bytes. */
   readonly memory: number;
 }
 
-/** Keys of the built-in prototypes, which a case must not change. */
+/** Names on the prototypes that all objects share, which no file may change. */
 const prototypes = (): string =>
   [Object, Array, String, Function, Map].map((each) => Reflect.ownKeys(each.prototype).map(String).join()).join(';');
 
@@ -62,7 +62,7 @@ class OpenScene {
     this.before = this.state();
   }
 
-  /** Says that the open scene has changed; null when it has not. */
+  /** A sentence if the open scene or its assets have changed; null if not. */
   change(): string | null {
     return this.state() === this.before ? null : 'the open scene, or its assets, are not as before';
   }
@@ -93,7 +93,11 @@ async function openScene({ kind, bytes }: FuzzCase, open: OpenScene): Promise<Sc
   return deserialize(file.text, { assets: open.assets, fileOf: file.fileOf });
 }
 
-/** The fault of an opened scene; null when there is none. @param measure - called while the scene is all there is of the case; from then on it is another file that is opened */
+/**
+ * Checks a scene that was opened.
+ * @param measure - called while the scene is all there is of the case; from then on it is another file that is opened
+ * @returns its fault; null when there is none
+ */
 async function checkScene(scene: Scene, open: OpenScene, measure: () => void): Promise<string | null> {
   scene.update(1 / 60);
   scene.three.updateMatrixWorld();

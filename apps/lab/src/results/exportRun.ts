@@ -39,7 +39,7 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
         return [`${name}.${kind}`, new Uint8Array(await content.arrayBuffer())] as const;
       });
       const { zipSync } = await import('three/addons/libs/fflate.module.js');
-      const archive = zipSync(Object.fromEntries(await Promise.all(files)), { level: kind === 'png' ? 0 : 6 });
+      const archive = zipSync(Object.fromEntries(await Promise.all(files)), { level: 0 });
       const content = new Blob([archive as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
       return { name: `${fileName(run)}-${kind}.zip`, content };
     },

@@ -1,9 +1,9 @@
 /** One thing that is wrong with a file. */
 import { shortText } from '@farol/editing';
 export interface FileProblem {
-  /** Where in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
+  /** Place in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
   readonly path: string;
-  /** What is wrong, and the mend. */
+  /** A sentence on what is wrong, and the mend. */
   readonly problem: string;
 }
 

@@ -1,4 +1,4 @@
-/** What the first bytes of a file say it is; null when they say nothing. */
+/** Picture format by the first bytes of a file; null when they are of none. */
 export function signatureOf(bytes: ArrayBuffer): string | null {
   const head = [...new Uint8Array(bytes, 0, Math.min(16, bytes.byteLength))];
   const text = String.fromCharCode(...head);

@@ -8,17 +8,17 @@ import { sizesText, unpack, unpackLimits, type UnpackQuestion } from './unpack';
 interface Part {
   name: string;
   data: Uint8Array;
-  /** What the list says of the size, in place of the truth. */
+  /** Size in the list, if not the true one (bytes). */
   says?: number;
   method?: number;
   flags?: number;
-  /** Where the list says that it is, in place of the truth. */
+  /** Offset in the list, if not the true one (bytes). */
   at?: number;
-  /** What the list says of the checksum of the content, in place of the truth. */
+  /** CRC-32 in the list, if not the true one. */
   checksum?: number;
 }
 
-/** What is in a part; '' where it cannot be unpacked. */
+/** Content of a part; '' if it cannot be unpacked. */
 function contentOf({ data, method = 8 }: Part): Uint8Array | string {
   if (method === 0) return data;
   try {

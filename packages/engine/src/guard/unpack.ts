@@ -5,7 +5,7 @@ import { counted } from '../base/counted';
 export const unpackLimits = {
   /** Bytes that nobody is asked about. */
   free: 64 * 2 ** 20,
-  /** What is no more than this many times its packed size is not asked about either. */
+  /** Data that become at most this many times their packed size are not asked about either. */
   ratio: 20,
   /** Bytes beyond which data are refused. */
   most: 2 ** 30,
@@ -13,7 +13,7 @@ export const unpackLimits = {
   entries: 10_000,
 } as const;
 
-/** What is asked before packed data become large. */
+/** Question to the user before packed data become large. */
 export interface UnpackQuestion {
   /** Bytes as they came. */
   readonly packed: number;

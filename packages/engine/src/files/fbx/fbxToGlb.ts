@@ -54,7 +54,7 @@ function parse(loader: FBXLoader, bytes: ArrayBuffer, notes: Set<string>): Group
   }
 }
 
-/** What is wrong with an FBX, as one sentence. */
+/** One sentence on the fault of an FBX, from the error that the loader threw. */
 function readError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   const isRaw = cause instanceof TypeError || cause instanceof RangeError;

@@ -162,7 +162,7 @@ async function pack(entries: Record<string, string | Uint8Array<ArrayBuffer>>, p
   return { ...packed, json: json as unknown as Json, binary: binaryOf(packed.glb)! };
 }
 
-/** What the exporter needs of a browser's, which Node lacks. */
+/** Browser interfaces that GLTFExporter needs and Node lacks. */
 class BlobReader {
   result: ArrayBuffer | null = null;
   onloadend: () => void = () => {};

@@ -51,7 +51,7 @@ export class LineReader {
     return String.fromCharCode(...this.bytes.subarray(start, Math.min(this.at, start + 64)));
   }
 
-  /** What is left of the line, blanks at its ends off. */
+  /** Rest of the line, without blanks at its ends. */
   rest(): string {
     this.skipBlanks();
     const start = this.at;
@@ -141,7 +141,7 @@ export class LineReader {
     return byte === undefined || byte === SPACE || byte === TAB || byte === LINE_FEED || byte === RETURN || byte === 0;
   }
 
-  /** Where the text goes on after a backslash: on the next line, where the backslash ends this one. */
+  /** Byte at which the text goes on after a backslash: the start of the next line if the backslash ends this one. */
   private joined(backslash: number): number {
     const next = this.bytes[backslash + 1];
     if (next !== LINE_FEED && next !== RETURN) return backslash + 1;

@@ -4,7 +4,7 @@ import type { Picture } from './pictures';
 
 const isTga = (name: string): boolean => /\.(tga|vda|icb|vst)$/i.test(name);
 
-/** What the first bytes say: a format that glTF holds as it is, or null. */
+/** MIME type by the first bytes, if glTF holds that format as it is; else null. */
 export function gltfMime(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
   if (bytes[0] === 0x89 && bytes[1] === 0x50 && bytes[2] === 0x4e && bytes[3] === 0x47) return 'image/png';
   return bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff ? 'image/jpeg' : null;

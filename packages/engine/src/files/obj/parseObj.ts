@@ -19,7 +19,7 @@ export interface ObjRun {
   to: number;
 }
 
-/** What an OBJ file holds, its polygons cut into triangles. */
+/** Content of an OBJ file, its polygons cut into triangles. */
 export interface ObjFile {
   /** x, y and z of each vertex. */
   readonly positions: Float32Array;
@@ -32,7 +32,7 @@ export interface ObjFile {
   /** Vertex, texture coordinates and normal of each corner, counted from 0; −1 for none of the two latter. */
   readonly corners: Int32Array;
   readonly runs: readonly ObjRun[];
-  /** What each `mtllib` names. */
+  /** MTL files, one for each `mtllib` line. */
   readonly materialFiles: readonly string[];
   /** Lines, points, curves and surfaces, which are left out. */
   readonly leftOut: number;
@@ -86,7 +86,7 @@ class ObjParser {
   private object = '';
   /** Numbers of the names of object and group. */
   private key = '0 0';
-  /** What was done, in lines. */
+  /** Work of the current step: lines, and what cutting a polygon costs in lines. */
   private work = 0;
   private hasColours = false;
   /** The vertex of the highest number, and the line that names it. */

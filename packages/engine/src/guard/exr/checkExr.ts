@@ -23,7 +23,7 @@ async function checkBlock(bytes: Uint8Array<ArrayBuffer>, size: number, compress
   if (compression >= DWAA) await checkDwa(bytes, size);
 }
 
-/** What Huffman codes come to is bounded by three's loader, where they end is not. */
+/** Checks that Huffman codes end within a block of PIZ: three's loader bounds the pixels that they become, not where they end. */
 function checkPiz(bytes: Uint8Array<ArrayBuffer>): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const bitmap = bytes.length < 4 ? 0 : Math.max(0, view.getUint16(2, true) - view.getUint16(0, true) + 1);

@@ -22,7 +22,7 @@ interface Exr {
   /** In place of what it has: attributes by name. */
   attributes?: Record<string, Buffer>;
   flags?: number;
-  /** What the list of blocks says, of several parts. */
+  /** Offsets in the list of blocks, of a file of several parts. */
   places?: number[];
   blocks: Buffer[];
 }

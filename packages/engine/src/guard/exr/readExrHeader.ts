@@ -26,7 +26,7 @@ const BLOCKS = 2 ** 15;
 /** Rows of a block by compression, as three has them: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB. */
 const ROWS = [1, 1, 1, 16, 32, 16, 32, 32, 32, 256];
 
-/** What an EXR says of the picture that is read: the first part. */
+/** Header of the part of an EXR that is read: the first. */
 export interface ExrHeader {
   readonly width: number;
   readonly height: number;

@@ -22,7 +22,7 @@ const MAGIC = 'Kaydara FBX Binary  \0';
 
 /** Bytes of a value of an array, by the letter of its type. */
 const sizes: Readonly<Record<string, number>> = { b: 1, c: 1, d: 8, f: 4, i: 4, l: 8 };
-/** The same of a single value. */
+/** Bytes of a single value, by the letter of its type. */
 const singles: Readonly<Record<string, number>> = { C: 1, D: 8, F: 4, I: 4, L: 8, Y: 2 };
 
 /** Names that every object has: the loader would write into what all objects share. */
@@ -32,7 +32,7 @@ const fail = (problem: string): never => {
   throw new Error(problem);
 };
 
-/** What an FBX comes to. Each method throws an Error that is the reason in a sentence. */
+/** Counts the memory and work that an FBX asks for. Each method throws an Error whose message is the reason. */
 class Budget {
   private bytes = 0;
   private cutting = 0;
@@ -94,7 +94,7 @@ function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
   const isOver = (): boolean => (byteLength % 16 === 0 ? Math.floor((at + 176) / 16) * 16 : at + 176) >= byteLength;
   const nameOf = (size: number): string =>
     String.fromCharCode(...new Uint8Array(bytes, at, size)).replace(/\0.*$/s, '');
-  /** Where the nodes end that are not whole yet. */
+  /** Ends of the nodes that are being read, the innermost last (bytes). */
   const open: number[] = [];
   while (open.length > 0 || !isOver()) {
     if (open.length > 0 && at >= open.at(-1)!) {

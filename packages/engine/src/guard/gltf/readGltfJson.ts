@@ -4,7 +4,7 @@ import { checkSignature } from '../signature';
 /** The extension by which nodes have lights with photometric profiles. */
 export const LIGHTS_IES = 'EXT_lights_ies';
 
-/** What is read of a glTF file before the loader does. @see glTF 2.0, 3.1 */
+/** JSON of a glTF file, as far as it is read before the loader runs. @see glTF 2.0, 3.1 */
 export interface GltfJson {
   asset?: { version?: string };
   extensionsUsed?: string[];

@@ -2,7 +2,7 @@
 const SIDE = 16_384;
 const PIXELS = 2 ** 27;
 
-/** What a picture's first bytes say of its size (px); null where they say nothing. */
+/** Size of a picture by its header (px); null when the header is of no known format. */
 export function imageSize(bytes: Uint8Array): { width: number; height: number } | null {
   if (bytes.length < 30) return null;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

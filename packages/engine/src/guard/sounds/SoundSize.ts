@@ -1,4 +1,4 @@
-/** What a sound comes to once it is decoded. */
+/** Length, channels and rate of a sound once it is decoded. */
 export interface SoundSize {
   /** Length (s). */
   readonly seconds: number;

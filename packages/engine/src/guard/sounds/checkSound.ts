@@ -11,7 +11,7 @@ const MOST = 2 ** 29;
 /** Browsers give samples as floats, of the rate that they were asked for or of their own. */
 const BYTES = 4;
 
-/** What a sound comes to, by its own data; null for what is none of MP3, AAC, Ogg, WAV, M4A and FLAC, or is damaged. */
+/** Size of a sound by its own data; null for what is none of MP3, AAC, Ogg, WAV, M4A and FLAC, or is damaged. */
 export function soundSize(bytes: ArrayBuffer): SoundSize | null {
   const view = new DataView(bytes);
   if (view.byteLength < 16) return null;

@@ -2,7 +2,7 @@ import type { SoundSize } from './SoundSize';
 
 /** Boxes that hold others, on the way to the samples of a track, whole or in fragments. */
 const HOLDERS = new Set(['moov', 'trak', 'mdia', 'minf', 'stbl', 'moof', 'traf']);
-/** What MP4 calls a sample are so many of AAC; with SBR they are twice as many, of twice the rate. */
+/** Audio samples in one MP4 sample of AAC; with SBR twice as many, of twice the rate. */
 const SAMPLES = 1024;
 
 /**

@@ -27,7 +27,7 @@ function opusSamples(view: DataView, at: number): number {
   return Math.min(120, milliseconds * count) * (RATE_OF_OPUS / 1000);
 }
 
-/** What the first packet of a stream says of it; null when it is no sound. */
+/** Stream by its first packet; null when it is no sound. */
 function beginStream(view: DataView, at: number): Stream | null {
   const text = (from: number, length: number): string =>
     String.fromCharCode(
