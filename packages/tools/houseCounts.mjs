@@ -19,7 +19,6 @@ export const longFiles = [
   'apps/editor/src/style/controls.css',
   'apps/editor/src/viewport/Viewport.ts',
   'apps/viewer/src/Viewer.ts',
-  'packages/engine/src/assets/AssetLibrary.ts',
   'packages/renderer/src/renderer/FarolRenderer.ts',
   'packages/renderer/src/frame/Frame.ts',
   'packages/renderer/src/shadows/ShadowMaps.ts',

@@ -4,7 +4,7 @@ import { Object3D } from 'three';
 import type { PrefabLink } from './Prefab';
 import { builtinComponents } from './builtinComponents';
 import { createId } from '../base/createId';
-import { checkComponent } from './checkEntering';
+import { checkComponent } from './admission';
 import { setGameObjectOf } from './gameObjectOf';
 import { makeRotationLazy } from './LazyEuler';
 import { moveGameObject, type MoveOptions } from './moveGameObject';

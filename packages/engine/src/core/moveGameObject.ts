@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { Matrix4, type Object3D } from 'three';
 import { maximumDepth } from '../base/maximumDepth';
-import { checkSubtree } from './checkEntering';
+import { checkSubtree } from './admission';
 import type { GameObject } from './GameObject';
 import type { GameObjectContainer } from './GameObjectContainer';
 
