@@ -7,7 +7,7 @@ import { dirname } from 'node:path/posix';
 export const houseLimits = {
   riddles: 1372,
   parametersWithoutDash: 0,
-  tinyFiles: 39,
+  tinyFiles: 38,
   macrosAcrossFiles: 45,
   lines: 158_500,
 };
@@ -19,8 +19,6 @@ export const longFiles = [
   'apps/editor/src/style/controls.css',
   'apps/editor/src/viewport/Viewport.ts',
   'apps/viewer/src/Viewer.ts',
-  'packages/engine/src/assets/AssetLibrary.ts',
-  'packages/engine/src/core/Scene.ts',
   'packages/renderer/src/renderer/FarolRenderer.ts',
   'packages/renderer/src/frame/Frame.ts',
   'packages/renderer/src/shadows/ShadowMaps.ts',

@@ -1,7 +1,7 @@
 import { addMeshPack } from '@farol/engine';
 
 /** The scenes that the apps offer, and what another one is made with. */
-export { scenes } from './scenes';
+export { preloadSceneCode, scenes } from './scenes';
 
 export { benchmarkLights } from './benchmark/benchmarkLights';
 export { benchmarkLightsObjects } from './benchmark/benchmarkLightsObjects';
@@ -10,7 +10,6 @@ export { niceScene, type NiceSceneOptions } from './dragon/niceScene';
 export { sponza, type SponzaOptions } from './sponza/sponza';
 export { temple } from './temple/temple';
 
-export { preloadSceneCode } from './preloadSceneCode';
 export { registerSceneAssets } from './registerSceneAssets';
 export { defineScene, type SceneBuildOptions, type SceneDefinition, type SceneParameters } from './SceneDefinition';
 

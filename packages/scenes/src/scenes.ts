@@ -12,3 +12,15 @@ export const scenes: Readonly<Record<string, SceneDefinition>> = Object.fromEntr
     (scene) => [scene.name, scene],
   ),
 );
+
+/** Fetches what is otherwise fetched when a scene is first built. */
+export async function preloadSceneCode(): Promise<void> {
+  await Promise.all([
+    import('./benchmark/benchmarkLights'),
+    import('./benchmark/benchmarkLightsObjects'),
+    import('./dragon/dragons'),
+    import('./dragon/niceScene'),
+    import('./sponza/sponza'),
+    import('./temple/temple'),
+  ]);
+}

@@ -4,6 +4,7 @@ import { Object3D } from 'three';
 import type { PrefabLink } from './Prefab';
 import { builtinComponents } from './builtinComponents';
 import { createId } from '../base/createId';
+import { checkComponent } from './admission';
 import { setGameObjectOf } from './gameObjectOf';
 import { makeRotationLazy } from './LazyEuler';
 import { moveGameObject, type MoveOptions } from './moveGameObject';
@@ -205,7 +206,7 @@ export class GameObject implements GameObjectContainer {
     }
     for (const name of Object.keys(values)) component.set(name, values[name]);
     if (options.enabled === false) component.enabled = false;
-    this.scene?.checkComponent(component);
+    if (this.scene) checkComponent(this.scene, component);
     const least = this.componentList.length === 0 ? 0 : 1;
     const index = Math.min(Math.max(options.index ?? Infinity, least), this.componentList.length);
     this.componentList.splice(index, 0, component);

@@ -1,7 +1,6 @@
 import { shortText } from '@farol/editing';
 import type { Camera as ThreeCamera, Scene as ThreeScene } from 'three';
 import { AssetLibrary } from '../assets/AssetLibrary';
-import { assetFields } from '../fields/assetFields';
 import { PrefabTable } from './PrefabTable';
 import { AuthoredState } from './AuthoredState';
 import { builtinComponents } from './builtinComponents';
@@ -11,6 +10,7 @@ import type { GameObjectContainer } from './GameObjectContainer';
 import type { RequiredEffect } from './RequiredEffect';
 import type { CameraComponent } from './CameraComponent';
 import type { Component } from './Component';
+import { ComponentCalls } from './ComponentCalls';
 import type { ComponentClass } from './ComponentClass';
 import type { ComponentRegistry } from './ComponentRegistry';
 import type { GameObject } from './GameObject';
@@ -58,6 +58,7 @@ export class Scene implements GameObjectContainer {
 
   private readonly index = new SceneIndex();
   private readonly systems = new SceneSystems(this);
+  private readonly calls = new ComponentCalls(this, this.index);
   private readonly pointer = new ScenePointer(this, this.index);
   /** Components that show values which were not authored. */
   private readonly simulatedOnes = new Set<Component>();
@@ -216,33 +217,12 @@ export class Scene implements GameObjectContainer {
     this.assets.surfaceTime.value = this.seconds;
     if (deltaSeconds > 0) {
       this.wasSimulated = true;
-      this.startWaiting();
+      this.calls.start();
       this.pointer.update();
     }
-    const updated = this.index.updated.array;
-    for (let i = 0; i < updated.length; i++) {
-      const component = updated[i];
-      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
-      try {
-        component.update(deltaSeconds, this.seconds);
-      } catch (error) {
-        this.reportError(component, error);
-      }
-      // the last one comes to the place of one that is switched off or leaves
-      if (updated[i] !== component) i--;
-    }
+    this.calls.update(deltaSeconds, this.seconds);
     this.systems.update(deltaSeconds, this.seconds);
-    const late = this.index.late.array;
-    for (let i = 0; i < late.length; i++) {
-      const component = late[i];
-      if (!component.isActive || this.isTooEarly(component, deltaSeconds)) continue;
-      try {
-        component.lateUpdate!(deltaSeconds, this.seconds);
-      } catch (error) {
-        this.reportError(component, error);
-      }
-      if (late[i] !== component) i--;
-    }
+    this.calls.lateUpdate(deltaSeconds, this.seconds);
   }
 
   /** The system of a class, made when it is first asked for: see `SceneSystem`. */
@@ -309,7 +289,7 @@ export class Scene implements GameObjectContainer {
    */
   reset(): void {
     this.pointer.reset();
-    for (const component of [...this.index.started.array]) this.destroyed(component);
+    this.calls.destroyAll();
     this.index.switchOn();
     this.authored?.restore();
     this.systems.reset();
@@ -323,43 +303,6 @@ export class Scene implements GameObjectContainer {
     this.wasSimulated = false;
   }
 
-  /** Whether a component is not to be updated yet: it came in this frame and starts in the next one, or is of a script that does not run. */
-  private isTooEarly(component: Component, deltaSeconds: number): boolean {
-    if (deltaSeconds === 0) return scriptClasses.has(component.componentClass);
-    const { waiting } = this.index;
-    return waiting.array.length > 0 && waiting.has(component);
-  }
-
-  /** Starts every active component that was not started yet; those that their `start` brings are started too. */
-  private startWaiting(): void {
-    const { waiting, started } = this.index;
-    for (let i = 0; i < waiting.array.length;) {
-      const component = waiting.array[i];
-      if (!component.isActive) {
-        i++;
-        continue;
-      }
-      // the last one comes to place i
-      waiting.remove(component);
-      started.add(component);
-      try {
-        component.start?.();
-      } catch (error) {
-        this.reportError(component, error);
-      }
-    }
-  }
-
-  private destroyed(component: Component): void {
-    this.index.started.remove(component);
-    this.index.waiting.add(component);
-    try {
-      component.onDestroy?.();
-    } catch (error) {
-      this.reportError(component, error);
-    }
-  }
-
   /** Calls a method of every component of the scene that has it. @returns how many received the call */
   callMethod(name: string, ...args: unknown[]): number {
     let receivers = 0;
@@ -369,20 +312,7 @@ export class Scene implements GameObjectContainer {
 
   /** Passes a pointer event on to every active component that wants it, and to those of the object under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
-    const components = this.index.pointed.array;
-    for (let i = 0; i < components.length; i++) {
-      const component = components[i];
-      if (!component.isActive) continue;
-      try {
-        if (event.type === 'move') component.onPointerMove?.(event);
-        else if (event.type === 'down') component.onPointerDown?.(event);
-        else if (event.type === 'up') component.onPointerUp?.(event);
-        else if (event.type === 'wheel') component.onPointerWheel?.(event);
-      } catch (error) {
-        this.reportError(component, error);
-      }
-      if (components[i] !== component) i--;
-    }
+    this.calls.pointer(event);
     this.pointer.take(event);
   }
 
@@ -393,18 +323,7 @@ export class Scene implements GameObjectContainer {
 
   /** Passes a key event on to every active component that wants it. */
   dispatchKey(event: EngineKeyEvent): void {
-    const components = this.index.keyed.array;
-    for (let i = 0; i < components.length; i++) {
-      const component = components[i];
-      if (!component.isActive) continue;
-      try {
-        if (event.type === 'down') component.onKeyDown?.(event);
-        else component.onKeyUp?.(event);
-      } catch (error) {
-        this.reportError(component, error);
-      }
-      if (components[i] !== component) i--;
-    }
+    this.calls.key(event);
   }
 
   /** Calls `listener` after each edit of structure, fields or settings. @returns a function that ends it */
@@ -440,27 +359,6 @@ export class Scene implements GameObjectContainer {
     for (const listener of this.listeners) listener(change);
   }
 
-  /** @internal @throws Error when an object cannot come in */
-  checkSubtree(gameObject: GameObject): void {
-    gameObject.traverse((each) => {
-      if (this.index.objectsById.has(each.id)) {
-        throw new Error(
-          `The scene has an object with the id '${shortText(each.id)}' ('${shortText(each.name)}') already: clone() it instead.`,
-        );
-      }
-      for (const component of each.components) this.checkComponent(component);
-    });
-  }
-
-  /** @internal @throws Error when a component names an asset that nobody knows */
-  checkComponent(component: Component): void {
-    for (const { name, assetType } of assetFields(component.fields)) {
-      const value = component.getAuthored(name);
-      const problem = typeof value === 'string' && this.assets.problemWith(assetType, value);
-      if (problem) throw new Error(`${component.typeName}.${name} ${problem}`);
-    }
-  }
-
   /** @internal */
   subtreeEntered(gameObject: GameObject): void {
     gameObject.sceneOf = this;
@@ -487,7 +385,7 @@ export class Scene implements GameObjectContainer {
 
   /** @internal */
   componentLeaves(component: Component): void {
-    if (this.index.started.has(component)) this.destroyed(component);
+    this.calls.destroy(component);
     component.onLeaveScene(this);
     if (this.simulatedOnes.delete(component)) component.endSimulation();
     this.index.removeComponent(component);

@@ -1,6 +1,7 @@
 import { shortText } from '@farol/editing';
 import { Matrix4, type Object3D } from 'three';
 import { maximumDepth } from '../base/maximumDepth';
+import { checkSubtree } from './admission';
 import type { GameObject } from './GameObject';
 import type { GameObjectContainer } from './GameObjectContainer';
 
@@ -75,7 +76,7 @@ export function moveGameObject(
   const to = container?.scene ?? null;
   const depth = container ? checkNoCycle(gameObject, container) : 0;
   if (to) checkDepth(gameObject, depth);
-  if (to && to !== from) to.checkSubtree(gameObject);
+  if (to && to !== from) checkSubtree(to, gameObject);
 
   let world: Matrix4 | null = null;
   if (keepWorld) {

@@ -6,7 +6,7 @@ import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import type { colliderFields } from './colliderFields';
 import type { rigidBodyFields } from './rigidBodyFields';
-import { box, ground, makeScene, prepare, run, type Values, worldOf } from './testing/physicsScene';
+import { box, ground, makeScene, prepare, run, type Values, worldOf } from '../components/testing/physicsScene';
 
 const GRAVITY = 9.81;
 

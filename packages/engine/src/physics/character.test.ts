@@ -7,7 +7,16 @@ import type { EnginePointerEvent } from '../core/events';
 import { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import type { CollisionEvent } from './CollisionEvent';
-import { box, ground, makeScene, placesOf, prepare, run, type Values, worldOf } from './testing/physicsScene';
+import {
+  box,
+  ground,
+  makeScene,
+  placesOf,
+  prepare,
+  run,
+  type Values,
+  worldOf,
+} from '../components/testing/physicsScene';
 
 function walker(values: Values = {}): { scene: Scene; person: GameObject; controller: CharacterController } {
   const scene = makeScene();

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { Joint } from '../components/Joint';
 import { RigidBody } from '../components/RigidBody';
 import { GameObject } from '../core/GameObject';
-import { box, ground, makeScene, placesOf, prepare, run, worldOf } from './testing/physicsScene';
+import { box, ground, makeScene, placesOf, prepare, run, worldOf } from '../components/testing/physicsScene';
 
 test('a hinge to the world turns about its axis alone, within its limits', async () => {
   const scene = makeScene();

@@ -1,6 +1,6 @@
 import { growthOf } from '@farol/tools/workOf';
 import { expect, test } from 'vitest';
-import { box, makeScene, prepare, run } from './testing/physicsScene';
+import { box, makeScene, prepare, run } from '../components/testing/physicsScene';
 
 test('bodies are made by work that grows with their number, not with its square', async () => {
   const growth = await growthOf(100, async (count) => {

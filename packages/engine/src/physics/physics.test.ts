@@ -10,7 +10,7 @@ import type { Scene } from '../core/Scene';
 import { serialize } from '../files/serialize';
 import type { CollisionEvent } from './CollisionEvent';
 import { PhysicsSystem } from './PhysicsSystem';
-import { box, ground, makeScene, placesOf, prepare, run, worldOf } from './testing/physicsScene';
+import { box, ground, makeScene, placesOf, prepare, run, worldOf } from '../components/testing/physicsScene';
 
 /** How far a body falls in a number of steps (m): Rapier takes each in four parts, velocity first. */
 const fallen = (steps: number): number => (9.81 / 2) * (steps / 60) * (steps / 60 + 1 / 240);

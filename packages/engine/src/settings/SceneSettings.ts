@@ -1,13 +1,21 @@
-import type { FieldValue, ValuesOf } from '@farol/editing/fields';
+import { type FieldValue, type ValuesOf, vector3 } from '@farol/editing/fields';
 import { Color, EquirectangularReflectionMapping, Fog, FogExp2, type Scene as ThreeScene, type Texture } from 'three';
 import type { AssetLibrary } from '../assets/AssetLibrary';
 import { defineFieldProperties } from '../fields/defineFieldProperties';
 import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
 import { bakeFields } from './bakeFields';
-import { physicsFields } from './physicsFields';
 import { fogFields, pictureFields, skyFields } from './pictureFields';
 import type { Sky } from './sky/makeSky';
 import { SkySource } from './sky/SkySource';
+
+/** Settings of a scene for its physics. */
+const physicsFields = {
+  gravity: vector3([0, -9.81, 0], {
+    unit: 'm/s²',
+    step: 0.1,
+    help: 'Acceleration of every dynamic body while the scene plays.',
+  }),
+};
 
 export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields };
 

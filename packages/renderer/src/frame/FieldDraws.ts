@@ -1,15 +1,16 @@
 import type { Texture } from 'three';
 import type { ForwardTwins } from '../materials/forwardTwin';
+import type { Frame } from './Frame';
 import type { View } from './views';
 import type { LightLists } from './LightLists';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
 
 /**
- * What passes ask of the lights of fields, whose code is fetched on demand: light-fields/LightFields.ts. Frames are those
- * that the passes are given: a warm-up has one of its own.
+ * Lights of fields as passes use them; light-fields/LightFields.ts, whose code is fetched on demand, has the class. Methods take
+ * the frame that the pass was given: a warm-up has one of its own.
  */
-export interface FieldDraws<F> {
+export interface FieldDraws {
   /** The light table that shaders read, once `render` has drawn it. */
   readonly texture: Texture;
   /** Lights of fields. */
@@ -22,11 +23,11 @@ export interface FieldDraws<F> {
   /** Draws the light table, inside three's `render`, before anything that is lit; what was bound is bound again. */
   render(): void;
   /** Makes lists of all lights that reach each tile. */
-  makeTiles(frame: F, use: TileDepthUse): void;
+  makeTiles(frame: Frame, use: TileDepthUse): void;
   /** Makes lists of the lights of fields alone that reach each tile, whatever their depth. */
-  makeFieldTiles(frame: F): void;
+  makeFieldTiles(frame: Frame): void;
   /** Makes lists of all lights that reach each cluster. */
-  makeClusters(frame: F): LightLists;
+  makeClusters(frame: Frame): LightLists;
   /** What items are drawn with in place of the twins of a loop; undefined where these will do. */
   twinsFor(loop: LightLoop): ((view: View) => ForwardTwins) | undefined;
 }

@@ -98,7 +98,7 @@ export class Frame {
   /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
   findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
   /** The lights of fields; null while there are none in the frame. */
-  fields: FieldDraws<Frame> | null = null;
+  fields: FieldDraws | null = null;
   /** Gives the forward twins of materials with Gouraud shading; null until their code is there. */
   gouraudTwins: () => ForwardTwins | null = () => null;
   /** Makes what has three draw node materials; null until its code is there. */

@@ -37,7 +37,7 @@ const sliceTwins = forwardTwins('lightLoopSlices');
  * icosahedron a light; multipass lighting adds all fields in one draw an object, by lists of tiles.
  * @see Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering
  */
-export class LightFields implements FieldDraws<Frame> {
+export class LightFields implements FieldDraws {
   private readonly arrays = new FieldArrays();
   private readonly depths = new FieldDepths();
   private readonly lights = new FieldLights();

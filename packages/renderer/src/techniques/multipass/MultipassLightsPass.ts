@@ -136,7 +136,7 @@ export class MultipassLightsPass implements Pass {
   }
 
   /** Adds the lights of all fields at once, each pixel those of its tile: a draw a light would be a draw for thousands. */
-  private drawFields(frame: Frame, fields: FieldDraws<Frame>): void {
+  private drawFields(frame: Frame, fields: FieldDraws): void {
     fields.makeFieldTiles(frame);
     frame.bind(this.target!);
     if (lightMark.value === 255) this.unmark(frame);

@@ -1,6 +1,6 @@
 /**
  * What animation costs of a frame's CPU time: `npx vitest bench --run --config packages/vitest.config.ts
- * packages/engine/src/animation`.
+ * packages/engine/src/benchmarks`.
  */
 import {
   AnimationClip,

@@ -1,12 +1,12 @@
 import type { FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import type { Vector3 } from 'three';
-import { Collider } from '../../components/Collider';
-import { builtinComponents } from '../../components/index';
-import { ObjectRenderer } from '../../components/ObjectRenderer';
-import { RigidBody } from '../../components/RigidBody';
+import { Collider } from '../Collider';
+import { builtinComponents } from '../index';
+import { ObjectRenderer } from '../ObjectRenderer';
+import { RigidBody } from '../RigidBody';
 import { GameObject } from '../../core/GameObject';
 import { Scene } from '../../core/Scene';
-import { PhysicsSystem } from '../PhysicsSystem';
+import { PhysicsSystem } from '../../physics/PhysicsSystem';
 
 export type Values = Readonly<Record<string, FieldValue>>;
 

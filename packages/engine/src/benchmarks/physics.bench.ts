@@ -5,8 +5,8 @@ import { RigidBody } from '../components/RigidBody';
 import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
-import { PhysicsSystem } from './PhysicsSystem';
-import { box, ground, makeScene, prepare } from './testing/physicsScene';
+import { PhysicsSystem } from '../physics/PhysicsSystem';
+import { box, ground, makeScene, prepare } from '../components/testing/physicsScene';
 
 /**
  * Time of a step of physics with 1,000 dynamic boxes and 500 moving lights: Rapier's own, and the engine's beside it.

@@ -1,0 +1,112 @@
+import { type BufferGeometry, type Material, NoColorSpace, RepeatWrapping, SRGBColorSpace, type Texture } from 'three';
+import type { BakedLight } from './bake/BakedLight';
+import type { ClipAsset } from './clips/ClipAsset';
+import { MeshNormals } from './MeshNormals';
+import type { Model, ModelClip } from './Model';
+import type { PhotometricProfile } from '@farol/renderer/light-profiles';
+import type { Sound } from './Sound';
+import { LoadedAssets } from './LoadedAssets';
+
+/** Crease angle of meshes where none is given (radians). */
+const DEFAULT_CREASE = Math.PI / 6;
+
+/** Assets by their types, and what is derived of them: meshes with normals, textures that repeat. */
+export abstract class DerivedAssets extends LoadedAssets {
+  protected readonly normals = new MeshNormals();
+  /** Textures by repeat and by whether they are data, for each name. */
+  protected readonly repeated = new Map<string, Map<string, Texture>>();
+
+  /**
+   * A mesh's geometry. When the asset has no normals they are computed, faces that meet at less than `creaseAngle`
+   * (radians) being smooth; each angle is computed once. Of a large mesh that takes seconds: see `prepareMesh`.
+   */
+  mesh(name: string, creaseAngle = DEFAULT_CREASE): BufferGeometry {
+    return this.normals.get(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
+  }
+
+  /** Whether `mesh` gives this geometry without holding the page for long. */
+  isMeshReady(name: string, creaseAngle = DEFAULT_CREASE): boolean {
+    return this.isReady('mesh', name) && this.normals.isReady(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
+  }
+
+  /**
+   * What `mesh` gives, loaded if need be, its normals computed in slices: the page answers meanwhile.
+   * @param signal - cancels the wait, and the work when nobody else waits for it
+   * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; what the signal was aborted with
+   */
+  prepareMesh(name: string, creaseAngle = DEFAULT_CREASE, signal?: AbortSignal): Promise<BufferGeometry> {
+    const prepare = (): Promise<BufferGeometry> =>
+      this.normals.prepare(this.getAs<BufferGeometry>('mesh', name), creaseAngle, signal);
+    return this.isReady('mesh', name) ? prepare() : this.load(name, signal).then(prepare);
+  }
+
+  /**
+   * A texture, repeated `repeat` times over each unit of the texture coordinates.
+   * @param isData - its bytes are numbers, such as normals, and no colours of sRGB
+   */
+  texture(name: string, repeat = 1, isData = false): Texture {
+    const texture = this.getAs<Texture>('texture', name);
+    const isDecoded = isData && texture.colorSpace === SRGBColorSpace;
+    if (repeat === 1 && !isDecoded) return texture;
+    let copies = this.repeated.get(name);
+    if (!copies) this.repeated.set(name, (copies = new Map()));
+    const key = `${repeat}${isDecoded ? ' data' : ''}`;
+    let copy = copies.get(key);
+    if (!copy) {
+      copy = texture.clone();
+      if (isDecoded) copy.colorSpace = NoColorSpace;
+      if (repeat !== 1) {
+        copy.wrapS = copy.wrapT = RepeatWrapping;
+        copy.repeat.copy(texture.repeat).multiplyScalar(repeat);
+      }
+      copies.set(key, copy);
+    }
+    return copy;
+  }
+
+  material(name: string): Material {
+    return this.getAs<Material>('material', name);
+  }
+
+  model(name: string): Model {
+    return this.getAs<Model>('model', name);
+  }
+
+  sound(name: string): Sound {
+    return this.getAs<Sound>('sound', name);
+  }
+
+  /** The photometric profile of a luminaire. */
+  profile(name: string): PhotometricProfile {
+    return this.getAs<PhotometricProfile>('profile', name);
+  }
+
+  /** Light that was baked. */
+  bake(name: string): BakedLight {
+    return this.getAs<BakedLight>('bake', name);
+  }
+
+  /** A clip of one's own, or one of a model. */
+  clip(name: string): ClipAsset | ModelClip {
+    return this.getAs<ClipAsset | ModelClip>('clip', name);
+  }
+
+  shader(name: string): Material {
+    return this.getAs<Material>('shader', name);
+  }
+
+  /** Whether nothing is being loaded, and no normals are being computed. */
+  get isSettled(): boolean {
+    return this.loading.size === 0 && this.normals.isSettled;
+  }
+
+  /** Fulfilled when all that is being loaded or computed is there or has failed, and what was asked for meanwhile. */
+  async settled(): Promise<void> {
+    while (!this.isSettled) await Promise.allSettled([...this.loading.values(), this.normals.settled()]);
+  }
+
+  /** Fulfilled when all normals are there that `prepareMesh` computes now. */
+  meshesPrepared(): Promise<void> {
+    return this.normals.settled();
+  }
+}

@@ -1,0 +1,26 @@
+import { shortText } from '@farol/editing';
+import { assetFields } from '../fields/assetFields';
+import type { Component } from './Component';
+import type { GameObject } from './GameObject';
+import type { Scene } from './Scene';
+
+/** Checks that an object, with all below it, can come into a scene. @throws Error naming a duplicate id or an unknown asset */
+export function checkSubtree(scene: Scene, gameObject: GameObject): void {
+  gameObject.traverse((each) => {
+    if (scene.findById(each.id)) {
+      throw new Error(
+        `The scene has an object with the id '${shortText(each.id)}' ('${shortText(each.name)}') already: clone() it instead.`,
+      );
+    }
+    for (const component of each.components) checkComponent(scene, component);
+  });
+}
+
+/** Checks that a component can come into a scene. @throws Error when it names an asset that nobody knows */
+export function checkComponent(scene: Scene, component: Component): void {
+  for (const { name, assetType } of assetFields(component.fields)) {
+    const value = component.getAuthored(name);
+    const problem = typeof value === 'string' && scene.assets.problemWith(assetType, value);
+    if (problem) throw new Error(`${component.typeName}.${name} ${problem}`);
+  }
+}
