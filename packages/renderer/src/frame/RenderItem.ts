@@ -1,24 +1,7 @@
-import type { BufferGeometry, Material, Object3D } from 'three';
+import type { RenderListItem } from '../three/RenderListItem';
 
-/** The range of a geometry that one material draws. */
-export interface GeometryGroup {
-  start: number;
-  count: number;
-  materialIndex?: number;
-}
-
-/** One draw as three's traversal gives it. Pooled: valid for the frame only. */
-export interface RenderItem {
-  id: number;
-  object: Object3D;
-  geometry: BufferGeometry;
-  /** The host's material (or the scene's override). */
-  material: Material;
-  materialVariant: number;
-  group: GeometryGroup | null;
-  groupOrder: number;
-  renderOrder: number;
-  z: number;
+/** One draw as three's traversal gives it, of the host's material (or the scene's override). Pooled: valid for the frame only. */
+export interface RenderItem extends RenderListItem {
   /** Of a node material: three itself draws it. */
   nodes: boolean;
   /** Lit one light at a time by three. */

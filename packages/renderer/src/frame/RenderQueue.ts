@@ -7,20 +7,19 @@ import {
   type ShaderMaterial,
   Sphere,
 } from 'three';
-import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
+import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
 import { isGouraud } from '../materials/shadingOf';
 import { RefusedMaterials } from '../materials/RefusedMaterials';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from '../materials/TwinKind';
-import type { GeometryGroup, RenderItem } from './RenderItem';
+import type { RenderItem } from './RenderItem';
+import type { GeometryGroup, RenderItemSort, RenderListItem } from '../three/RenderListItem';
 import { warnOfNaN } from './warnOfNaN';
 
-export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
-
 /** three's default order of opaque items: by group, render order, material, then front to back. */
-function byState(a: RenderItem, b: RenderItem): number {
+function byState(a: RenderListItem, b: RenderListItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
@@ -32,7 +31,7 @@ function byState(a: RenderItem, b: RenderItem): number {
 }
 
 /** three's default order of transparent items: by group, render order, then back to front. */
-function backToFront(a: RenderItem, b: RenderItem): number {
+function backToFront(a: RenderListItem, b: RenderListItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
