@@ -21,9 +21,6 @@ export const longFiles = [
   'apps/viewer/src/Viewer.ts',
   'packages/engine/src/assets/AssetLibrary.ts',
   'packages/engine/src/core/Scene.ts',
-  'packages/renderer/src/renderer/FarolRenderer.ts',
-  'packages/renderer/src/frame/Frame.ts',
-  'packages/renderer/src/shadows/ShadowMaps.ts',
 ];
 
 /** First words by which a docblock hides its noun. */

@@ -67,7 +67,9 @@ export class FrameLights {
       shadows.layersSeen = frame.seenBy.layers.mask;
       shadows.update(scene, frame.camera, table.masked, frame);
     }
+    frame.tileShadows = shadows;
     frame.shadowMapsDrawn = shadows?.drawn ?? 0;
+    frame.queue.shadowMasks = shadows?.maskMaterials ?? null;
     frame.queue.layers = layers?.reference ?? 0;
     table.write(frame.camera, order, frame, shadows, rankOf(order));
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
@@ -78,9 +80,11 @@ export class FrameLights {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
   }
 
-  dispose(): void {
+  /** Frees the lights' textures. @param frame - lets go of them */
+  dispose(frame: Frame): void {
     this.fields?.dispose();
-    this.fields = null;
+    this.fields = frame.fields = null;
+    frame.tileShadows = frame.queue.shadowMasks = null;
     this.table.dispose();
     this.masks.layers = this.masks.areas = null;
     this.uniforms.freeMasks();

@@ -96,7 +96,7 @@ export class MultipassLightsPass implements Pass {
     // by index: an iterator allocates until the loop is compiled
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      if (!item.splits || !this.sums(item.material, frame)) continue;
+      if (item.route !== 'split' || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
       items.push(item);

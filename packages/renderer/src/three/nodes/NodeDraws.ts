@@ -7,8 +7,10 @@ import { standInOf } from '../standInOf';
 
 /** A draw of a frame's, as far as it matters here. */
 interface NodeItem extends RenderListItem {
-  readonly nodes: boolean;
-  readonly plain: boolean;
+  /** 'nodes' for those of node materials. */
+  readonly shading: string;
+  /** 'plain' for those that may be drawn in any order. */
+  readonly route: string;
   drawn: boolean;
 }
 
@@ -50,9 +52,11 @@ export class NodeDraws {
   /** Draws an item into the bound target; with the first plain opaque one all of them, marked as drawn. */
   draw({ webgl, scene, camera, queue }: DrawnFrame, item: NodeItem): void {
     this.current = this.viewOf(webgl, scene);
-    this.item = item.plain ? null : item;
+    const plain = item.route === 'plain';
+    this.item = plain ? null : item;
     this.render(webgl, camera);
-    if (item.plain) for (const other of queue.opaque) if (other.nodes && other.plain) other.drawn = true;
+    if (!plain) return;
+    for (const other of queue.opaque) if (other.shading === 'nodes' && other.route === 'plain') other.drawn = true;
   }
 
   private render(webgl: WebGLRenderer, camera: Camera): void {
