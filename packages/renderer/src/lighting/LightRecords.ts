@@ -11,8 +11,7 @@ import {
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
 import { isAreaLight, mayBeMasked, type MaskSettings } from '../lights/classifyLight';
-import type { FarolAttenuation, FarolLightData } from '../lights/FarolLightData';
-import { lightAxis } from '../lights/lightAxis';
+import { type FarolAttenuation, type FarolLightData, lightAxis } from '../lights/lightData';
 import {
   AREA_PENUMBRA,
   attenuationKinds,

@@ -11,15 +11,9 @@ import type {
 import { Vector3 } from 'three';
 import { AmbientSum } from './AmbientSum';
 import { classifyLight, mayBeMasked, type LightClass, type MaskSettings } from './classifyLight';
-import { coneBoundingSphere } from './coneBoundingSphere';
+import { coneBoundingSphere, sphereCoverage, sphereOutsidePlanes, viewFrustumPlanes } from './spheres';
 import { FiniteLights } from './FiniteLights';
-import { fieldCount, type LightFieldData } from './LightFieldData';
-import { isBlackLight } from './isBlackLight';
-import { lightAxis } from './lightAxis';
-import { lightRange } from './lightRange';
-import { sphereCoverage } from './sphereCoverage';
-import { sphereOutsidePlanes } from './sphereOutsidePlanes';
-import { viewFrustumPlanes } from './viewFrustumPlanes';
+import { fieldCount, isBlackLight, lightAxis, type LightFieldData, lightRange } from './lightData';
 
 /** Cones wider than this are drawn and culled as spheres (rad). */
 const WIDEST_CONE = 1.05;

@@ -1,6 +1,5 @@
 import type { DirectionalLight, HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } from 'three';
-import type { AreaLights } from './AreaLights';
-import { lightRange } from './lightRange';
+import { type AreaLights, lightRange } from './lightData';
 
 type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   Partial<Pick<SpotLight, 'isSpotLight'>> &

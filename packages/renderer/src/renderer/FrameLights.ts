@@ -6,7 +6,7 @@ import { gridCode, tileCode } from '../techniques/techniqueCode';
 import { lightFieldCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
 import type { LightLayers } from '../shadows/LightLayers';
-import type { AreaLights } from '../lights/AreaLights';
+import type { AreaLights } from '../lights/lightData';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
 import { shadowedLights } from '../lighting/shadowedLights';

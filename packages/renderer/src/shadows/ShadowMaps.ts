@@ -23,7 +23,7 @@ import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
 import { MaskShaders } from './masks/MaskShaders';
 import { type ShadowBounds, ShadowTiles } from './screen-tiles';
-import type { AreaLights } from '../lights/AreaLights';
+import type { AreaLights } from '../lights/lightData';
 import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
 import { atlasLimit } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
