@@ -11,7 +11,8 @@ import {
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
 import { isAreaLight, mayBeMasked, type MaskSettings } from '../lights/classifyLight';
-import { type FarolAttenuation, type FarolLightData, lightAxis } from '../lights/lightData';
+import type { FarolAttenuation, FarolLightData } from '../lights/lightData';
+import { lightAxis } from '../lights/spheres';
 import {
   AREA_PENUMBRA,
   attenuationKinds,

@@ -1,12 +1,4 @@
-import {
-  type DirectionalLight,
-  type Light,
-  type Matrix4,
-  type PointLight,
-  type RectAreaLight,
-  type SpotLight,
-  Vector3,
-} from 'three';
+import type { Light, Matrix4, PointLight, RectAreaLight } from 'three';
 
 /** A linear RGB triple, each at least 0. */
 export type LinearRGB = readonly [number, number, number];
@@ -105,23 +97,4 @@ export function lightRange(light: PointLight): number {
 /** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
 export function rangeOf(distance: number): number {
   return distance > 0 && distance < ENDLESS ? distance : 0;
-}
-
-/** True if a directional, point or spot light gives nothing to any surface. */
-export function isBlackLight(light: Light): boolean {
-  const { r, g, b } = light.color;
-  const data = light.userData.farol as FarolLightData | undefined;
-  return (
-    light.intensity === 0 ||
-    (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined)
-  );
-}
-
-const origin = new Vector3();
-
-/** Puts into `axis` the unit vector from a light's target to the light, in view space. */
-export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): void {
-  origin.setFromMatrixPosition(light.matrixWorld);
-  axis.setFromMatrixPosition(light.target.matrixWorld);
-  axis.subVectors(origin, axis).transformDirection(view);
 }

@@ -1,3 +1,21 @@
+import { type DirectionalLight, type Light, type Matrix4, type SpotLight, Vector3 } from 'three';
+
+/** Cones wider than this are drawn and culled as spheres (rad). */
+const WIDEST_CONE = 1.05;
+
+const position = new Vector3();
+const lightward = new Vector3();
+const coneSphere = new Float64Array(4);
+
+const origin = new Vector3();
+
+/** Puts into `axis` the unit vector from a light's target to the light, in view space. */
+export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): void {
+  origin.setFromMatrixPosition(light.matrixWorld);
+  axis.setFromMatrixPosition(light.target.matrixWorld);
+  axis.subVectors(origin, axis).transformDirection(view);
+}
+
 /**
  * The six planes of a projection in view space, unit normals pointing inward, as 24 numbers (x, y, z, w each).
  * A point p is inside when dot(n, p) + w >= 0 for all. Perspective, orthographic and off-centre projections.
@@ -68,4 +86,49 @@ export function coneBoundingSphere(
   out[2] = z + dz * distance;
   out[3] = wide ? range * Math.sin(angle) : distance;
   return out;
+}
+
+/** View space of a camera: matrix from the world, projection (16 elements, column-major), planes of `viewFrustumPlanes`. */
+export interface ViewSpace {
+  view: Matrix4;
+  projection: ArrayLike<number>;
+  readonly planes: Float64Array;
+}
+
+/**
+ * Bounds what a light with a range lights.
+ * @param range - (m)
+ * @param bounds - gets the view-space sphere [x, y, z, r] (m) at `at`, r its range
+ * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; cosine -1 for a sphere
+ * @returns share of the picture that the sphere covers, 0 to 1; -1 for a light that reaches nothing that is seen
+ */
+export function boundLight(
+  light: Light,
+  range: number,
+  { view, projection, planes }: ViewSpace,
+  bounds: Float64Array,
+  axes: Float64Array,
+  at: number,
+): number {
+  const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+  if (sphereOutsidePlanes(planes, x, y, z, range)) return -1;
+  const { isSpotLight, angle } = light as SpotLight;
+  if (isSpotLight === true && angle < WIDEST_CONE) {
+    lightAxis(light as SpotLight, view, lightward);
+    coneBoundingSphere(x, y, z, -lightward.x, -lightward.y, -lightward.z, range, angle, coneSphere);
+    if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return -1;
+    axes[at] = lightward.x;
+    axes[at + 1] = lightward.y;
+    axes[at + 2] = lightward.z;
+    axes[at + 3] = Math.cos(angle);
+  } else {
+    axes[at] = axes[at + 1] = 0;
+    axes[at + 2] = 1;
+    axes[at + 3] = -1;
+  }
+  bounds[at] = x;
+  bounds[at + 1] = y;
+  bounds[at + 2] = z;
+  bounds[at + 3] = range;
+  return sphereCoverage(-z, range, projection);
 }
