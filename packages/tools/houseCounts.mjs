@@ -19,9 +19,6 @@ export const longFiles = [
   'apps/editor/src/style/controls.css',
   'apps/editor/src/viewport/Viewport.ts',
   'apps/viewer/src/Viewer.ts',
-  'packages/renderer/src/renderer/FarolRenderer.ts',
-  'packages/renderer/src/frame/Frame.ts',
-  'packages/renderer/src/shadows/ShadowMaps.ts',
 ];
 
 /** First words by which a docblock hides its noun. */

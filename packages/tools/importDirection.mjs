@@ -13,6 +13,20 @@ const aroundTheCore = [
   'packages/renderer/src/surfaces',
 ];
 
+/** Folders of the renderer's sources, each after those that it may import; its core imports types alone of the effects. */
+const rendererFolders = [
+  ...['microshaders', 'lights', 'three', 'gpu', 'materials', 'surfaces', 'lighting', 'gbuffer', 'frame', 'passes'],
+  ...['light-fields', 'shadows', 'views', 'techniques', 'effects', 'renderer'],
+].map((folder) => `packages/renderer/src/${folder}`);
+
+const rendererRules = rendererFolders.map((from, i) => ({
+  from,
+  may: ['three', ...rendererFolders.slice(0, i + 1)],
+  tests: ['packages/renderer'],
+  not: aroundTheCore.filter((folder) => folder !== from),
+  types: from === effects ? [] : [effects],
+}));
+
 /** Folders of the editor's sources, each after those that it may import. */
 const editorFolders = [
   ...[
@@ -90,15 +104,17 @@ const editorRules = editorFolders.map((folder, i) => ({
 /**
  * Who may import whom, as one table. A source file goes by the first row whose `from` is a folder above it; `may` lists
  * folders of the repository and packages, `not` folders in those that are left out, `types` folders of which types alone
- * may be imported, `fetches` folders that `import()` alone may fetch, `ofThree` the only names of three's. Packages must
- * also be declared by the file's workspace, and their exports name what may be imported of them.
+ * may be imported, `fetches` folders that `import()` alone may fetch, `tests` what tests may import besides, `ofThree` the
+ * only names of three's. Packages must also be declared by the file's workspace, and their exports name what may be
+ * imported of them.
  *
- * microshaders <- the rest of renderer; renderer, engine, editing and bake speak plain three; engine and attach -> editing,
- * renderer; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder
- * knows those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <- files <- actions
- * <- ui <- fields <- panels <- plugins <- Editor.ts. The renderer's other entries plug it into one library each, are
- * optional effects, or serve authors: its core knows none of them. That what is fetched late is not in the core is held by
- * `coreViolations`. The engine's folders are in floors, see `engineFloors`; their tests may look up.
+ * In the renderer each folder knows those before it in `rendererFolders`; its other entries plug it into one library each,
+ * are optional effects, or serve authors: its core knows none of them. That what is fetched late is not in the core is held
+ * by `coreViolations`. Renderer, engine, editing and bake speak plain three; engine and attach -> editing, renderer;
+ * apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder knows
+ * those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <-
+ * files <- actions <- ui <- fields <- panels <- plugins <- Editor.ts. The engine's folders are in floors, see
+ * `engineFloors`; their tests may look up.
  */
 export const importRules = [
   { from: 'packages/renderer/src/microshaders', may: ['packages/renderer/src/microshaders', 'three'] },
@@ -108,13 +124,11 @@ export const importRules = [
     may: ['packages/renderer/src/lights', 'three'],
     ofThree: /^((Ambient|Directional|Hemisphere|Point|RectArea|Spot)?Light|\w*Camera|Vector\d|Matrix\d)$/,
   },
-  { from: effects, may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/three-pass', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/postprocessing', may: ['packages/renderer', 'three', 'postprocessing'] },
   { from: 'packages/renderer/src/light-profiles', may: ['packages/renderer/src/light-profiles', 'three'] },
   { from: 'packages/renderer/src/light-options', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/authoring', may: ['packages/renderer', 'three'] },
-  { from: 'packages/renderer/src/surfaces', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/intercept', may: ['packages/renderer', 'three'] },
   { from: 'packages/renderer/src/adapters/r3f', may: ['packages/renderer', 'three', 'react', '@react-three/fiber'] },
   {
@@ -127,7 +141,8 @@ export const importRules = [
     not: aroundTheCore,
     fetches: [effects],
   },
-  { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: aroundTheCore, types: [effects] },
+  ...rendererRules,
+  { from: 'packages/renderer', may: ['packages/renderer', 'three'], not: [...aroundTheCore, effects] },
   ...engineRules,
   { from: 'packages/engine', may: ['packages/engine', 'three', '@farol/editing', '@farol/renderer'] },
   { from: 'packages/scenes', may: ['packages/scenes', 'three', '@farol/editing', '@farol/engine'] },
@@ -189,10 +204,10 @@ export function importViolations(files, manifests) {
  * @param {string} path
  * @param {string} specifier
  * @param {ImportKind} kind
- * @param {{ from: string, may: string[], not?: string[], types?: string[], fetches?: string[] }} rule
+ * @param {{ from: string, may: string[], not?: string[], types?: string[], fetches?: string[], tests?: string[] }} rule
  * @param {ReadonlyMap<string, { name?: string, exports?: object, dependencies?: object, peerDependencies?: object, devDependencies?: object }>} manifests
  */
-function violation(path, specifier, kind, { from, may, not = [], types = [], fetches = [] }, manifests) {
+function violation(path, specifier, kind, { from, may, not = [], types = [], fetches = [], tests = [] }, manifests) {
   const forTests = isTest(path);
   if (specifier.startsWith('.')) {
     const target = normalize(join(dirname(path), specifier));
@@ -201,7 +216,7 @@ function violation(path, specifier, kind, { from, may, not = [], types = [], fet
     if (!forTests && kind !== 'type' && types.some(within))
       return `of ${types.join(', ')} ${from} may import types only`;
     if (!forTests && kind === 'value' && fetches.some(within)) return `${from} may fetch it by import() only`;
-    if (may.some(within)) return null;
+    if (may.some(within) || (forTests && tests.some(within))) return null;
     if (forTests && target.startsWith('packages/tools/')) return null;
     return `${from} may import ${may.join(', ')} only`;
   }

@@ -56,6 +56,9 @@ describe('the direction of imports', () => {
     ['packages/renderer/src/gbuffer/X.ts', "const w = () => import('../effects/x/W');", /types only/],
     ['packages/renderer/src/renderer/lazyCode.ts', "import { w } from '../effects/x/W';", /by import\(\) only/],
     ['packages/renderer/src/views/X.ts', "import { A } from '../authoring';", /does not know what plugs it in/],
+    ['packages/renderer/src/frame/X.ts', "import type { F } from '../renderer/FarolRenderer';", /may import/],
+    ['packages/renderer/src/gbuffer/X.ts', "import type { E } from '../effects/x/E';", /may import/],
+    ['packages/renderer/src/index.ts', "import type { E } from './effects/x/E';", /does not know what plugs it in/],
     ['packages/renderer/src/index.ts', "import 'react';", /may import/],
     ['packages/engine/src/core/X.ts', "import { Light } from '../components/Light';", /does not know what plugs it in/],
     [
@@ -109,6 +112,7 @@ describe('the direction of imports', () => {
   it.each([
     ['packages/renderer/src/passes/X.ts', "import text from './x.glsl?raw'; import 'three';"],
     ['packages/renderer/src/lights/X.ts', "import { type SpotLight, Vector3 } from 'three'; import './Y';"],
+    ['packages/renderer/src/frame/X.test.ts', "import { F } from '../renderer/FarolRenderer';"],
     ['packages/renderer/src/lights/X.test.ts', "import { Texture } from 'three';"],
     ['packages/engine/src/core/X.test.ts', "import { Light } from '../components/Light';"],
     ['packages/engine/src/physics/testing/box.ts', "import { Collider } from '../../components/Collider';"],
@@ -129,10 +133,10 @@ describe('the direction of imports', () => {
     ['apps/viewer/src/X.ts', "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"],
     ['e2e/pages/x.ts', "import { techniques } from '@farol/renderer';"],
     [
-      'packages/renderer/src/gbuffer/X.ts',
+      'packages/renderer/src/renderer/X.ts',
       "import type { W } from '../effects/w'; export type { V } from '../effects/w';",
     ],
-    ['packages/renderer/src/gbuffer/X.ts', "import { type W, type V } from '../effects/w';"],
+    ['packages/renderer/src/renderer/X.ts', "import { type W, type V } from '../effects/w';"],
     [
       'packages/renderer/src/renderer/lazyCode.ts',
       "const w = () => import('../effects/w'); import type { W } from '../effects/w';",

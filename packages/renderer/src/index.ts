@@ -1,5 +1,5 @@
-export { FarolRenderer, type FarolEvents } from './renderer/FarolRenderer';
-export type { FarolOptions } from './renderer/FarolOptions';
+export { FarolRenderer } from './renderer/FarolRenderer';
+export type { FarolEvents, FarolOptions } from './renderer/FarolOptions';
 export { techniques, type TechniqueName } from './techniques';
 export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';

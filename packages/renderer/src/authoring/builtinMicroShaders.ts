@@ -1,4 +1,4 @@
-import { coreSources } from '../renderer/builtinMicroShaders';
+import { coreSources } from '../renderer/coreSources';
 import * as lists from '../techniques/light-lists/chunks';
 import type { MicroShader } from '../microshaders/MicroShader';
 import { parseMicroShader } from '../microshaders/parseMicroShader';

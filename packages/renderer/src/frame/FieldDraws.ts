@@ -1,7 +1,6 @@
 import type { Texture } from 'three';
 import type { ForwardTwins } from '../materials/forwardTwin';
 import type { Frame } from './Frame';
-import type { View } from './views';
 import type { LightLists } from './LightLists';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
@@ -29,5 +28,5 @@ export interface FieldDraws {
   /** Makes lists of all lights that reach each cluster. */
   makeClusters(frame: Frame): LightLists;
   /** What items are drawn with in place of the twins of a loop; undefined where these will do. */
-  twinsFor(loop: LightLoop): ((view: View) => ForwardTwins) | undefined;
+  twinsFor(loop: LightLoop): ((view: string) => ForwardTwins) | undefined;
 }

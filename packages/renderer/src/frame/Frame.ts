@@ -10,10 +10,7 @@ import {
   type Scene,
   type ShaderMaterial,
   UnsignedShortType,
-  Vector2,
-  Vector4,
   type WebGLRenderer,
-  type WebGLRenderTarget,
 } from 'three';
 import type { View } from './views';
 import type { Fills } from './Fills';
@@ -22,6 +19,7 @@ import { warnOfNaN } from './warnOfNaN';
 import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
 import type { FieldDraws } from './FieldDraws';
+import { FrameTarget } from './FrameTarget';
 import type { LightTable } from '../lighting/LightTable';
 import type { ReactiveMask } from './ReactiveMask';
 import { depthTwin, hasDepthTwin } from '../materials/depthTwin';
@@ -34,23 +32,15 @@ import type { TwinCache } from '../materials/TwinCache';
 import type { TwinKind } from '../materials/TwinKind';
 import type { MicroShaderRegistry } from '../microshaders';
 import { logarithmicFar } from '../gpu/unprojectUniforms';
-import type { GeometryGroup, RenderItem } from './RenderItem';
+import type { RenderItem } from './RenderItem';
+import type { GeometryGroup } from '../three/RenderListItem';
 import type { NodeDraws } from '../three/nodes/NodeDraws';
 import { hasOwnShader, RenderQueue } from './RenderQueue';
 import { ResourceTable } from './Resources';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
 import { directDraw, type DirectDraw } from '../three/directDraw';
-import { framebufferHandle, multisampledFramebufferHandle, textureHandle } from '../three/handles';
-import {
-  bindFramebuffer,
-  bindTexture,
-  isDepthReversed,
-  setViewport,
-  unbindTexture,
-  unmaskColour,
-  unmaskDepth,
-} from '../three/state';
+import { isDepthReversed } from '../three/state';
 
 type MaterialCallback = (
   r: WebGLRenderer,
@@ -61,84 +51,82 @@ type MaterialCallback = (
   p: GeometryGroup | null,
 ) => void;
 
-const TRANSPARENT = new Vector4(0, 0, 0, 0);
-const size = new Vector2();
+/** Code of twins and draws that is fetched late; null while it is not there, and then it is fetched. */
+export interface LateDraws {
+  /** Forward twins of materials with Gouraud shading. */
+  gouraudTwins(view: View): ForwardTwins | null;
+  /** Makes the draws of node materials by three. */
+  makeNodes(): NodeDraws | null;
+}
+
+/** Finds which lights light all, or none, of tiles of the screen. */
+export interface TileShadows {
+  /** @param gbuffer - of the frame, whose light grid is there too */
+  findTileShadows(frame: Frame, gbuffer: GBuffer): void;
+}
 
 /** A frame as passes and effects see it: scene, target, queue, lights, resources, and how to draw. One a FarolRenderer. */
-export class Frame {
-  readonly gl: WebGL2RenderingContext;
+export class Frame extends FrameTarget {
   readonly queue = new RenderQueue();
   /** Resources that the passes of this frame have handed over so far. */
   readonly resources = new ResourceTable();
+
+  // ---- Set by `begin` ----
+
   scene!: Scene;
+  /** The host's camera, or that of the effect that moves it (`FarolEffect.movesCamera`), which sets it in `begin`. */
   camera!: Camera;
-  /** Whose layers tell which lights there are, and who casts shadows: the camera, or the array of cameras that it is of. */
+  /** The host's camera, or the array of cameras that it is of: its layers tell which lights there are, and who casts shadows. */
   seenBy!: Camera;
   view: View = 'final';
-  /** The host's render target, null for the canvas. */
-  target: WebGLRenderTarget | null = null;
-  /** Samples a pixel of the host's target, whatever an effect has the frame drawn to. */
-  hostSamples = 0;
-  /** The part of the target that is drawn to: x, y, width, height (pixels). */
-  readonly viewport = new Vector4();
-  /** Size of the viewport (pixels), 1 at least. */
-  width = 1;
-  height = 1;
-  /** Bytes that passes have sent in this frame. */
-  uploadedBytes = 0;
-  /** Gets what has no past, where an effect looks for the past; set by it in `begin`. */
-  reactive: ReactiveMask<Frame> | null = null;
-  /** How the technique fills the target where three was kept from clearing it, else null. */
-  fills: Fills | null = null;
-  /** Cube face and mipmap level of the target. */
-  face = 0;
-  level = 0;
-  /** Shadow maps that are drawn anew in this frame. */
-  shadowMapsDrawn = 0;
-  /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
-  findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
+  /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
+  hasPlainProjection = true;
+  /** Depth is too coarse to rebuild positions from. */
+  private isDepthCoarse = false;
+
+  // ---- Set by `FrameLights.update` ----
+
   /** The lights of fields; null while there are none in the frame. */
   fields: FieldDraws | null = null;
-  /** Gives the forward twins of materials with Gouraud shading; null until their code is there. */
-  gouraudTwins: () => ForwardTwins | null = () => null;
-  /** Makes what has three draw node materials; null until its code is there. */
-  makeNodes: () => NodeDraws | null = () => null;
-  /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
+  /** Null while no light casts a shadow. */
+  tileShadows: TileShadows | null = null;
+  /** Shadow maps that are drawn anew in this frame. */
+  shadowMapsDrawn = 0;
+
+  // ---- Set by `SceneDraws`, from the effects of the frame and from what three leaves uncleared ----
+
+  /** Give the kinds of twins that items are drawn with, in order: each gets the kind that the one before gave. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
-  /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
-  inferredScale = 1;
-  /** Depth is too coarse to rebuild positions from. */
-  private isDepthCoarse = false;
-  /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
-  hasPlainProjection = true;
-  /** Whether the canvas has depth, and no stencil. */
-  private readonly canvasDepthOnly: boolean;
-  /** Whether the canvas's colours are multiplied by alpha. */
-  readonly premultiplied: boolean;
-  private readonly canvasSamples: number;
-  /** Whether the host's target has several textures; then no effect replaces the target. */
-  several = false;
-  private nodes: NodeDraws | null = null;
-  /** Something of a node material was to be drawn, whose code is not there. */
+  /** How the technique fills the target, since three was kept from clearing it; null where three has cleared it. */
+  fills: Fills | null = null;
+
+  // ---- Set while the frame is drawn ----
+
+  /** Gets what has no past; set in `begin` by the effect that looks for the past. */
+  reactive: ReactiveMask<Frame> | null = null;
+  /** Bytes that passes have sent in this frame; each adds its own. */
+  uploadedBytes = 0;
+  /** Something of a node material was to be drawn, whose code is not there; set by `drawNodes`. */
   lacksNodes = false;
+
+  /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. Set by FarolRenderer. */
+  inferredScale = 1;
+  private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
 
   constructor(
-    readonly webgl: WebGLRenderer,
+    webgl: WebGLRenderer,
     readonly lights: LightTable,
     readonly twins: TwinCache,
     readonly uniforms: SharedUniforms,
     readonly microshaders: MicroShaderRegistry,
+    private readonly late: LateDraws,
   ) {
-    this.gl = webgl.getContext() as WebGL2RenderingContext;
-    const attributes = this.gl.getContextAttributes();
-    this.canvasDepthOnly = attributes?.stencil === false && attributes.depth !== false;
-    this.premultiplied = attributes?.premultipliedAlpha !== false;
+    super(webgl);
     this.draw = directDraw(webgl);
-    this.canvasSamples = attributes?.antialias ? 4 : 0;
   }
 
   /** Location of an attachment of `gbufferExtras` in G-buffers, -1 where the device has no room for it. */
@@ -152,29 +140,22 @@ export class Frame {
     return this.isDepthCoarse || this.queue.farthest === -Infinity;
   }
 
-  /** Samples a pixel of the target: above 0 it is multisampled. */
-  get samples(): number {
-    return this.target === null ? this.canvasSamples : this.target.samples;
-  }
-
-  /** Takes over the host's target, viewport, scene and camera. */
-  begin(scene: Object3D, camera: Camera, view: View): void {
+  /**
+   * Takes over the host's target, viewport, scene and camera.
+   * @param seenBy - the camera, or the array of cameras that it is of
+   */
+  begin(scene: Object3D, camera: Camera, seenBy: Camera, view: View): void {
     const { webgl } = this;
     this.scene = scene as Scene;
     this.camera = camera;
+    this.seenBy = seenBy;
     this.view = view;
     this.uploadedBytes = 0;
     this.reactive = null;
     this.resources.begin();
     this.nodes?.begin();
     this.lacksNodes = false;
-    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
-    this.hostSamples = this.samples;
-    this.face = webgl.getActiveCubeFace();
-    this.level = webgl.getActiveMipmapLevel();
-    this.several = this.target !== null && this.target.textures.length > 1;
-    webgl.getCurrentViewport(this.viewport);
-    this.resize();
+    this.beginTarget();
     const { elements } = camera.projectionMatrix;
     this.hasPlainProjection = isPlainProjection(elements, 'isOrthographicCamera' in camera);
     const reversed = isDepthReversed(webgl);
@@ -183,72 +164,6 @@ export class Frame {
     const coarse = this.target?.depthTexture?.type === UnsignedShortType;
     this.queue.watchFar(camera, farthestTold(elements, reversed, logarithmic, coarse));
     warnOfNaN(camera);
-  }
-
-  /** Takes the buffer that three draws to in place of the canvas when it was made with an `outputBufferType`. */
-  takeOutputBuffer(): void {
-    const { webgl } = this;
-    if (this.target !== null) return;
-    this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;
-    if (this.target === null) return;
-    webgl.getCurrentViewport(this.viewport);
-    this.resize();
-  }
-
-  /** Takes the size from the viewport. */
-  resize(): void {
-    const { viewport } = this;
-    if (viewport.z < 1 || viewport.w < 1) {
-      this.webgl.getDrawingBufferSize(size);
-      viewport.set(0, 0, size.x, size.y);
-    }
-    this.width = Math.max(1, Math.round(viewport.z));
-    this.height = Math.max(1, Math.round(viewport.w));
-  }
-
-  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */
-  ownsTarget(): boolean {
-    const { webgl, target, viewport, view } = this;
-    if (view !== 'final' || this.level !== 0 || this.samples > 0 || isDepthReversed(webgl)) return false;
-    if (target === null) {
-      webgl.getDrawingBufferSize(size);
-      if (!this.canvasDepthOnly || webgl.getScissorTest()) return false;
-    } else {
-      size.set(target.width, target.height);
-      if (!target.depthBuffer || target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
-    }
-    return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
-  }
-
-  /** Draws to the host's target from here on. */
-  bindTarget(): void {
-    this.webgl.setRenderTarget(this.target, this.face, this.level);
-    setViewport(this.webgl, this.viewport);
-  }
-
-  /** Draws to a target of Farol's own from here on. */
-  bind(target: WebGLRenderTarget): void {
-    this.webgl.setRenderTarget(target);
-  }
-
-  /** Clears attachments of the bound target to a value and its depth to the farthest, without touching the host's clear colour. */
-  clear(attachments: number, depth: boolean, value: Vector4 = TRANSPARENT): void {
-    const { gl, webgl } = this;
-    unmaskColour(webgl);
-    value.toArray(clearColor);
-    for (let i = 0; i < attachments; i++) gl.clearBufferfv(gl.COLOR, i, clearColor);
-    if (depth) {
-      unmaskDepth(webgl);
-      farDepth[0] = isDepthReversed(webgl) ? 0 : 1;
-      gl.clearBufferfv(gl.DEPTH, 0, farDepth);
-    }
-  }
-
-  /** Clears one attachment of the bound target to zeros. */
-  clearOne(attachment: number): void {
-    unmaskColour(this.webgl);
-    TRANSPARENT.toArray(clearColor);
-    this.gl.clearBufferfv(this.gl.COLOR, attachment, clearColor);
   }
 
   /**
@@ -267,52 +182,8 @@ export class Frame {
   /** Gives the samples of the target the depth of the items that were drawn elsewhere. */
   drawSampleDepths(): void {
     for (const item of this.queue.opaque) {
-      if (item.drawn && item.splits && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
+      if (item.drawn && item.route === 'split' && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
     }
-  }
-
-  /** Draws only to the lower right quarter from here on. */
-  quarter(): void {
-    const { viewport } = this;
-    const width = Math.max(1, viewport.z >> 1);
-    const height = Math.max(1, viewport.w >> 1);
-    viewport.set(viewport.x + viewport.z - width, viewport.y, width, height);
-    this.resize();
-  }
-
-  /** Brings the samples of a multisampled target into its textures, depth by one of them. */
-  resolve(target: WebGLRenderTarget): void {
-    const { gl, webgl } = this;
-    this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  }
-
-  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
-  resolveTransmission(): void {
-    const { gl, webgl } = this;
-    const target = webgl.getRenderTarget() as WebGLRenderTarget;
-    this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT);
-    bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, target.texture)!);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    unbindTexture(webgl);
-  }
-
-  /**
-   * Copies depth to all of a target, both with a depth texture of the same format.
-   * @param x - first pixel of what is copied, with y
-   */
-  copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
-    this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
-  }
-
-  /** @param x - first pixel of what is copied, of `from`, with y */
-  private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
-    const { gl, webgl } = this;
-    const { width, height } = to;
-    const written = framebufferHandle(webgl, to)!;
-    bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, from);
-    bindFramebuffer(webgl, gl.DRAW_FRAMEBUFFER, written);
-    gl.blitFramebuffer(x, y, x + width, y + height, 0, 0, width, height, bits, gl.NEAREST);
-    bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, written);
   }
 
   /** The kind that effects have an item drawn with. */
@@ -324,16 +195,22 @@ export class Frame {
 
   /** Draws an item with a twin of its material, if there can be one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
-    if (item.nodes) return;
+    if (item.shading === 'nodes') return;
     if (item.ownShader) followHostUniforms(this.webgl, item.material);
     this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
+  /** Forward twins of materials with Gouraud shading; null until their code is there. */
+  gouraudTwins(): ForwardTwins | null {
+    return this.late.gouraudTwins(this.view);
+  }
+
   /** Draws an item forward: lit ones by a twin, the others as they are. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
-    const { material, lit } = item;
-    if (item.nodes) this.drawNodes(item);
-    else if (item.shadowMask) this.drawTwin(item, this.queue.shadowMasks!.twin);
+    const { material, shading } = item;
+    const lit = shading === 'lit';
+    if (shading === 'nodes') this.drawNodes(item);
+    else if (shading === 'shadow-mask') this.drawTwin(item, this.queue.shadowMasks!.twin);
     else if (material.transparent && material.side === DoubleSide && !material.forceSinglePass) {
       this.drawTwin(item, lit ? twins.back : plainBack);
       this.drawTwin(item, lit ? twins.front : plainFront);
@@ -345,7 +222,7 @@ export class Frame {
   /** Has three draw an item of a node material, unless that is done. */
   drawNodes(item: RenderItem): void {
     if (item.drawn) return;
-    this.nodes ??= this.makeNodes();
+    this.nodes ??= this.late.makeNodes();
     if (this.nodes === null) this.lacksNodes = true;
     else this.nodes.draw(this, item);
   }
@@ -374,17 +251,6 @@ export class Frame {
     }
   }
 
-  /** Whether the host's target is bound and has several textures. */
-  private get drawsToSeveral(): boolean {
-    return this.several && this.webgl.getRenderTarget() === this.target;
-  }
-
-  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
-  private setDrawBuffers(count: number): void {
-    const { gl } = this;
-    gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
-  }
-
   /** Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both. */
   drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
@@ -396,7 +262,7 @@ export class Frame {
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
     (source.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, object, group);
     // three's own shaders of lit materials write the first texture alone
-    const first = item.lit && this.drawsToSeveral && !hasOwnShader(source);
+    const first = item.shading === 'lit' && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
     try {
       this.draw(camera, scene, geometry, material, object, group);
@@ -409,8 +275,3 @@ export class Frame {
 }
 
 const isLeft = (item: RenderItem): boolean => !item.drawn;
-/** By their count. */
-const drawBuffers: number[][] = [];
-/** Argument of `clearBufferfv`. */
-const clearColor = new Float32Array(4);
-const farDepth = new Float32Array([1]);

@@ -1,11 +1,21 @@
+import type { IUniform, Texture, Vector4 } from 'three';
 import type { ForwardTwins } from '../materials/forwardTwin';
-import type { View } from './views';
-import type { LightBufferUniforms } from '../techniques/light-buffer/lightBufferUniforms';
+import type { ThinGBufferUniforms } from './ThinGBuffer';
+
+/** Uniforms of lightBufferFilter.glsl and lightBufferCounts.glsl. */
+export interface LightBufferUniforms extends ThinGBufferUniforms {
+  farol_sums0: IUniform<Texture | null>;
+  farol_sums1: IUniform<Texture | null>;
+  farol_sums2: IUniform<Texture | null>;
+  /** Of area lights; null without. */
+  farol_sums3: IUniform<Texture | null>;
+  farol_lightGrid: IUniform<Vector4>;
+}
 
 /** The light that reaches each texel of the thin G-buffer. */
 export interface LightBuffer {
   /** What lightBufferFilter.glsl reads of it. */
   readonly uniforms: LightBufferUniforms;
   /** Kinds by which lit materials take their direct light from it; set `farol_object` for each draw. */
-  readonly twins: (view: View) => ForwardTwins;
+  readonly twins: (view: string) => ForwardTwins;
 }

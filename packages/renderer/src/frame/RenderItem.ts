@@ -1,40 +1,32 @@
-import type { BufferGeometry, Material, Object3D } from 'three';
+import type { RenderListItem } from '../three/RenderListItem';
 
-/** The range of a geometry that one material draws. */
-export interface GeometryGroup {
-  start: number;
-  count: number;
-  materialIndex?: number;
-}
+/**
+ * How an item is shaded: 'lit' by Farol's lights, one at a time; 'shadow-mask' by three's `getShadowMask()`, which shows
+ * Farol's shadows; 'nodes' by three itself, since its material is of nodes (TSL); 'unlit' by its material as it is.
+ */
+export type ItemShading = 'lit' | 'unlit' | 'shadow-mask' | 'nodes';
 
-/** One draw as three's traversal gives it. Pooled: valid for the frame only. */
-export interface RenderItem {
-  id: number;
-  object: Object3D;
-  geometry: BufferGeometry;
-  /** The host's material (or the scene's override). */
-  material: Material;
-  materialVariant: number;
-  group: GeometryGroup | null;
-  groupOrder: number;
-  renderOrder: number;
-  z: number;
-  /** Of a node material: three itself draws it. */
-  nodes: boolean;
-  /** Lit one light at a time by three. */
-  lit: boolean;
-  /** Shows shadows by three's getShadowMask(). */
-  shadowMask: boolean;
-  /** Other lights may reach it than most things, so that it is drawn forward. */
-  layered: boolean;
-  /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
-  plain: boolean;
-  /** Opaque, and to be drawn in three's order: its picture, or that of what comes after it, depends on it. */
-  ordered: boolean;
-  /** Plain, lit, and by three's own shader as it is, so that its shading may be shared out over passes. */
-  splits: boolean;
+/**
+ * Which passes may draw an item, and when. 'split': opaque and lit by three's own shader as it is, so that passes may share
+ * its shading out, in an order of their own. 'plain': opaque, drawn whole by any pass in an order of its own. 'ordered':
+ * opaque, in three's order, since its picture, or that of what comes after it, depends on the order. 'forward': by the
+ * forward pass: all that transmits or is transparent, and what is opaque otherwise than three's default.
+ */
+export type ItemRoute = 'split' | 'plain' | 'ordered' | 'forward';
+
+/** One draw as three's traversal gives it, of the host's material (or the scene's override). Pooled: valid for the frame only. */
+export interface RenderItem extends RenderListItem {
+  shading: ItemShading;
+  route: ItemRoute;
   /** Its shader is not three's as it is. */
   ownShader: boolean;
+  /** Other lights may reach it than most things, so that it is drawn forward. */
+  layered: boolean;
   /** A technique's pass has drawn it this frame; the forward pass leaves it out. */
   drawn: boolean;
+}
+
+/** Whether any pass may draw an item in an order of its own. */
+export function isPlain({ route }: RenderItem): boolean {
+  return route === 'split' || route === 'plain';
 }

@@ -7,20 +7,19 @@ import {
   type ShaderMaterial,
   Sphere,
 } from 'three';
-import { isOrderSensitive, isPlainOpaque } from '../gbuffer/shadingModel';
+import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
 import { isGouraud } from '../materials/shadingOf';
 import { RefusedMaterials } from '../materials/RefusedMaterials';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from '../materials/TwinKind';
-import type { GeometryGroup, RenderItem } from './RenderItem';
+import { isPlain, type ItemShading, type RenderItem } from './RenderItem';
+import type { GeometryGroup, RenderItemSort, RenderListItem } from '../three/RenderListItem';
 import { warnOfNaN } from './warnOfNaN';
 
-export type RenderItemSort = (a: RenderItem, b: RenderItem) => number;
-
 /** three's default order of opaque items: by group, render order, material, then front to back. */
-function byState(a: RenderItem, b: RenderItem): number {
+function byState(a: RenderListItem, b: RenderListItem): number {
   return (
     a.groupOrder - b.groupOrder ||
     a.renderOrder - b.renderOrder ||
@@ -32,7 +31,7 @@ function byState(a: RenderItem, b: RenderItem): number {
 }
 
 /** three's default order of transparent items: by group, render order, then back to front. */
-function backToFront(a: RenderItem, b: RenderItem): number {
+function backToFront(a: RenderListItem, b: RenderListItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
@@ -87,7 +86,7 @@ export class RenderQueue {
   private readonly pool: RenderItem[] = [];
   /** Layers of what is not `layered`, 0 when they do not matter. */
   layers = 0;
-  /** How materials that show nothing but shadows are drawn; null while three does it. */
+  /** How materials that show nothing but shadows are drawn; null while three does it. Set by `FrameLights.update`. */
   shadowMasks: ShadowMaskMaterials | null = null;
   /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
   covers = true;
@@ -155,32 +154,40 @@ export class RenderQueue {
     item.groupOrder = groupOrder;
     item.renderOrder = object.renderOrder;
     item.z = z;
-    item.nodes = hasNodes(material);
-    const ownShader = item.nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
-    item.lit = !item.nodes && !threeChunks.lights && isLit(material) && !(ownShader && this.refused.has(material));
-    item.shadowMask =
-      !item.lit && this.shadowMasks?.shows(material) === true && !(ownShader && this.refused.has(material));
+    const nodes = hasNodes(material);
+    const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
+    const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
+    const lit = shading === 'lit';
+    item.shading = shading;
     item.ownShader = ownShader;
-    if (ownShader && !item.lit && !item.nodes && (material as ShaderMaterial).lights === true)
+    if (ownShader && !lit && !nodes && (material as ShaderMaterial).lights === true)
       this.refused.look(material as ShaderMaterial);
     const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
-    item.plain = list === this.opaque && isPlainOpaque(material) && !isStep;
-    item.ordered = list === this.opaque && !item.plain && (isStep || isOrderSensitive(material));
+    if (list !== this.opaque) item.route = 'forward';
+    else if (!isStep && isPlainOpaque(material)) item.route = lit && !ownShader ? 'split' : 'plain';
+    else item.route = isStep || isOrderSensitive(material) ? 'ordered' : 'forward';
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
-    item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque) {
       // its depth is not that of its place
       if (material.polygonOffset) this.farthest = -Infinity;
       if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
     }
-    if (item.lit && list !== this.opaque) this.hasLitTransparents = true;
-    if (list === this.opaque && (!item.plain || ownShader)) this.covers = false;
-    if (item.ordered) this.ordered = true;
+    if (lit && list !== this.opaque) this.hasLitTransparents = true;
+    if (list === this.opaque && (!isPlain(item) || ownShader)) this.covers = false;
+    if (item.route === 'ordered') this.ordered = true;
     // the lists are cut to their length when all is in, and so keep their storage
     if (list === this.opaque) list[this.opaques++] = item;
     else if (list === this.transparent) list[this.transparents++] = item;
     else list[this.transmissives++] = item;
+  }
+
+  /** How an item without nodes is shaded. @param ownShader - whether its shader is not three's as it is */
+  private shadingOf(material: Material, ownShader: boolean): ItemShading {
+    const lit = !threeChunks.lights && isLit(material);
+    if (!lit && this.shadowMasks?.shows(material) !== true) return 'unlit';
+    if (ownShader && this.refused.has(material)) return 'unlit';
+    return lit ? 'lit' : 'shadow-mask';
   }
 
   /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
@@ -214,15 +221,15 @@ export class RenderQueue {
     let behind = false;
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      if (item.plain) {
-        if (behind) item.plain = item.splits = false;
-        else if (item.splits) split = true;
-      } else if (item.ordered) {
+      if (isPlain(item)) {
+        if (behind) item.route = 'forward';
+        else if (item.route === 'split') split = true;
+      } else if (item.route === 'ordered') {
         if (split) behind = true;
         else this.early = i + 1;
       }
     }
-    for (let i = 0; i < this.early; i++) opaque[i].plain = opaque[i].splits = false;
+    for (let i = 0; i < this.early; i++) if (isPlain(opaque[i])) opaque[i].route = 'forward';
   }
 
   /** @param reversed - whether the lists are turned round once they are sorted, as three until 0.185 does for reversed depth */

@@ -1,5 +1,17 @@
-import type { Vector4, WebGLRenderTarget } from 'three';
+import type { IUniform, Texture, Vector2, Vector4, WebGLRenderTarget } from 'three';
+import type { UnprojectUniforms } from '../gpu/unprojectUniforms';
 import type { RenderItem } from './RenderItem';
+
+/** Uniforms of thinGBufferRead.glsl. */
+export interface ThinGBufferUniforms extends UnprojectUniforms {
+  farol_thinSurface: IUniform<Texture | null>;
+  farol_thinDepth: IUniform<Texture | null>;
+  farol_thinStored: IUniform<number>;
+  /** Texels. */
+  farol_size: IUniform<Vector2>;
+  /** From the picture's normalised device coordinates to the buffer's. */
+  farol_fit: IUniform<Vector4>;
+}
 
 /** Surfaces with no more than lights need to know of them. */
 export interface ThinGBuffer {

@@ -7,7 +7,7 @@ import { maskUniforms } from '../lighting/maskUniforms';
 /** Uniforms that every twin and pass of one renderer shares, by reference. */
 export type SharedUniforms = ReturnType<typeof sharedUniforms>;
 
-/** @param ambient - irradiance of ambient light as `AmbientSum` has it, 4 × RGB */
+/** @param ambient - irradiance of ambient light as `VisibleLights.ambient` has it, 4 × RGB */
 export function sharedUniforms(ambient: Float32Array) {
   return {
     farol_heatScale: { value: 1 / 32 },

@@ -1,5 +1,5 @@
 import type { Color, Material, MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial, Texture } from 'three';
-import { FloatType, HalfFloatType, LessEqualDepth, NoBlending, NormalBlending } from 'three';
+import { FloatType, HalfFloatType } from 'three';
 import { type ShadingModel, shadingModels, surfaceFlags } from './surfaceFlags';
 
 type AnyMaterial = Material & {
@@ -13,36 +13,6 @@ type AnyMaterial = Material & {
   combine?: number;
   envMap?: unknown;
 };
-
-/** True for a material drawn as stock three draws opaque things by default: any pass may draw it in its own order. */
-export function isPlainOpaque(material: Material): boolean {
-  return (
-    !material.transparent &&
-    material.blending === NormalBlending &&
-    !material.alphaToCoverage &&
-    material.depthTest &&
-    material.depthWrite &&
-    material.depthFunc === LessEqualDepth &&
-    material.colorWrite &&
-    !material.stencilWrite &&
-    !(material as AnyMaterial & { wireframe?: boolean }).wireframe
-  );
-}
-
-/**
- * True for an opaque material that must be drawn in three's order: its picture depends on things drawn before, or it
- * affects things drawn after otherwise than by its depth.
- */
-export function isOrderSensitive(material: Material): boolean {
-  return (
-    !material.depthTest ||
-    !material.depthWrite ||
-    !material.colorWrite ||
-    material.depthFunc !== LessEqualDepth ||
-    material.stencilWrite ||
-    (material.blending !== NormalBlending && material.blending !== NoBlending)
-  );
-}
 
 /**
  * The shading model by which the G-buffer can hold a material without loss that shows, or null: then it is drawn

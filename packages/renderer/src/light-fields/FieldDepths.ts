@@ -1,7 +1,7 @@
 import type { Camera, Matrix4 } from 'three';
 import type { LightField } from './LightField';
-import { fieldCount } from '../lights/LightFieldData';
-import { sphereCoverage } from '../lights/sphereCoverage';
+import { fieldCount } from '../lights/lightData';
+import { sphereCoverage } from '../lights/spheres';
 
 /** Lights of a field that are looked at, and the frames for which that holds. */
 const SAMPLES = 64;

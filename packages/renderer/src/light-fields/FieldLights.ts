@@ -13,8 +13,8 @@ import {
 import type { Frame } from '../frame/Frame';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import type { LightField } from './LightField';
-import { fieldCount } from '../lights/LightFieldData';
-import { viewFrustumPlanes } from '../lights/viewFrustumPlanes';
+import { fieldCount } from '../lights/lightData';
+import { viewFrustumPlanes } from '../lights/spheres';
 import type { FieldDepths } from './FieldDepths';
 
 /** Bytes of a light: three texels of 32-bit floats, and its cell. */

@@ -7,7 +7,7 @@ import type { LightLists } from '../frame/LightLists';
 import type { FieldDraws } from '../frame/FieldDraws';
 import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
-import { fieldCount } from '../lights/LightFieldData';
+import { fieldCount } from '../lights/lightData';
 import { RECORDS_PER_ROW, TEXELS_PER_RECORD } from '../lights/lightRecord';
 import { FieldArrays } from './FieldArrays';
 import { FieldDepths } from './FieldDepths';

@@ -1,5 +1,5 @@
 import type { CubeTexture, Texture } from 'three';
-import type { FarolLightData } from '../lights/FarolLightData';
+import type { FarolLightData } from '../lights/lightData';
 
 /** What a light has beside what three gives it. */
 export interface LightOptions extends FarolLightData {

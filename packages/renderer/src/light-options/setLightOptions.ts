@@ -1,7 +1,7 @@
 import type { Light, Texture } from 'three';
 import { unknownName } from '../renderer/errors';
 import { areaCode, shadowCode } from '../renderer/lazyCode';
-import type { FarolLightData } from '../lights/FarolLightData';
+import type { FarolLightData } from '../lights/lightData';
 import type { LightOptions } from './LightOptions';
 import { type LightOptionName, lightRules } from './lightRules';
 

@@ -11,8 +11,8 @@ import {
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
 import { isAreaLight, mayBeMasked, type MaskSettings } from '../lights/classifyLight';
-import type { FarolAttenuation, FarolLightData } from '../lights/FarolLightData';
-import { lightAxis } from '../lights/lightAxis';
+import type { FarolAttenuation, FarolLightData } from '../lights/lightData';
+import { lightAxis } from '../lights/spheres';
 import {
   AREA_PENUMBRA,
   attenuationKinds,

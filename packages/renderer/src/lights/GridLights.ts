@@ -1,8 +1,7 @@
-import { coneBoundingSphere } from './coneBoundingSphere';
-import { coneSupport } from './coneSupport';
+import { coneBoundingSphere } from './spheres';
+import { coneSupport } from './cones';
 import type { GridFrame } from './GridFrame';
-import { projectedConeBounds } from './projectedConeBounds';
-import { halfChord, slopeBounds } from './slopeBounds';
+import { halfChord, projectedConeBounds, slopeBounds } from './projection';
 
 const slopes = new Float64Array(4);
 const sphere = new Float64Array(4);

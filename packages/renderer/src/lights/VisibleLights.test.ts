@@ -9,7 +9,7 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { lightRange } from './lightRange';
+import { lightRange } from './lightData';
 import { createRandom, randomDirection } from './testScenes';
 import { VisibleLights } from './VisibleLights';
 

@@ -1,32 +1,17 @@
-import type {
-  Camera,
-  DirectionalLight,
-  HemisphereLight,
-  Light,
+import {
+  type Camera,
+  type DirectionalLight,
+  type HemisphereLight,
+  type Light,
   Matrix4,
-  PointLight,
-  RectAreaLight,
-  SpotLight,
+  type PointLight,
+  Vector3,
 } from 'three';
-import { Vector3 } from 'three';
-import { AmbientSum } from './AmbientSum';
-import { classifyLight, mayBeMasked, type LightClass, type MaskSettings } from './classifyLight';
-import { coneBoundingSphere } from './coneBoundingSphere';
-import { FiniteLights } from './FiniteLights';
-import { fieldCount, type LightFieldData } from './LightFieldData';
-import { isBlackLight } from './isBlackLight';
-import { lightAxis } from './lightAxis';
-import { lightRange } from './lightRange';
-import { sphereCoverage } from './sphereCoverage';
-import { sphereOutsidePlanes } from './sphereOutsidePlanes';
-import { viewFrustumPlanes } from './viewFrustumPlanes';
+import { LightFacts, type MaskSettings } from './classifyLight';
+import { fieldCount, type LightFieldData } from './lightData';
+import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
 
-/** Cones wider than this are drawn and culled as spheres (rad). */
-const WIDEST_CONE = 1.05;
-
-const axis = new Vector3();
-const planes = new Float64Array(24);
-const coneSphere = new Float64Array(4);
+const up = new Vector3();
 
 /**
  * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach
@@ -59,16 +44,12 @@ export class VisibleLights {
   /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
-  readonly ambient: Float32Array;
+  readonly ambient = new Float32Array(12);
   /** Of the last frame collected. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
-  private readonly finite = new FiniteLights();
-  private readonly ambientSum = new AmbientSum();
-
-  constructor() {
-    this.ambient = this.ambientSum.values;
-  }
+  private readonly facts = new LightFacts();
+  private readonly space: ViewSpace = { view: new Matrix4(), projection: [], planes: new Float64Array(24) };
 
   /**
    * Takes the lights of a frame. World matrices must be up to date.
@@ -76,26 +57,21 @@ export class VisibleLights {
    * @param camera - gives view space and the frustum
    */
   collect(lights: readonly Light[], camera: Camera, masks: MaskSettings): void {
-    const view = camera.matrixWorldInverse;
-    const projection = camera.projectionMatrix.elements;
-    viewFrustumPlanes(projection, planes);
+    const { facts, space } = this;
+    space.view = camera.matrixWorldInverse;
+    space.projection = camera.projectionMatrix.elements;
+    viewFrustumPlanes(space.projection, space.planes);
     this.settings = masks;
     this.clear(lights.length);
     for (const light of lights) {
-      if (!this.finite.check(light)) continue;
-      const kind = classifyLight(light);
-      if (kind === 'hemisphere') this.ambientSum.addHemisphere(light as HemisphereLight, view);
-      else if (kind === 'ambient') this.ambientSum.addAmbient(light);
+      if (!facts.classify(light, masks)) continue;
+      const { kind } = facts;
+      if (facts.range > 0) {
+        if (!this.addBounded(light)) continue;
+      } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
       else if (kind === 'field') this.addField(light as LightFieldData);
-      else if (isBlackLight(light)) continue;
-      else if (kind === 'directional') this.addEndless(light, this.directionals, masks);
-      else if (kind === 'unbounded') this.addEndless(light, this.unboundeds, masks);
-      else {
-        const range = kind === 'area' ? masks.areas!.radiusOf(light as RectAreaLight) : lightRange(light as PointLight);
-        if (range === 0) this.addEndless(light, this.unboundeds, masks);
-        else if (!this.addBounded(light, kind, range, view, projection, masks)) continue;
-        if (kind === 'area') this.hasAreas = true;
-      }
+      else this.addEndless(light, kind === 'directional' ? this.directionals : this.unboundeds);
+      if (kind === 'area') this.hasAreas = true;
       this.visible++;
     }
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
@@ -105,7 +81,7 @@ export class VisibleLights {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
     this.kept = this.spheres = this.cones = this.areas = this.visible = this.coverage = 0;
     this.hasAreas = false;
-    this.ambientSum.clear();
+    this.ambient.fill(0);
     this.total = count;
     if (this.bounds.length >= count * 4) return;
     this.bounds = new Float64Array(count * 8);
@@ -121,64 +97,52 @@ export class VisibleLights {
     this.visible += others;
   }
 
-  private addEndless(light: Light, to: Light[], masks: MaskSettings): void {
+  /**
+   * Adds the irradiance of an ambient or hemisphere light, a linear function of the view-space normal:
+   * mix(ground, sky, 0.5 n·up + 0.5) = 0.5 (sky + ground) + n · 0.5 (sky - ground) up.
+   */
+  private addAmbient(light: Light): void {
+    const { color, intensity } = light;
+    const { r, g, b } = (light as HemisphereLight).groundColor ?? color;
+    up.setFromMatrixPosition(light.matrixWorld).transformDirection(this.space.view);
+    this.addChannel(0, color.r * intensity, r * intensity);
+    this.addChannel(1, color.g * intensity, g * intensity);
+    this.addChannel(2, color.b * intensity, b * intensity);
+  }
+
+  private addChannel(c: number, sky: number, ground: number): void {
+    const { ambient } = this;
+    const slope = 0.5 * (sky - ground);
+    ambient[c] += 0.5 * (sky + ground);
+    ambient[3 + c] += slope * up.x;
+    ambient[6 + c] += slope * up.y;
+    ambient[9 + c] += slope * up.z;
+  }
+
+  private addEndless(light: Light, to: Light[]): void {
     to.push(light);
-    if (mayBeMasked(light, masks)) this.masked.push(light);
+    if (this.facts.isMasked) this.masked.push(light);
   }
 
   /** @returns false for a light that reaches nothing that is seen */
-  private addBounded(
-    light: Light,
-    kind: LightClass,
-    range: number,
-    view: Matrix4,
-    projection: ArrayLike<number>,
-    masks: MaskSettings,
-  ): boolean {
-    const v = view.elements;
-    const m = light.matrixWorld.elements;
-    const wx = m[12];
-    const wy = m[13];
-    const wz = m[14];
-    const x = v[0] * wx + v[4] * wy + v[8] * wz + v[12];
-    const y = v[1] * wx + v[5] * wy + v[9] * wz + v[13];
-    const z = v[2] * wx + v[6] * wy + v[10] * wz + v[14];
-    if (!(range > 0) || sphereOutsidePlanes(planes, x, y, z, range)) return false;
-    const { bounds, axes, plain } = this;
+  private addBounded(light: Light): boolean {
+    const { axes, facts, plain } = this;
     const at = this.kept * 4;
-    const spot = light as SpotLight;
-    if (kind === 'spot' && spot.angle < WIDEST_CONE) {
-      lightAxis(spot, view, axis);
-      coneBoundingSphere(x, y, z, -axis.x, -axis.y, -axis.z, range, spot.angle, coneSphere);
-      if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return false;
-      axes[at] = axis.x;
-      axes[at + 1] = axis.y;
-      axes[at + 2] = axis.z;
-      axes[at + 3] = Math.cos(spot.angle);
-      this.cones++;
-    } else {
-      axes[at] = axes[at + 1] = 0;
-      axes[at + 2] = 1;
-      axes[at + 3] = -1;
-      this.spheres++;
-    }
-    if (kind === 'area') this.areas++;
-    bounds[at] = x;
-    bounds[at + 1] = y;
-    bounds[at + 2] = z;
-    bounds[at + 3] = range;
-    const isMasked = mayBeMasked(light, masks);
-    if (isMasked) this.masked.push(light);
-    const isPlain = kind === 'point' && !isMasked && (light as PointLight).decay >= 0;
+    const coverage = boundLight(light, facts.range, this.space, this.bounds, axes, at);
+    if (coverage < 0) return false;
+    this.coverage += coverage;
+    if (axes[at + 3] > -1) this.cones++;
+    else this.spheres++;
+    if (facts.kind === 'area') this.areas++;
+    if (facts.isMasked) this.masked.push(light);
+    const isPlain = facts.kind === 'point' && !facts.isMasked && (light as PointLight).decay >= 0;
     if (isPlain) {
-      const { color, intensity } = light;
-      plain[at] = color.r * intensity;
-      plain[at + 1] = color.g * intensity;
-      plain[at + 2] = color.b * intensity;
+      plain[at] = light.color.r * light.intensity;
+      plain[at + 1] = light.color.g * light.intensity;
+      plain[at + 2] = light.color.b * light.intensity;
     }
     plain[at + 3] = isPlain ? (light as PointLight).decay : -1;
     this.boundeds[this.kept++] = light;
-    this.coverage += sphereCoverage(-z, range, projection);
     return true;
   }
 }

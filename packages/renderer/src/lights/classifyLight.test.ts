@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { classifyLight, hasCookie, hasShadowMap, isManagedLight, mayBeMasked } from './classifyLight';
-import type { FarolLightData } from './FarolLightData';
+import type { FarolLightData } from './lightData';
 import { VisibleLights } from './VisibleLights';
 
 function withData<L extends Light>(light: L, farol: FarolLightData): L {

@@ -1,6 +1,5 @@
 import type { DirectionalLight, HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } from 'three';
-import type { AreaLights } from './AreaLights';
-import { lightRange } from './lightRange';
+import { type AreaLights, type FarolLightData, lightRange } from './lightData';
 
 type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   Partial<Pick<SpotLight, 'isSpotLight'>> &
@@ -39,13 +38,17 @@ export type LightClass =
   | 'other';
 
 export function classifyLight(light: Light): LightClass {
+  const { isPointLight, isSpotLight } = light as AnyLight;
+  const isLocal = isPointLight === true || isSpotLight === true;
+  return isLocal && lightRange(light as PointLight) === 0 ? 'unbounded' : classWithRange(light);
+}
+
+/** Class of a light, of a point or spot light as if it had a range. */
+function classWithRange(light: Light): LightClass {
   const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight, isLightField } =
     light as AnyLight;
-  if (isPointLight === true || isSpotLight === true) {
-    if (lightRange(light as PointLight) === 0) return 'unbounded';
-    if (isSpotLight === true) return 'spot';
-    return light.userData.farol === undefined ? 'point' : 'extended-point';
-  }
+  if (isSpotLight === true) return 'spot';
+  if (isPointLight === true) return light.userData.farol === undefined ? 'point' : 'extended-point';
   if (isDirectionalLight === true) return 'directional';
   if (isHemisphereLight === true) return 'hemisphere';
   if (isAreaLight(light)) return 'area';
@@ -122,4 +125,68 @@ export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
     hasProfile(light) ||
     masks.layers?.separates(light) === true
   );
+}
+
+/** True if a directional, point or spot light gives nothing to any surface. */
+function isBlackLight(light: Light): boolean {
+  const { r, g, b } = light.color;
+  const data = light.userData.farol as FarolLightData | undefined;
+  return (
+    light.intensity === 0 ||
+    (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined)
+  );
+}
+
+/** A light as a frame has it; one object, for one light after another. */
+export class LightFacts {
+  kind: LightClass = 'other';
+  /** Distance (m) from which on it gives nothing; 0 for one without a range. */
+  range = 0;
+  /** Whether a shadow map, an image, a profile or layers may take something of it. */
+  isMasked = false;
+  private readonly warned = new WeakSet<Light>();
+
+  /**
+   * Reads the facts of a light.
+   * @returns false for a light that is left out: it gives nothing, or a value of it is no finite number, which is told once
+   */
+  classify(light: Light, masks: MaskSettings): boolean {
+    if (!hasFiniteValues(light)) {
+      this.warn(light);
+      return false;
+    }
+    const kind = (this.kind = classWithRange(light));
+    this.range = 0;
+    this.isMasked = false;
+    if (kind === 'ambient' || kind === 'hemisphere' || kind === 'field') return true;
+    if (isBlackLight(light)) return false;
+    this.isMasked = mayBeMasked(light, masks);
+    if (kind === 'directional') return true;
+    const range = kind === 'area' ? masks.areas!.radiusOf(light as RectAreaLight) : lightRange(light as PointLight);
+    if (range === 0 && kind !== 'area') this.kind = 'unbounded';
+    this.range = range;
+    return range >= 0;
+  }
+
+  private warn(light: Light): void {
+    if (this.warned.has(light)) return;
+    this.warned.add(light);
+    console.warn(
+      `Farol: ${light.type} "${light.name || light.uuid}" is left out: its place, colour or another value is not a finite number; set one.`,
+    );
+  }
+}
+
+/** True if all values of a light are finite: another one would make every pixel NaN. */
+function hasFiniteValues(light: Light): boolean {
+  const e = light.matrixWorld.elements;
+  const l = light as PointLight & SpotLight & RectAreaLight & HemisphereLight;
+  let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
+  if (l.decay !== undefined) sum += l.decay;
+  if (l.angle !== undefined) sum += l.angle + l.penumbra;
+  if (l.width !== undefined) sum += l.width + l.height + e[1] + e[4];
+  if (l.groundColor !== undefined) sum += l.groundColor.r + l.groundColor.g + l.groundColor.b;
+  const target = l.target?.matrixWorld.elements;
+  if (target !== undefined) sum += target[12] + target[13] + target[14];
+  return Number.isFinite(sum);
 }

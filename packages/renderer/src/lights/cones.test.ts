@@ -1,9 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { coneBoundingSphere } from './coneBoundingSphere';
-import { coneIntersectsSphere } from './coneIntersectsSphere';
-import { coneSupport } from './coneSupport';
-import { projectedConeBounds } from './projectedConeBounds';
-import { projectedSphereBounds } from './projectedSphereBounds';
+import { coneBoundingSphere } from './spheres';
+import { coneIntersectsSphere, coneSupport } from './cones';
+import { projectedConeBounds, projectedSphereBounds } from './projection';
 import { createRandom, project, randomDirection, testCameras } from './testScenes';
 
 type Vector = [number, number, number];

@@ -1,5 +1,4 @@
 import { BackSide, FrontSide } from 'three';
-import type { View } from '../frame/views';
 import { litTwin } from './litTwin';
 import type { TwinKind } from './TwinKind';
 import type { LightLoop } from './LightLoop';
@@ -24,11 +23,12 @@ export interface ForwardTwins {
 /**
  * Lit materials shaded in one draw by all lights that the loop visits.
  * @param adapt - makes of each kind what is used in its place
+ * @returns the twins of a view by its name; views but 'lighting' and 'light-count' have those of the final picture
  */
 export function forwardTwins(
   loop: LightLoop,
   adapt = (kind: TwinKind): TwinKind => kind,
-): (view: View) => ForwardTwins {
+): (view: string) => ForwardTwins {
   const made = new Map<string, ForwardTwins>();
   return (view) => {
     const mode = view === 'lighting' || view === 'light-count' ? view : 'final';

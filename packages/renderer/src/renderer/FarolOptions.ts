@@ -79,3 +79,9 @@ export function setOptions(farol: Required<FarolOptions>, options: FarolOptions)
     if (!(name in defaultOptions)) throw unknownName('option', name, Object.keys(defaultOptions));
   for (const [name, value] of Object.entries(defaultOptions)) Object.assign(farol, { [name]: values[name] ?? value });
 }
+
+/** Events of a FarolRenderer. */
+export interface FarolEvents {
+  /** The last picture is out of date, since code that it lacked has come: draw again. */
+  redraw: object;
+}

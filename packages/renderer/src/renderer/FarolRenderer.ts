@@ -1,4 +1,4 @@
-import { type ArrayCamera, type Camera, EventDispatcher, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
 import { checkDevice } from '../gpu/checkDevice';
 import { type View, views } from '../frame/views';
@@ -7,12 +7,13 @@ import { NO_EFFECTS } from '../frame/ActiveEffects';
 import { EffectList } from './EffectList';
 import type { FarolEffect } from '../frame/FarolEffect';
 import type { FarolInfo } from './FarolInfo';
-import { type FarolOptions, setOptions } from './FarolOptions';
+import { type FarolEvents, type FarolOptions, setOptions } from './FarolOptions';
 import { Frame } from '../frame/Frame';
 import { InfoRecorder } from './InfoRecorder';
 import { LastFrame } from './LastFrame';
 import { Lazy } from '../frame/Lazy';
-import { gouraudCode, lazyCode, type LazyPart, nodeCode, warmUpCode } from './lazyCode';
+import { lateDraws } from './lateDraws';
+import { lazyCode, type LazyPart, warmUpCode } from './lazyCode';
 import { LazyViews } from './LazyViews';
 import { LightFinder } from './LightFinder';
 import { FrameLights } from './FrameLights';
@@ -20,32 +21,16 @@ import type { LightOrder } from '../lighting/LightTable';
 import { resetLayers } from '../materials/layersAttribute';
 import { TwinCache } from '../materials/TwinCache';
 import type { MicroShaderRegistry } from '../microshaders';
-import { addMicroShaders } from '../microshaders/addMicroShaders';
 import { createRegistry } from './createRegistry';
 import { refuseXR } from '../three/refuseXR';
 import { renderArray } from '../three/renderArray';
+import { afterRender, beforeRender, updateCamera } from './sceneCallbacks';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './SceneView';
 import type { TechniqueName } from '../techniques';
 import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
-
-/** `onBeforeRender` and `onAfterRender` with the arguments that three passes them of a Scene. */
-type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
-
-const NO_CALLBACK = Object3D.prototype.onBeforeRender;
-
-/** Brings a camera without a parent up to date, as three does. */
-function updateCamera(camera: Camera): void {
-  if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
-}
-
-/** What a FarolRenderer tells. */
-export interface FarolEvents {
-  /** The last picture is out of date, since code that it lacked has come: draw again. */
-  redraw: object;
-}
 
 /** Draws and lights that cost less than having the GPU begin with them. */
 const FEW = 16;
@@ -116,13 +101,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       microshaders: this.microshaders,
       refuse: (source) => this.frame.queue.refused.refuse(source),
     });
-    this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders);
-    this.frame.gouraudTwins = () =>
-      gouraudCode.use((code) => {
-        addMicroShaders(this.microshaders, 'gouraud', code.microShaders);
-        return code.gouraudTwins(this.frame.view);
-      });
-    this.frame.makeNodes = () => nodeCode.use((code) => new code.NodeDraws());
+    const late = lateDraws(this.microshaders);
+    this.frame = new Frame(webgl, this.lights.table, this.twins, uniforms, this.microshaders, late);
     this.recorder = new InfoRecorder(webgl, this.last);
     const { frame, recorder, views, set, picker } = this;
     this.draws = new SceneDraws(frame, recorder, views, set, picker, uniforms.farol_background.value);
@@ -230,18 +210,12 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.isDrawing = true;
     const outer = this.last.begin();
     try {
-      const callbacks = (scene as Scene).isScene === true ? (scene as Scene) : null;
       // else matrices are brought up to date while lights are looked for
-      const updated = callbacks !== null && callbacks.onBeforeRender !== NO_CALLBACK;
-      if (updated) {
-        if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
-        updateCamera(camera);
-        (callbacks.onBeforeRender as unknown as SceneCallback)(webgl, callbacks, camera, webgl.getRenderTarget());
-      }
+      const updated = beforeRender(webgl, scene, camera);
       const update = scene.matrixWorldAutoUpdate && !updated;
       if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
       else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
-      if (callbacks !== null) (callbacks.onAfterRender as unknown as SceneCallback)(webgl, callbacks, camera);
+      afterRender(webgl, scene, camera);
       this.last.end();
     } finally {
       Lazy.lacking = outer;
@@ -262,14 +236,14 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     adoptDepth(this.webgl, camera);
     const { draws, finder, frame, picker, webgl } = this;
     const { shadows } = finder;
-    frame.begin(scene, camera, this.views.available(this.viewName));
+    frame.begin(scene, camera, seenBy, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
     const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
-    frame.seenBy = sceneView.seenBy = seenBy;
+    sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects, this.antialias);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
@@ -281,7 +255,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
         finder.found.rest,
         frame.queue,
         draws.draw,
-        frame.ownsTarget() ? fills : null,
+        frame.view === 'final' && frame.ownsTarget() ? fills : null,
         shadows,
       );
       shadows?.end();
@@ -385,9 +359,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.draws.edges?.dispose();
     this.views.dispose();
     this.twins.dispose();
-    this.lights.dispose();
+    this.lights.dispose(this.frame);
     this.finder.dispose();
-    this.frame.findTileShadows = this.frame.queue.shadowMasks = null;
   };
 
   /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */

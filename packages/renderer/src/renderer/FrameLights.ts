@@ -2,10 +2,11 @@ import type { Object3D, WebGLRenderer } from 'three';
 import type { Frame } from '../frame/Frame';
 import { FrameUniforms } from './FrameUniforms';
 import type { LightFinder } from './LightFinder';
-import { gridCode, lightFieldCode, tileCode } from './lazyCode';
+import { gridCode, tileCode } from '../techniques/techniqueCode';
+import { lightFieldCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
 import type { LightLayers } from '../shadows/LightLayers';
-import type { AreaLights } from '../lights/AreaLights';
+import type { AreaLights } from '../lights/lightData';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
 import { shadowedLights } from '../lighting/shadowedLights';
@@ -66,7 +67,9 @@ export class FrameLights {
       shadows.layersSeen = frame.seenBy.layers.mask;
       shadows.update(scene, frame.camera, table.masked, frame);
     }
+    frame.tileShadows = shadows;
     frame.shadowMapsDrawn = shadows?.drawn ?? 0;
+    frame.queue.shadowMasks = shadows?.maskMaterials ?? null;
     frame.queue.layers = layers?.reference ?? 0;
     table.write(frame.camera, order, frame, shadows, rankOf(order));
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
@@ -77,9 +80,11 @@ export class FrameLights {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
   }
 
-  dispose(): void {
+  /** Frees the lights' textures. @param frame - lets go of them */
+  dispose(frame: Frame): void {
     this.fields?.dispose();
-    this.fields = null;
+    this.fields = frame.fields = null;
+    frame.tileShadows = frame.queue.shadowMasks = null;
     this.table.dispose();
     this.masks.layers = this.masks.areas = null;
     this.uniforms.freeMasks();

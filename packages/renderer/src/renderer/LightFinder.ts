@@ -1,7 +1,7 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { collectLights, type FoundLights } from './collectLights';
 import { areaCode, shadowCode } from './lazyCode';
-import type { AreaLights } from '../lights/AreaLights';
+import type { AreaLights } from '../lights/lightData';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 

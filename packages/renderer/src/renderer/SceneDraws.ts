@@ -111,7 +111,7 @@ export class SceneDraws {
     let drawn = false;
     for (const item of frame.queue.transmissive) {
       if (item.material.side !== DoubleSide) continue;
-      frame.drawTwin(item, item.lit ? back : plainBack);
+      frame.drawTwin(item, item.shading === 'lit' ? back : plainBack);
       drawn = true;
     }
     if (drawn) frame.resolveTransmission();

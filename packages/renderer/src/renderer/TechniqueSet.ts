@@ -1,6 +1,6 @@
 import { unknownName } from './errors';
 import type { Lazy } from '../frame/Lazy';
-import { gridCode, tileCode } from './lazyCode';
+import { gridCode, tileCode } from '../techniques/techniqueCode';
 import type { Pass } from '../frame/Pass';
 import { validatePasses } from '../frame/validatePasses';
 import { techniques } from '../techniques';

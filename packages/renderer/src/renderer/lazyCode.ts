@@ -1,5 +1,6 @@
 import { lightFieldMade } from '../light-fields/lightFieldMade';
 import { Lazy } from '../frame/Lazy';
+import { gridCode, lightBufferCode, multipassCode, tileCode } from '../techniques/techniqueCode';
 
 /** Shadow maps, cookies, photometric profiles and light layers. */
 export const shadowCode = new Lazy('shadows', () => import('../shadows'), 'three draws shadows');
@@ -9,30 +10,6 @@ export const areaCode = new Lazy('area-lights', () => import('../lighting/area-l
 
 /** The views of surfaces and overdraw. */
 export const viewCode = new Lazy('views', () => import('../views'), 'the final picture is shown');
-
-/** Light pre-pass and inferred lighting. */
-export const lightBufferCode = new Lazy(
-  'light-buffer',
-  () => import('../techniques/light-buffer'),
-  'deferred shading draws',
-);
-
-/** Light lists of clusters: clustered forward and clustered deferred shading. */
-export const gridCode = new Lazy(
-  'light-grid',
-  () => import('../techniques/light-lists/clusteredPasses'),
-  'other techniques draw',
-);
-
-/** Light lists of tiles: Forward+, tiled forward and tiled deferred shading. */
-export const tileCode = new Lazy(
-  'light-tiles',
-  () => import('../techniques/light-lists/tiledPasses'),
-  'other techniques draw',
-);
-
-/** Multipass lighting: the technique 'forward'. */
-export const multipassCode = new Lazy('multipass', () => import('../techniques/multipass'), 'deferred shading draws');
 
 /** Lights as data: LightField. Their lists are those of tiles. */
 export const lightFieldCode = new Lazy(

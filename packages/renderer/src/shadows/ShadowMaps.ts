@@ -1,14 +1,8 @@
-import {
-  type Camera,
-  type Light,
-  type LightShadow,
-  type Object3D,
-  type Texture,
-  VSMShadowMap,
-  type WebGLRenderer,
-  type WebGLRenderTarget,
-} from 'three';
+import { type Camera, type Light, type Object3D, type Texture, VSMShadowMap, type WebGLRenderer } from 'three';
+import type { Frame, TileShadows } from '../frame/Frame';
 import { RecentlyUsed } from '../frame/RecentlyUsed';
+import type { ShadowMaskMaterials } from '../frame/RenderQueue';
+import type { GBuffer } from '../gbuffer/GBuffer';
 import type { DataTable } from '../gpu/DataTable';
 import type { MaskUniforms } from '../lighting/maskUniforms';
 import { cookieOf, profileOf } from '../lighting/lightCookie';
@@ -20,17 +14,16 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { ShadowAtlases } from './atlas/ShadowAtlases';
 import type { TextureAtlas } from './atlas/TextureAtlas';
 import { ShadowCasters } from './casters/ShadowCasters';
-import { CookieDraws } from './draw/CookieDraws';
-import { HostShadowMaps } from './draw/HostShadowMaps';
-import { MomentDraws } from './draw/MomentDraws';
-import { RegionDrawer } from './draw/RegionDrawer';
+import type { HostShadowMaps } from './draw/HostShadowMaps';
 import type { ShadowMapCalls } from './draw/ShadowMapCalls';
-import { ShadowMapDraws } from './draw/ShadowMapDraws';
+import { PlannedDraws, wasAskedFor } from './draw/PlannedDraws';
+import type { ShadowMapDraws } from './draw/ShadowMapDraws';
+import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
 import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
 import { MaskShaders } from './masks/MaskShaders';
-import { ShadowBounds, ShadowTiles } from './screen-tiles';
-import type { AreaLights } from '../lights/AreaLights';
+import { type ShadowBounds, ShadowTiles } from './screen-tiles';
+import type { AreaLights } from '../lights/lightData';
 import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
 import { atlasLimit } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
@@ -46,14 +39,13 @@ const REBALANCE = 60;
 /** Texels a side of the smallest atlas of depths that a host may ask for. */
 const SMALLEST_ATLAS = 512;
 
-/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
-const drawnShadows = new WeakSet<LightShadow>();
-
 /**
  * The shadow maps and cookies of all lights of a renderer, in two atlases. `update` finds which of them a frame needs and which
  * have to be drawn, `render` draws those. README.md tells a frame step by step.
  */
-export class ShadowMaps implements LightMasks {
+export class ShadowMaps implements LightMasks, TileShadows {
+  /** How materials that show nothing but shadows are recognised and drawn. */
+  readonly maskMaterials: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
@@ -80,16 +72,11 @@ export class ShadowMaps implements LightMasks {
   /** Scenes whose maps are held. */
   private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
   private readonly atlases: ShadowAtlases;
+  private readonly planned: PlannedDraws;
   private readonly draws: ShadowMapDraws;
-  private readonly moments: MomentDraws;
-  private readonly images: CookieDraws;
   private readonly hostMaps: HostShadowMaps;
   private readonly shaders: MaskShaders;
   private readonly masks: MaskRecords;
-  /** What the frame draws: maps, copies of images, and copies of maps for three's addons. */
-  private readonly toDraw: ShadowSlot[] = [];
-  private readonly imagesToDraw: CookieSlot[] = [];
-  private readonly toCopy: ShadowSlot[] = [];
   /** `shadowMap.type` of the frame, and whether that is VSMShadowMap, whose maps lie in the atlas of colours. */
   private type = -1;
   private isVariance = false;
@@ -104,12 +91,10 @@ export class ShadowMaps implements LightMasks {
     microshaders: MicroShaderRegistry,
   ) {
     this.atlases = new ShadowAtlases(webgl);
-    this.draws = new ShadowMapDraws(webgl, microshaders);
-    const drawer = new RegionDrawer(webgl, microshaders);
-    this.moments = new MomentDraws(webgl, drawer, this.draws);
-    this.images = new CookieDraws(drawer);
-    this.hostMaps = new HostShadowMaps(webgl, drawer);
-    this.bounds = new ShadowBounds(webgl, drawer);
+    this.planned = new PlannedDraws(webgl, microshaders, this.atlases);
+    this.draws = this.planned.casters;
+    this.hostMaps = this.planned.hostMaps;
+    this.bounds = this.planned.bounds;
     const { maxTextures } = webgl.capabilities;
     this.samplers = new ImageSamplers(imageSamplersOf(maxTextures));
     this.shaders = new MaskShaders(microshaders, this.samplers.textures.length);
@@ -123,18 +108,19 @@ export class ShadowMaps implements LightMasks {
 
   /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
   get depthTexture(): Texture | null {
-    const draws = this.toDraw.length > 0 && !this.isVariance;
-    return this.textureOf(this.atlases.depths, draws);
+    const draws = this.planned.maps.length > 0 && !this.isVariance;
+    return this.atlases.textureOf(this.atlases.depths, draws);
   }
 
   /** Colours of cookies, moments of variance shadow maps; null before the first is drawn. */
   get colourTexture(): Texture | null {
-    const draws = this.imagesToDraw.length > 0 || (this.toDraw.length > 0 && this.isVariance);
-    return this.textureOf(this.atlases.colours, draws);
+    const { images, maps } = this.planned;
+    const draws = images.length > 0 || (maps.length > 0 && this.isVariance);
+    return this.atlases.textureOf(this.atlases.colours, draws);
   }
 
   get atlasBytes(): number {
-    return this.atlases.bytes + this.moments.bytes;
+    return this.atlases.bytes + this.planned.bytes;
   }
 
   get bytes(): number {
@@ -143,7 +129,7 @@ export class ShadowMaps implements LightMasks {
 
   /** True when the frame has maps, images or bounds to draw. */
   get hasWork(): boolean {
-    return this.toDraw.length + this.imagesToDraw.length + this.toCopy.length > 0 || this.bounds.hasWork;
+    return this.planned.hasWork;
   }
 
   /** Proxies of the casters that the frame draws, for three to bring their buffers up to date. */
@@ -207,32 +193,17 @@ export class ShadowMaps implements LightMasks {
     this.place();
     for (const slot of this.slots.lit) this.assign(slot, updates);
     this.masks.end();
-    this.findImages();
+    this.planned.planImages(this.slots);
   }
 
   /** Draws what the frame has to draw. Call inside three's `render`, where three draws its own shadow maps. */
   render(): void {
-    const { webgl, toDraw } = this;
-    const { depths, colours } = this.atlases;
-    const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
-    const face = webgl.getActiveCubeFace();
-    const level = webgl.getActiveMipmapLevel();
-    this.draws.setComparison(depths);
-    this.draws.send();
-    if (this.isVariance) for (const slot of toDraw) this.moments.render(slot, colours);
-    else if (toDraw.length > 0) {
-      webgl.setRenderTarget(depths.target);
-      this.draws.drawMaps(toDraw);
-    }
-    for (const { map, shadow } of toDraw) {
-      map.draw();
-      drawnShadows.add(shadow);
-      if (shadow.needsUpdate) shadow.needsUpdate = false;
-    }
-    for (const cookie of this.imagesToDraw) this.images.render(cookie, colours);
-    for (const slot of this.toCopy) this.hostMaps.render(slot, this.isVariance ? colours : depths, this.type);
-    this.bounds.render(depths);
-    webgl.setRenderTarget(target, face, level);
+    this.planned.render(this.type);
+  }
+
+  /** Finds which lights light all, or none, of tiles of the screen. */
+  findTileShadows(frame: Frame, gbuffer: GBuffer): void {
+    this.tiles.render(frame, gbuffer, this.bounds.target);
   }
 
   /** Ends a frame: takes back `needsUpdate`, by which the host asks for maps once. */
@@ -243,11 +214,7 @@ export class ShadowMaps implements LightMasks {
 
   dispose(): void {
     this.atlases.dispose();
-    this.draws.dispose();
-    this.moments.dispose();
-    this.images.dispose();
-    this.bounds.dispose();
-    this.hostMaps.dispose();
+    this.planned.dispose();
     this.tiles.dispose();
     this.shaders.dispose();
     this.slots.clear();
@@ -256,12 +223,12 @@ export class ShadowMaps implements LightMasks {
 
   private begin(): void {
     this.frame++;
-    this.toDraw.length = this.imagesToDraw.length = this.toCopy.length = this.tiles.bounded = 0;
+    this.planned.begin();
+    this.tiles.bounded = 0;
     this.drawn = this.kept = this.texels = 0;
     this.slots.begin(this.frame);
     this.slots.layersSeen = this.layersSeen;
     this.masks.begin();
-    this.bounds.begin();
   }
 
   // ---- Collect: a slot for each light that casts shadows or throws an image ----
@@ -377,7 +344,7 @@ export class ShadowMaps implements LightMasks {
     slot.hasShadow = slot.casts && slot.placement.region !== null && (map.isThere || mayDraw);
     if (slot.hasShadow) {
       const draws = this.planMap(slot, mayDraw);
-      if (this.hostMaps.wants(slot, draws, this.type)) this.toCopy.push(slot);
+      if (this.hostMaps.wants(slot, draws, this.type)) this.planned.copies.push(slot);
     }
     this.masks.assign(slot, this.type);
   }
@@ -389,7 +356,7 @@ export class ShadowMaps implements LightMasks {
     const isSoft = softSizeOf(slot.light) > 0;
     const isPart = !isSoft && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {
-      this.toDraw.push(slot);
+      this.planned.maps.push(slot);
       this.drawn++;
       this.texels += slot.plan(isPart);
       this.draws.prepare(slot);
@@ -399,18 +366,6 @@ export class ShadowMaps implements LightMasks {
     if (map.hasBounds) this.tiles.bounded++;
     else if (!this.isVariance) this.bounds.keep(slot, this.frame - map.since);
     return false;
-  }
-
-  /** Finds the images whose copies have to be drawn. */
-  private findImages(): void {
-    for (const copies of this.slots.copies) {
-      for (const cookie of copies.values()) {
-        if (!this.slots.isLit(cookie) || cookie.sampler >= 0) continue;
-        if (cookie.placement.region === null || cookie.map.isCurrent) continue;
-        cookie.map.plan(false);
-        this.imagesToDraw.push(cookie);
-      }
-    }
   }
 
   // ---- Release ----
@@ -432,22 +387,9 @@ export class ShadowMaps implements LightMasks {
     return this.isVariance ? this.atlases.colours : this.atlases.depths;
   }
 
-  /** The texture of an atlas; null while nothing is drawn, now (`draws`) or before. */
-  private textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
-    return draws || !this.atlases.lacksTexture(atlas) ? atlas.texture : null;
-  }
-
   private isDepthReversed(): boolean {
     return isDepthReversed(this.webgl);
   }
 }
 
 const needsFineDepth = (slot: ShadowSlot) => slot.needsFineDepth;
-
-/**
- * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
- * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
- * has not, which knows of no request.
- */
-const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
-  drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

@@ -1,5 +1,4 @@
 import { addMicroShaders } from '../microshaders/addMicroShaders';
-import type { ShadowMaskMaterials } from '../frame/RenderQueue';
 import type { Frame } from '../frame/Frame';
 import cookieRegion from './draw/cookieRegion.glsl?raw';
 import lightMaskLayers from './masks/lightMaskLayers.glsl?raw';
@@ -12,7 +11,6 @@ import { maskRecordChunk } from './masks/maskRecordChunk';
 import { mergedCaster, mergedCasterDepth } from './casters/merged';
 import { ShadowMaps } from './ShadowMaps';
 import shadowMask from './masks/shadowMask.glsl?raw';
-import { shadowMaskTwin, showsShadowMask } from './masks/shadowMaskTwin';
 import hostShadowMap from './draw/hostShadowMap.glsl?raw';
 import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
@@ -36,22 +34,16 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-/** How materials that show nothing but shadows are recognised and drawn. */
-const shadowMasks: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
-
 /** Runs work as a pass of the frame, of this name in its figures. */
 interface PassRunner {
   run(name: string, work: () => void): void;
 }
 
 /** Makes what masks the lights of a renderer's frames: shadow maps, cookies, layers, and their microshaders. */
-export function makeShadowMaps(frame: Frame, draws: PassRunner): ShadowMaps {
-  const { webgl, microshaders, queue } = frame;
+export function makeShadowMaps({ webgl, microshaders }: Frame, draws: PassRunner): ShadowMaps {
   addMicroShaders(microshaders, 'shadows', microShaders);
   const shadows = new ShadowMaps(webgl, microshaders);
   const render = (): void => shadows.render();
   shadows.calls = new ShadowMapCalls(webgl, () => shadows.hasWork && draws.run('shadow maps', render));
-  frame.findTileShadows = (gbuffer) => shadows.tiles.render(frame, gbuffer, shadows.bounds.target);
-  queue.shadowMasks = shadowMasks;
   return shadows;
 }

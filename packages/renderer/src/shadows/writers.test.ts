@@ -18,8 +18,8 @@ test.each([
   ['change', ['CookieSlot', 'ShadowMaps', 'ShadowSlot']],
   ['lose', ['LightSlots']],
   ['noteAge', ['ShadowMapDraws']],
-  ['plan', ['ShadowMaps', 'ShadowSlot']],
-  ['draw', ['CookieDraws', 'ShadowMaps']],
+  ['plan', ['PlannedDraws', 'ShadowSlot']],
+  ['draw', ['CookieDraws', 'PlannedDraws']],
   ['bound', ['ShadowBounds']],
 ])('the step %s of a map is taken by %s alone, as README.md says', (step, files) => {
   expect(filesWith(new RegExp(`\\bmap\\.${step}\\(`))).toEqual(files);

@@ -1,4 +1,4 @@
-import { gridCode } from '../renderer/lazyCode';
+import { gridCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */

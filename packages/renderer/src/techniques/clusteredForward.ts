@@ -1,4 +1,4 @@
-import { gridCode } from '../renderer/lazyCode';
+import { gridCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**

@@ -1,4 +1,4 @@
-import { multipassCode } from '../renderer/lazyCode';
+import { multipassCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**

@@ -1,4 +1,4 @@
-import { tileCode } from '../renderer/lazyCode';
+import { tileCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**

@@ -1,4 +1,4 @@
-import { lightBufferCode } from '../renderer/lazyCode';
+import { lightBufferCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
 /**

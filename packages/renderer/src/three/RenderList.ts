@@ -1,6 +1,5 @@
 import type { BufferGeometry, Camera, Material, Object3D, WebGLRenderer } from 'three';
-import type { GeometryGroup } from '../frame/RenderItem';
-import type { RenderItemSort } from '../frame/RenderQueue';
+import type { GeometryGroup, RenderItemSort } from './RenderListItem';
 
 /** three's WebGLRenderList as far as it is used here. */
 export interface RenderList {

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, Material, Object3D, Scene, WebGLRenderer } from 'three';
-import type { GeometryGroup } from '../frame/RenderItem';
+import type { GeometryGroup } from './RenderListItem';
 
 /** three's `renderBufferDirect`, which draws without a scene and without groups too. */
 export type DirectDraw = (

@@ -28,7 +28,7 @@ export class OverdrawPass {
     frame.clear(1, true);
     if (depthFirst) {
       for (const item of frame.queue.opaque) {
-        if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+        if (item.route === 'split' && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
       }
     }
     this.count(frame, frame.queue.opaque);

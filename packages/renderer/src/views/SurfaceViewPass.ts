@@ -6,7 +6,7 @@ import type { GBuffer } from '../gbuffer/GBuffer';
 import { GBufferTarget } from '../passes/gbuffer/GBufferTarget';
 import { gbufferUniforms, setGBufferUniforms } from '../passes/gbuffer/gbufferUniforms';
 import { litViewTwin, unlitViewTwin } from './gbufferViewTwins';
-import type { RenderItem } from '../frame/RenderItem';
+import { isPlain, type RenderItem } from '../frame/RenderItem';
 import type { TwinKind } from '../materials/TwinKind';
 import { setViewport } from '../three/state';
 
@@ -31,10 +31,10 @@ const PANELS = [
 const panel = new Vector4();
 
 /** The kind that writes an item into the G-buffer of the views, null for what these do not show. */
-function viewTwinOf({ plain, lit, material }: RenderItem): TwinKind | null {
-  const m = material as Material & { isShaderMaterial?: boolean; isMeshBasicMaterial?: boolean };
-  if (!plain) return null;
-  if (lit && m.isShaderMaterial !== true) return litViewTwin;
+function viewTwinOf(item: RenderItem): TwinKind | null {
+  const m = item.material as Material & { isShaderMaterial?: boolean; isMeshBasicMaterial?: boolean };
+  if (!isPlain(item)) return null;
+  if (item.shading === 'lit' && m.isShaderMaterial !== true) return litViewTwin;
   return m.isMeshBasicMaterial === true ? unlitViewTwin : null;
 }
 

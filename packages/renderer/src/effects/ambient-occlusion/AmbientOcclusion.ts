@@ -18,7 +18,7 @@ import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
 import type { TwinKind } from '../../materials/TwinKind';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
-import type { RenderItem } from '../../frame/RenderItem';
+import { isPlain, type RenderItem } from '../../frame/RenderItem';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
 import occlusionFilter from './occlusionFilter.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
@@ -140,7 +140,7 @@ export class AmbientOcclusion implements FarolEffect {
   adapt(kind: TwinKind, item: RenderItem): TwinKind {
     const { role } = kind;
     if (role === 'gbuffer') return this.location < 0 ? kind : this.twinOf(kind);
-    if (!item.plain || role === undefined) return kind;
+    if (!isPlain(item) || role === undefined) return kind;
     const occluded =
       (this.use === 'prepass' && hasDepthTwin(item.material)) ||
       (this.use === 'light-buffer' && role === 'light-buffer');

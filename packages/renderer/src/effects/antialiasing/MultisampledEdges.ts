@@ -127,7 +127,7 @@ export class MultisampledEdges implements FarolEffect {
   private draw(frame: Frame, item: RenderItem): void {
     const { depthTest, depthFunc, depthWrite, colorWrite, stencilWrite } = item.material;
     const plain = depthTest && depthFunc === LessEqualDepth && colorWrite && !stencilWrite;
-    if (plain && hasMotionTwin(item)) frame.drawTwin(item, item.lit ? this.lit : this.unlit);
+    if (plain && hasMotionTwin(item)) frame.drawTwin(item, item.shading === 'lit' ? this.lit : this.unlit);
     else if (depthWrite || stencilWrite) this.whole.value = false;
   }
 

@@ -40,7 +40,7 @@ function looksOfList(items: RenderQueue['opaque']): number {
     const m = items[i].material as AnyMaterial & ReactiveMaterial;
     // the mask says where it is
     if (m.isReactive === true) continue;
-    if (items[i].nodes || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
+    if (items[i].shading === 'nodes' || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
       return Number.NaN;
     const own = m.id + m.version * 0.37 + m.opacity * 5 + colour(m.color) + colour(m.emissive) * 3;
     const numbers = number(m.emissiveIntensity) + number(m.roughness) * 3 + number(m.metalness) * 5 + texture(m.map);

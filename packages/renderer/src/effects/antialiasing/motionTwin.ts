@@ -46,6 +46,7 @@ export function hasMotionTwin(item: RenderItem): boolean {
     isMeshBasicMaterial?: boolean;
     isMeshMatcapMaterial?: boolean;
   };
-  const supported = item.lit || material.isMeshBasicMaterial === true || material.isMeshMatcapMaterial === true;
+  const supported =
+    item.shading === 'lit' || material.isMeshBasicMaterial === true || material.isMeshMatcapMaterial === true;
   return supported && material.depthWrite && hasDepthTwin(material);
 }

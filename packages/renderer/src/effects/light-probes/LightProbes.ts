@@ -74,7 +74,7 @@ export class LightProbes implements FarolEffect {
   }
 
   adapt(kind: TwinKind, item: RenderItem): TwinKind {
-    if (!this.isNeeded || kind.role === undefined || !item.lit) return kind;
+    if (!this.isNeeded || kind.role === undefined || item.shading !== 'lit') return kind;
     let twin = this.twins.get(kind);
     if (twin === undefined) this.twins.set(kind, (twin = probedTwin(kind, this.uniforms)));
     return twin;

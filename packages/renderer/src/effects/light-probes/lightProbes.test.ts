@@ -65,7 +65,7 @@ describe('a grid of probes', () => {
 describe('the effect', () => {
   const kind: TwinKind = { key: 'lit', role: 'forward', chunks: () => [], patch: () => {} };
   const material = new MeshStandardMaterial();
-  const item = { lit: true, material } as unknown as RenderItem;
+  const item = { shading: 'lit', material } as unknown as RenderItem;
   const shaderOf = (twin: TwinKind): TwinShader => {
     const { uniforms, vertexShader, fragmentShader } = ShaderLib.standard;
     const shader = { uniforms: { ...uniforms }, vertexShader, fragmentShader } as TwinShader;
@@ -80,7 +80,7 @@ describe('the effect', () => {
     expect(effect.adapt(kind, item)).toBe(kind);
     setBakedSurroundings(scene, { grid: null, hasSky: true });
     effect.begin({ scene } as Frame);
-    expect(effect.adapt(kind, { ...item, lit: false })).toBe(kind);
+    expect(effect.adapt(kind, { ...item, shading: 'unlit' })).toBe(kind);
     const { role: _, ...noRole } = kind;
     expect(effect.adapt(noRole, item)).toBe(noRole);
     expect(effect.adapt(kind, item)).not.toBe(kind);

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Mesh, Texture } from 'three';
-import type { LinearRGB } from '../../lights/FarolLightData';
+import type { LinearRGB } from '../../lights/lightData';
 
 /** A key of a curve: time (0 to 1, ascending) and value; straight between keys, constant before the first and after the last. */
 export type CurveKey = readonly [time: number, value: number];

@@ -80,14 +80,10 @@ export class ParticleSurroundings {
       groupOrder: 0,
       renderOrder: 0,
       z: 0,
-      nodes: false,
-      lit: true,
-      shadowMask: false,
-      layered: false,
-      plain: false,
-      ordered: false,
-      splits: false,
+      shading: 'lit',
+      route: 'forward',
       ownShader: false,
+      layered: false,
       drawn: false,
     };
   }

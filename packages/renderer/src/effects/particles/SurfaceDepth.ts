@@ -1,6 +1,7 @@
 import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
 import { depthTwin, hasDepthTwin } from '../../materials/depthTwin';
 import type { Frame } from '../../frame/Frame';
+import { isPlain } from '../../frame/RenderItem';
 import { PassTarget } from '../../gpu/PassTarget';
 import { targetBytes } from '../../gpu/targetBytes';
 
@@ -61,7 +62,7 @@ export class SurfaceDepth {
     frame.bind(target);
     frame.clear(0, true);
     for (const item of frame.queue.opaque)
-      if (item.plain && !item.ownShader && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      if (isPlain(item) && !item.ownShader && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     return target.depthTexture!;
   }
 }

@@ -39,8 +39,9 @@ export function weightedTwin(kind: TwinKind): TwinKind {
 }
 
 /** True for what is laid over the picture by its opacity; other blending needs no order, or means one. */
-export function isWeighted({ material, nodes }: RenderItem): boolean {
+export function isWeighted({ material, shading }: RenderItem): boolean {
   const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
   const ownOutputs = shader.isRawShaderMaterial === true || shader.glslVersion === GLSL3;
-  return !nodes && material.blending === NormalBlending && !ownOutputs && material.depthTest && material.colorWrite;
+  if (shading === 'nodes' || ownOutputs) return false;
+  return material.blending === NormalBlending && material.depthTest && material.colorWrite;
 }

@@ -1,8 +1,7 @@
 import type { IUniform, Matrix4, RectAreaLight, Texture, WebGLRenderer } from 'three';
 import { Vector3 } from 'three';
 import type { DataTable } from '../../gpu/DataTable';
-import type { AreaLights } from '../../lights/AreaLights';
-import type { FarolLightData } from '../../lights/FarolLightData';
+import type { AreaLights, FarolLightData } from '../../lights/lightData';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { needShape } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';

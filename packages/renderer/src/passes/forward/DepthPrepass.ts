@@ -47,7 +47,7 @@ export class DepthPrepass implements Pass {
     const drawn = isShifted ? this.bindShifted(frame) : target;
     frame.clear(1, true);
     for (const item of frame.queue.opaque) {
-      if (item.splits && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      if (item.route === 'split' && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     }
     if (isShifted) frame.copyDepth(drawn, target, viewport.x, viewport.y);
     if (frame.samples === 0) this.show(frame, target);
@@ -78,7 +78,8 @@ export class DepthPrepass implements Pass {
     frame.bindTarget();
     for (const item of frame.queue.opaque) {
       const { material } = item;
-      if (!item.splits || !hasDepthTwin(material) || material.polygonOffset || material.alphaToCoverage) continue;
+      if (item.route !== 'split' || !hasDepthTwin(material) || material.polygonOffset || material.alphaToCoverage)
+        continue;
       frame.drawTwin(item, depthBehindTwin);
     }
   }

@@ -52,7 +52,7 @@ export class ForwardPass implements Pass {
     const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
     for (const item of items)
-      this.draw(frame, item, item.splits && hasDepthTwin(item.material) ? twins : outside, onlyLit);
+      this.draw(frame, item, item.route === 'split' && hasDepthTwin(item.material) ? twins : outside, onlyLit);
     if (fills) this.background.draw(frame);
   }
 
@@ -61,8 +61,9 @@ export class ForwardPass implements Pass {
   }
 
   private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
-    if (item.drawn || (onlyLit && !item.lit)) return;
-    const vertex = item.lit && isGouraud(item.material) ? frame.gouraudTwins() : null;
+    const lit = item.shading === 'lit';
+    if (item.drawn || (onlyLit && !lit)) return;
+    const vertex = lit && isGouraud(item.material) ? frame.gouraudTwins() : null;
     frame.drawForward(item, vertex ?? twins);
   }
 }

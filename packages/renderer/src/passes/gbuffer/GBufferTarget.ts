@@ -6,7 +6,7 @@ import { shadingModelOf } from '../../gbuffer/shadingModel';
 
 /** True for an item that the G-buffer holds without loss that shows; others are left to forward passes. */
 export function fitsGBuffer(item: RenderItem): boolean {
-  return item.splits && !item.layered && shadingModelOf(item.material) !== null;
+  return item.route === 'split' && !item.layered && shadingModelOf(item.material) !== null;
 }
 
 /** The G-buffer of a pass: made for what a frame asks of it, and made anew when that changes. */

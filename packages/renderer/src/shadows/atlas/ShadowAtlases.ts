@@ -1,4 +1,4 @@
-import type { WebGLRenderer } from 'three';
+import type { Texture, WebGLRenderer } from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import { colourTarget } from './colourTarget';
 import { depthTarget } from './depthTarget';
@@ -49,12 +49,17 @@ export class ShadowAtlases {
   }
 
   /** Whether an atlas has a target whose texture is not on the GPU. */
-  lacksTexture({ texture }: TextureAtlas): boolean {
+  private lacksTexture({ texture }: TextureAtlas): boolean {
     return texture !== null && textureHandle(this.webgl, texture) === undefined;
   }
 
   dispose(): void {
     this.depths.dispose();
     this.colours.dispose();
+  }
+
+  /** The texture of an atlas; null while nothing is drawn, now or before. @param draws - whether it is drawn to now */
+  textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
+    return draws || !this.lacksTexture(atlas) ? atlas.texture : null;
   }
 }

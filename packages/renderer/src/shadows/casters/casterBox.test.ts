@@ -1,6 +1,6 @@
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
+import { viewFrustumPlanes } from '../../lights/spheres';
 import { setSurface, Surface } from '../../surfaces';
 import { isMergeable } from './merged/isMergeable';
 import { boxInsidePlanes, boxOutsidePlanes, casterBox } from './casterBox';

@@ -1,4 +1,4 @@
-import { sphereOutsidePlanes } from '../../lights/sphereOutsidePlanes';
+import { sphereOutsidePlanes } from '../../lights/spheres';
 import type { ShadowFace } from '../slots/ShadowFace';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { Caster } from './Caster';

@@ -10,7 +10,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { MicroShaderRegistry } from '../../microshaders';
-import type { GeometryGroup } from '../../frame/RenderItem';
+import type { GeometryGroup } from '../../three/RenderListItem';
 import { CasterMaterials } from '../casters/CasterMaterials';
 import { casterProxy } from '../casters/casterProxy';
 import { MergedCasters } from '../casters/merged';

@@ -1,6 +1,6 @@
 import { type Camera, type Material, Matrix4, type Mesh, type Object3D } from 'three';
 import { hasOwnShader } from '../../frame/RenderQueue';
-import { viewFrustumPlanes } from '../../lights/viewFrustumPlanes';
+import { viewFrustumPlanes } from '../../lights/spheres';
 import { boxInsidePlanes, boxOutsidePlanes, casterBox } from '../casters/casterBox';
 import { CLUSTERS_PER_GROUP, type MergedCasters } from '../casters/merged';
 import type { Caster } from '../casters/Caster';

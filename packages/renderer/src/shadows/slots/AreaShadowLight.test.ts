@@ -1,6 +1,6 @@
 import { RectAreaLight } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { FarolLightData } from '../../lights/FarolLightData';
+import type { FarolLightData } from '../../lights/lightData';
 import { AreaShadowLight, softSizeOf } from './AreaShadowLight';
 
 function shadowOf(data?: FarolLightData) {

@@ -1,5 +1,5 @@
 import { type Light, MathUtils, PointLight, type RectAreaLight } from 'three';
-import type { FarolLightData } from '../../lights/FarolLightData';
+import type { FarolLightData } from '../../lights/lightData';
 
 /** Texels across a face of the map, before it is fitted to the picture: by default, least, most. */
 const TEXELS = 1024;

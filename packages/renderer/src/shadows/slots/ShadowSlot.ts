@@ -9,8 +9,8 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { rangeOf } from '../../lights/lightRange';
-import { sphereOutsidePlanes } from '../../lights/sphereOutsidePlanes';
+import { rangeOf } from '../../lights/lightData';
+import { sphereOutsidePlanes } from '../../lights/spheres';
 import { AtlasMap } from '../atlas/AtlasMap';
 import { AtlasPlacement } from '../atlas/AtlasPlacement';
 import { MapDetail } from '../atlas/MapDetail';

@@ -1,6 +1,6 @@
 import { type Camera, type Light, type PointLight, Vector3 } from 'three';
-import { lightRange } from '../../lights/lightRange';
-import { sphereCoverage } from '../../lights/sphereCoverage';
+import { lightRange } from '../../lights/lightData';
+import { sphereCoverage } from '../../lights/spheres';
 
 const position = new Vector3();
 

@@ -33,7 +33,7 @@ export class StippledPass implements Pass {
     try {
       for (const item of queue.transparent) {
         if (surfaces.isStippled(item)) layer = drawLayers(frame, item, stippled, surfaces.items.length, layer);
-        else if (item.lit || !onlyLit) frame.drawForward(item, forward);
+        else if (item.shading === 'lit' || !onlyLit) frame.drawForward(item, forward);
       }
     } finally {
       resetObject(frame.gl);

@@ -65,7 +65,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     items.length = 0;
     try {
       for (const item of frame.queue.opaque) {
-        if (!item.splits || item.layered || !this.isLit(item)) continue;
+        if (item.route !== 'split' || item.layered || !this.isLit(item)) continue;
         setObject(frame.gl, objectNumber(items.length), 0);
         frame.drawTwin(item, this.twins.opaque);
         items.push(item);
@@ -79,10 +79,10 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   }
 
   isStippled(item: RenderItem): boolean {
-    const { material, lit } = item;
+    const { material } = item;
     return (
       this.options.stipple &&
-      lit &&
+      item.shading === 'lit' &&
       !item.ownShader &&
       !item.layered &&
       material.depthTest &&

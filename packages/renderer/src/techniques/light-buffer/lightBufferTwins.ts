@@ -1,5 +1,4 @@
 import type { IUniform } from 'three';
-import type { View } from '../../frame/views';
 import { forwardTwins, type ForwardTwins } from '../../materials/forwardTwin';
 import { withObject } from './objectAttribute';
 import type { TwinKind } from '../../materials/TwinKind';
@@ -8,7 +7,7 @@ import type { TwinKind } from '../../materials/TwinKind';
  * Lit materials that take their direct light from the light buffer.
  * @param uniforms - of lightBufferFilter.glsl
  */
-export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: View) => ForwardTwins {
+export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: string) => ForwardTwins {
   return forwardTwins('lightLoopBuffer', (kind: TwinKind) =>
     withObject({
       ...kind,

@@ -1,26 +1,7 @@
-import { Vector2, Vector4, type IUniform, type Texture } from 'three';
-import { unprojectUniforms, type UnprojectUniforms } from '../../gpu/unprojectUniforms';
-
-/** Uniforms of thinGBufferRead.glsl. */
-export interface ThinGBufferUniforms extends UnprojectUniforms {
-  farol_thinSurface: IUniform<Texture | null>;
-  farol_thinDepth: IUniform<Texture | null>;
-  farol_thinStored: IUniform<number>;
-  /** Texels. */
-  farol_size: IUniform<Vector2>;
-  /** From the picture's normalised device coordinates to the buffer's. */
-  farol_fit: IUniform<Vector4>;
-}
-
-/** Uniforms of lightBufferFilter.glsl and lightBufferCounts.glsl. */
-export interface LightBufferUniforms extends ThinGBufferUniforms {
-  farol_sums0: IUniform<Texture | null>;
-  farol_sums1: IUniform<Texture | null>;
-  farol_sums2: IUniform<Texture | null>;
-  /** Of area lights; null without. */
-  farol_sums3: IUniform<Texture | null>;
-  farol_lightGrid: IUniform<Vector4>;
-}
+import { Vector2, Vector4 } from 'three';
+import type { LightBufferUniforms } from '../../frame/LightBuffer';
+import type { ThinGBufferUniforms } from '../../frame/ThinGBuffer';
+import { unprojectUniforms } from '../../gpu/unprojectUniforms';
 
 export function thinGBufferUniforms(): ThinGBufferUniforms {
   return {

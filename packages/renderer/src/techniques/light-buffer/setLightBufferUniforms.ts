@@ -1,8 +1,8 @@
 import type { Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { gridShift } from './gridFit';
-import type { LightBufferUniforms, ThinGBufferUniforms } from './lightBufferUniforms';
-import type { ThinGBuffer } from '../../frame/ThinGBuffer';
+import type { LightBufferUniforms } from '../../frame/LightBuffer';
+import type { ThinGBuffer, ThinGBufferUniforms } from '../../frame/ThinGBuffer';
 import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import { setUnprojectUniforms } from '../../gpu/unprojectUniforms';
 

@@ -54,7 +54,7 @@ export class LightGridPass implements Pass {
     depth[0] = grid.depthShift;
     depth[1] = float[0];
     depth[2] = grid.depthScale;
-    if (this.lit !== null) frame.findTileShadows?.(frame.resources.get(this.lit));
+    if (this.lit !== null) frame.tileShadows?.findTileShadows(frame, frame.resources.get(this.lit));
     this.warmUp(frame);
   }
 

@@ -1,6 +1,6 @@
 import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
 import type { Pass } from '../../frame/Pass';
-import { addBuiltinMicroShaders } from '../../renderer/builtinMicroShaders';
+import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import { lightLoopClustered, lightTiles, tiledOutput } from './chunks';
 import { LightGridPass } from './LightGridPass';
 import { TiledOutputPass } from './TiledOutputPass';

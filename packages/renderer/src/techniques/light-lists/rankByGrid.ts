@@ -1,7 +1,7 @@
 import type { Camera } from 'three';
 import { LightGrid } from '../../lights/LightGrid';
 import type { PictureSize } from '../../lights/PictureSize';
-import { projectionFar, projectionNear } from '../../lights/projectionDepths';
+import { projectionFar, projectionNear } from '../../lights/projection';
 import type { LightTable } from '../../lighting/LightTable';
 
 /** Makes the light grid of a table; the lights with a range get its ranks as records. */

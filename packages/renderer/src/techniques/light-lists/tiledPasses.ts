@@ -1,7 +1,7 @@
 import { DepthPrepass } from '../../passes/forward/DepthPrepass';
 import type { Pass } from '../../frame/Pass';
 import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
-import { addBuiltinMicroShaders } from '../../renderer/builtinMicroShaders';
+import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import {
   lightLoopTiled,
   lightTileLists,

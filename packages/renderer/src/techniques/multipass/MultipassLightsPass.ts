@@ -19,8 +19,8 @@ import type { AccumulatedLight } from '../../frame/AccumulatedLight';
 import type { Frame } from '../../frame/Frame';
 import { targetBytes } from '../../gpu/targetBytes';
 import * as chunks from './chunks';
-import { coneIntersectsSphere } from '../../lights/coneIntersectsSphere';
-import { projectedSphereBounds } from '../../lights/projectedSphereBounds';
+import { coneIntersectsSphere } from '../../lights/cones';
+import { projectedSphereBounds } from '../../lights/projection';
 import { additiveTwin, baseTwin, fieldTwin, lightMark } from './multipassTwins';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { Pass } from '../../frame/Pass';
@@ -96,7 +96,7 @@ export class MultipassLightsPass implements Pass {
     // by index: an iterator allocates until the loop is compiled
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      if (!item.splits || !this.sums(item.material, frame)) continue;
+      if (item.route !== 'split' || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
       items.push(item);

@@ -1,17 +1,25 @@
 import { type Camera, type Material, Object3D, type Scene, type WebGLRenderer } from 'three';
-import { isPlainOpaque } from '../../gbuffer/shadingModel';
+import { isPlainOpaque } from '../drawOrder';
 import { hasNodes } from '../hasNodes';
-import type { RenderItem } from '../../frame/RenderItem';
+import type { RenderListItem } from '../RenderListItem';
 import { type RenderList, type RenderLists, renderListsOf } from '../RenderList';
-import type { RenderQueue } from '../../frame/RenderQueue';
 import { standInOf } from '../standInOf';
+
+/** A draw of a frame's, as far as it matters here. */
+interface NodeItem extends RenderListItem {
+  /** 'nodes' for those of node materials. */
+  readonly shading: string;
+  /** 'plain' for those that may be drawn in any order. */
+  readonly route: string;
+  drawn: boolean;
+}
 
 /** What is drawn: a `Frame`. */
 interface DrawnFrame {
   readonly webgl: WebGLRenderer;
   readonly scene: Scene;
   readonly camera: Camera;
-  readonly queue: RenderQueue;
+  readonly queue: { readonly opaque: readonly NodeItem[] };
 }
 
 /** A host's scene as three is shown it, with the list that its draws go to. */
@@ -33,7 +41,7 @@ export class NodeDraws {
   private current!: NodeView;
   private getList!: RenderLists['get'];
   /** The one item to draw; null for all plain opaque ones. */
-  private item: RenderItem | null = null;
+  private item: NodeItem | null = null;
   /** Whether three has drawn its shadow maps in this frame. */
   private hasMaps = false;
 
@@ -42,11 +50,13 @@ export class NodeDraws {
   }
 
   /** Draws an item into the bound target; with the first plain opaque one all of them, marked as drawn. */
-  draw({ webgl, scene, camera, queue }: DrawnFrame, item: RenderItem): void {
+  draw({ webgl, scene, camera, queue }: DrawnFrame, item: NodeItem): void {
     this.current = this.viewOf(webgl, scene);
-    this.item = item.plain ? null : item;
+    const plain = item.route === 'plain';
+    this.item = plain ? null : item;
     this.render(webgl, camera);
-    if (item.plain) for (const other of queue.opaque) if (other.nodes && other.plain) other.drawn = true;
+    if (!plain) return;
+    for (const other of queue.opaque) if (other.shading === 'nodes' && other.route === 'plain') other.drawn = true;
   }
 
   private render(webgl: WebGLRenderer, camera: Camera): void {

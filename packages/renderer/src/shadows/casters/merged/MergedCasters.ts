@@ -14,7 +14,7 @@ import {
   Vector3,
   type WebGLRenderer,
 } from 'three';
-import type { GeometryGroup } from '../../../frame/RenderItem';
+import type { GeometryGroup } from '../../../three/RenderListItem';
 import type { MicroShaderRegistry } from '../../../microshaders';
 import { PassMaterial } from '../../../gpu/PassMaterial';
 import { shadowSideOf } from '../CasterMaterials';

@@ -1,7 +1,6 @@
 import { PointLight, SpotLight } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { FarolAttenuation } from './FarolLightData';
-import { lightRange } from './lightRange';
+import { type FarolAttenuation, lightRange } from './lightData';
 
 describe('the range of a light', () => {
   it.each([Infinity, 1e38, 1e20, 0, -5, NaN])('has no limit where its distance is %d', (distance) => {

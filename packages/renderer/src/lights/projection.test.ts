@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { projectedSphereBounds } from './projectedSphereBounds';
+import { projectedSphereBounds } from './projection';
 import { createRandom, perspective, project, randomDirection, randomSpheres, testCameras } from './testScenes';
 
 const bounds = new Float64Array(4);

@@ -1,3 +1,5 @@
+import type { Light, Matrix4, PointLight, RectAreaLight } from 'three';
+
 /** A linear RGB triple, each at least 0. */
 export type LinearRGB = readonly [number, number, number];
 
@@ -52,4 +54,47 @@ export interface FarolLightData {
   radius?: number;
   /** Of a directional light that @farol/bake bakes: angle that the sun covers (rad), for soft shadows. Default 0. */
   angle?: number;
+}
+
+/** What the maths of lights know of a LightField. */
+export interface LightFieldData extends Light {
+  readonly capacity: number;
+  readonly count: number;
+}
+
+/** Lights of a field that are drawn. */
+export function fieldCount({ capacity, count }: LightFieldData): number {
+  return Math.max(0, Math.min(capacity, Math.floor(count) || 0));
+}
+
+/** Where the texels of the light table are written. */
+interface TexelTable {
+  set4(at: number, x: number, y: number, z: number, w: number): void;
+}
+
+/** What the light table asks of area lights; their code is fetched when a scene has one. */
+export interface AreaLights {
+  /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
+  threshold: number;
+  /** Radius (m) of a sphere round a light's centre that holds all it lights; 0 without an end, NaN if it gives nothing. */
+  radiusOf(light: RectAreaLight): number;
+  /** Writes the extension record of a light. @param at - float of the table at which it begins */
+  write(table: TexelTable, at: number, light: RectAreaLight, view: Matrix4): void;
+  dispose(): void;
+}
+
+/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
+const ENDLESS = 1e18;
+
+/** Distance from which on a light gives exactly nothing (m); 0 for a light without a range. */
+export function lightRange(light: PointLight): number {
+  const attenuation = (light.userData.farol as FarolLightData | undefined)?.attenuation;
+  let range = light.distance;
+  if (attenuation !== undefined) range = attenuation.kind === 'near-far' ? attenuation.far : attenuation.range;
+  return rangeOf(range);
+}
+
+/** Range (m) of a `distance` of three's lights; 0 for a distance that is no limit. */
+export function rangeOf(distance: number): number {
+  return distance > 0 && distance < ENDLESS ? distance : 0;
 }

@@ -1,0 +1,134 @@
+import { type DirectionalLight, type Light, type Matrix4, type SpotLight, Vector3 } from 'three';
+
+/** Cones wider than this are drawn and culled as spheres (rad). */
+const WIDEST_CONE = 1.05;
+
+const position = new Vector3();
+const lightward = new Vector3();
+const coneSphere = new Float64Array(4);
+
+const origin = new Vector3();
+
+/** Puts into `axis` the unit vector from a light's target to the light, in view space. */
+export function lightAxis(light: DirectionalLight | SpotLight, view: Matrix4, axis: Vector3): void {
+  origin.setFromMatrixPosition(light.matrixWorld);
+  axis.setFromMatrixPosition(light.target.matrixWorld);
+  axis.subVectors(origin, axis).transformDirection(view);
+}
+
+/**
+ * The six planes of a projection in view space, unit normals pointing inward, as 24 numbers (x, y, z, w each).
+ * A point p is inside when dot(n, p) + w >= 0 for all. Perspective, orthographic and off-centre projections.
+ * @param m - 16 elements, column-major, clip z in [-w, w]
+ * @see Gribb and Hartmann 2001, Fast Extraction of Viewing Frustum Planes
+ */
+export function viewFrustumPlanes(m: ArrayLike<number>, out: Float64Array): Float64Array {
+  for (let i = 0; i < 6; i++) {
+    const row = i >> 1;
+    const sign = i & 1 ? -1 : 1;
+    const x = m[3] + sign * m[row];
+    const y = m[7] + sign * m[row + 4];
+    const z = m[11] + sign * m[row + 8];
+    const w = m[15] + sign * m[row + 12];
+    const length = Math.hypot(x, y, z) || 1;
+    out[i * 4] = x / length;
+    out[i * 4 + 1] = y / length;
+    out[i * 4 + 2] = z / length;
+    out[i * 4 + 3] = w / length;
+  }
+  return out;
+}
+
+/** True when a sphere lies wholly on the outer side of one of the six planes of `viewFrustumPlanes`. */
+export function sphereOutsidePlanes(planes: Float64Array, x: number, y: number, z: number, radius: number): boolean {
+  for (let i = 0; i < 24; i += 4) {
+    if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z + planes[i + 3] < -radius) return true;
+  }
+  return false;
+}
+
+/**
+ * Share of the picture that a sphere covers, roughly, 0 to 1.
+ * @param depth - of its centre before the camera (m)
+ * @param radius - (m)
+ * @param projection - 16 elements, column-major
+ */
+export function sphereCoverage(depth: number, radius: number, projection: ArrayLike<number>): number {
+  const p = projection;
+  const scale = p[11] === 0 ? radius : radius / Math.max(depth, radius);
+  return Math.min(1, (Math.PI / 4) * scale * scale * Math.abs(p[0] * p[5]));
+}
+
+/**
+ * Smallest sphere round a cone with a spherical cap.
+ * @param x - apex (m), with y and z
+ * @param dx - unit axis from the apex into the cone, with dy and dz
+ * @param range - length of the sides (m)
+ * @param angle - half the opening (rad), 0 to π/2
+ * @param out - gets centre and radius
+ * @see Wronski 2017, Cull that cone
+ */
+export function coneBoundingSphere(
+  x: number,
+  y: number,
+  z: number,
+  dx: number,
+  dy: number,
+  dz: number,
+  range: number,
+  angle: number,
+  out: Float64Array,
+): Float64Array {
+  const wide = angle > Math.PI / 4;
+  const distance = wide ? range * Math.cos(angle) : range / (2 * Math.cos(angle));
+  out[0] = x + dx * distance;
+  out[1] = y + dy * distance;
+  out[2] = z + dz * distance;
+  out[3] = wide ? range * Math.sin(angle) : distance;
+  return out;
+}
+
+/** View space of a camera: matrix from the world, projection (16 elements, column-major), planes of `viewFrustumPlanes`. */
+export interface ViewSpace {
+  view: Matrix4;
+  projection: ArrayLike<number>;
+  readonly planes: Float64Array;
+}
+
+/**
+ * Bounds what a light with a range lights.
+ * @param range - (m)
+ * @param bounds - gets the view-space sphere [x, y, z, r] (m) at `at`, r its range
+ * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; cosine -1 for a sphere
+ * @returns share of the picture that the sphere covers, 0 to 1; -1 for a light that reaches nothing that is seen
+ */
+export function boundLight(
+  light: Light,
+  range: number,
+  { view, projection, planes }: ViewSpace,
+  bounds: Float64Array,
+  axes: Float64Array,
+  at: number,
+): number {
+  const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
+  if (sphereOutsidePlanes(planes, x, y, z, range)) return -1;
+  const { isSpotLight, angle } = light as SpotLight;
+  if (isSpotLight === true && angle < WIDEST_CONE) {
+    lightAxis(light as SpotLight, view, lightward);
+    coneBoundingSphere(x, y, z, -lightward.x, -lightward.y, -lightward.z, range, angle, coneSphere);
+    if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return -1;
+    axes[at] = lightward.x;
+    axes[at + 1] = lightward.y;
+    axes[at + 2] = lightward.z;
+    axes[at + 3] = Math.cos(angle);
+  } else {
+    axes[at] = axes[at + 1] = 0;
+    axes[at + 2] = 1;
+    axes[at + 3] = -1;
+  }
+  bounds[at] = x;
+  bounds[at + 1] = y;
+  bounds[at + 2] = z;
+  bounds[at + 3] = range;
+  return sphereCoverage(-z, range, projection);
+}

@@ -1,0 +1,106 @@
+import { type LightShadow, VSMShadowMap, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import type { MicroShaderRegistry } from '../../microshaders';
+import type { ShadowAtlases } from '../atlas/ShadowAtlases';
+import { ShadowBounds } from '../screen-tiles';
+import { softSizeOf } from '../slots/AreaShadowLight';
+import type { CookieSlot } from '../slots/CookieSlot';
+import type { LightSlots } from '../slots/LightSlots';
+import type { ShadowSlot } from '../slots/ShadowSlot';
+import { CookieDraws } from './CookieDraws';
+import { HostShadowMaps } from './HostShadowMaps';
+import { MomentDraws } from './MomentDraws';
+import { RegionDrawer } from './RegionDrawer';
+import { ShadowMapDraws } from './ShadowMapDraws';
+
+/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
+const drawnShadows = new WeakSet<LightShadow>();
+
+/** The draws of a frame, as `ShadowMaps` has planned them: maps, images, copies of maps for three's addons, bounds. */
+export class PlannedDraws {
+  readonly maps: ShadowSlot[] = [];
+  readonly images: CookieSlot[] = [];
+  readonly copies: ShadowSlot[] = [];
+  readonly bounds: ShadowBounds;
+  readonly casters: ShadowMapDraws;
+  readonly hostMaps: HostShadowMaps;
+  private readonly moments: MomentDraws;
+  private readonly cookies: CookieDraws;
+
+  constructor(
+    private readonly webgl: WebGLRenderer,
+    microshaders: MicroShaderRegistry,
+    private readonly atlases: ShadowAtlases,
+  ) {
+    this.casters = new ShadowMapDraws(webgl, microshaders);
+    const drawer = new RegionDrawer(webgl, microshaders);
+    this.moments = new MomentDraws(webgl, drawer, this.casters);
+    this.cookies = new CookieDraws(drawer);
+    this.hostMaps = new HostShadowMaps(webgl, drawer);
+    this.bounds = new ShadowBounds(webgl, drawer);
+  }
+
+  /** Bytes of the targets in which maps are blurred. */
+  get bytes(): number {
+    return this.moments.bytes;
+  }
+
+  get hasWork(): boolean {
+    return this.maps.length + this.images.length + this.copies.length > 0 || this.bounds.hasWork;
+  }
+
+  /** Begins a frame: nothing is planned. */
+  begin(): void {
+    this.maps.length = this.images.length = this.copies.length = 0;
+    this.bounds.begin();
+  }
+
+  /** Plans the copies of images that are lit with and out of date. */
+  planImages(slots: LightSlots): void {
+    for (const copies of slots.copies) {
+      for (const cookie of copies.values()) {
+        if (!slots.isLit(cookie) || cookie.sampler >= 0) continue;
+        if (cookie.placement.region === null || cookie.map.isCurrent) continue;
+        cookie.map.plan(false);
+        this.images.push(cookie);
+      }
+    }
+  }
+
+  /** @param type - `shadowMap.type` of the frame */
+  render(type: number): void {
+    const { webgl, maps } = this;
+    const { depths, colours } = this.atlases;
+    const target = webgl.getRenderTarget() as WebGLRenderTarget | null;
+    const face = webgl.getActiveCubeFace();
+    const level = webgl.getActiveMipmapLevel();
+    const isVariance = type === VSMShadowMap;
+    this.casters.setComparison(depths);
+    this.casters.send();
+    if (isVariance) for (const slot of maps) this.moments.render(slot, colours);
+    else if (maps.length > 0) {
+      webgl.setRenderTarget(depths.target);
+      this.casters.drawMaps(maps);
+    }
+    for (const { map, shadow } of maps) {
+      map.draw();
+      drawnShadows.add(shadow);
+      if (shadow.needsUpdate) shadow.needsUpdate = false;
+    }
+    for (const cookie of this.images) this.cookies.render(cookie, colours);
+    for (const slot of this.copies) this.hostMaps.render(slot, isVariance ? colours : depths, type);
+    this.bounds.render(depths);
+    webgl.setRenderTarget(target, face, level);
+  }
+
+  dispose(): void {
+    for (const held of [this.casters, this.moments, this.cookies, this.bounds, this.hostMaps]) held.dispose();
+  }
+}
+
+/**
+ * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
+ * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
+ * has not, which knows of no request.
+ */
+export const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
+  drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;
