@@ -74,16 +74,21 @@ export class BoxSelect {
     const { viewport, isOpen } = this;
     this.cancel();
     if (!isOpen) return;
-    const { selection } = viewport.document;
-    const found = viewport.pickBox(this.box()).map(({ id }) => id);
-    selection.set(event.ctrlKey || event.metaKey ? [...selection.ids, ...found] : found);
+    this.select(event.ctrlKey || event.metaKey).catch(viewport.onError);
   };
 
-  private box(): Box2 {
-    const { left, top, width, height } = this.viewport.bounds;
-    const inPicture = ({ x, y }: Vector2): Vector2 =>
-      new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
-    return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
+  /** Selects what is in the box, once the code that finds it is there. @param adds - to what is selected */
+  private async select(adds: boolean): Promise<void> {
+    const { document, camera, bounds } = this.viewport;
+    const { scene, selection } = document;
+    const { left, top, width, height } = bounds;
+    const corners = [this.from, this.to].map(
+      ({ x, y }) => new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2),
+    );
+    const { pickBox } = await import('./pickBox');
+    if (scene !== document.scene) return;
+    const found = pickBox(scene, camera, new Box2().setFromPoints(corners)).map(({ id }) => id);
+    selection.set(adds ? [...selection.ids, ...found] : found);
   }
 
   /** Removes the box; the current press draws none. */
