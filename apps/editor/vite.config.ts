@@ -15,7 +15,11 @@ const initial = /^assets\/(index|three|rolldown-runtime)-/;
  * What is fetched at once with a file that is imported late: what it imports in its turn, but for what is there already. The
  * file itself is asked for a moment later, so it is named only where styles, which are waited for first, come with it.
  */
-function resolveDependencies(file: string, dependencies: string[], { hostType }: { hostType: 'html' | 'js' }): string[] {
+function resolveDependencies(
+  file: string,
+  dependencies: string[],
+  { hostType }: { hostType: 'html' | 'js' },
+): string[] {
   if (hostType === 'html') return dependencies;
   const late = dependencies.filter((each) => each !== file && !initial.test(each));
   return late.some((each) => each.endsWith('.css')) ? [file, ...late] : late;

@@ -109,7 +109,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles must receive pointer events before the camera, which then stays still
     this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
-    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, (error) => this.onError(error));
+    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, (error) =>
+      this.onError(error),
+    );
     this.place = new CanvasPlace(canvas, () => this.resize());
     this.helpers = new Helpers(document, this.redraw, (error) => this.onError(error));
     this.helpers.scene.add(this.gizmo.three);
