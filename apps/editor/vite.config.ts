@@ -8,6 +8,23 @@ import { wholeThree } from '@farol/tools/wholeThree';
 import { defineConfig } from 'vite';
 import { playerPlugin } from './player.config.ts';
 
+/** Files of the first frame, which are there when code that is fetched late names them. */
+const initial = /^assets\/(index|three|rolldown-runtime)-/;
+
+/**
+ * What is fetched at once with a file that is imported late: what it imports in its turn, but for what is there already. The
+ * file itself is asked for a moment later, so it is named only where styles, which are waited for first, come with it.
+ */
+function resolveDependencies(
+  file: string,
+  dependencies: string[],
+  { hostType }: { hostType: 'html' | 'js' },
+): string[] {
+  if (hostType === 'html') return dependencies;
+  const late = dependencies.filter((each) => each !== file && !initial.test(each));
+  return late.some((each) => each.endsWith('.css')) ? [file, ...late] : late;
+}
+
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
@@ -50,7 +67,7 @@ export default defineConfig(({ command }) => ({
     target: 'es2022',
     chunkSizeWarningLimit: 2000,
     // every browser with what the renderer needs preloads modules by itself, but Safari 16, which does without
-    modulePreload: { polyfill: false },
+    modulePreload: { polyfill: false, resolveDependencies },
     rolldownOptions: {
       // three has hundreds of constants; one that is written out packs better than a name of its own
       optimization: { inlineConst: { mode: 'all', pass: 3 } },

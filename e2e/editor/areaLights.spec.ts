@@ -26,7 +26,7 @@ async function addLight(page: Page, name: string, handles: number): Promise<void
     page.evaluate(() => {
       const { viewport } = window.editor;
       viewport.renderNow();
-      return viewport.lightHandles.points?.places.length;
+      return viewport.parts.lightHandles.part?.places.length;
     });
   await expect.poll(count).toBe(handles);
 }

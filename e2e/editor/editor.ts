@@ -66,7 +66,7 @@ export interface EditorHandle {
     readonly view: string;
     readonly statistics: { readonly frames: number };
     readonly gizmo: { readonly snapSteps: unknown; readonly isHot: boolean; readonly three: Object3D };
-    readonly lightHandles: { readonly points: { readonly places: readonly object[] } | null };
+    readonly parts: { readonly lightHandles: { readonly part: { readonly places: readonly object[] } | null } };
     readonly editorCamera: EditorCameraHandle;
     readonly lookThrough: object | null;
     readonly panes: { readonly list: readonly PaneHandle[]; readonly active: PaneHandle };

@@ -29,7 +29,7 @@ test('selects by a box, from a side, without what is locked; shows what a camera
     await expect(page.locator('.select-box')).toBeHidden();
   };
   await drag(box.x - 20, cone.x + 20);
-  expect(await selected()).toEqual(['Box', 'Cone']);
+  await expect.poll(selected).toEqual(['Box', 'Cone']);
   await drag(cone.x - 20, cone.x + 20);
   expect(await selected()).toEqual(['Cone']);
   await page.keyboard.down('Control');

@@ -1,16 +1,12 @@
 /**
- * Bakes the light of the sample 'Baked room' anew, by the editor itself in a browser, and writes its file in
- * `public/scenes`. makeSamples.mjs keeps what was baked; run it first after a change of the sample.
+ * Bakes the light of the sample 'Baked room' anew, by the editor itself in a browser, and saves its file in `public/scenes`.
  *
- *     node packages/tools/makeSamples.mjs
  *     node packages/tools/bakeSample.mjs            # on the software rasteriser: some minutes
  *     node packages/tools/bakeSample.mjs --gpu
  *
- * For a GPU host without Vite: `--built --out FILE` bakes by the built editor and writes the baked light alone. Put FILE at
- * `public/scenes/baked-room.bake` here, run makeSamples.mjs, and delete it.
+ * For a GPU host without Vite: `--built --out FILE` bakes by the built editor and saves the scene as FILE.
  */
-import { execFileSync } from 'node:child_process';
-import { rmSync, writeFileSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
@@ -30,6 +26,8 @@ const browser = await chromium.launch({ executablePath: ensureBrowser(), args: [
 try {
   const page = await browser.newPage({ viewport: { width: 480, height: 360 }, acceptDownloads: true });
   page.setDefaultTimeout(0);
+  // saving is then a download, which can be answered here
+  await page.addInitScript(() => void Reflect.deleteProperty(window, 'showSaveFilePicker'));
   page.on('pageerror', (error) => console.log(`page error: ${error.message}`));
   await page.goto(`${server.urls.editor}?scene=empty`);
   await page.waitForFunction(() => 'editor' in window);
@@ -53,24 +51,20 @@ try {
   }, 30_000);
   await page.waitForFunction(isDone, null, { polling: 1000 });
   clearInterval(timer);
-  const data = /** @type {number[]} */ (
-    await page.evaluate(async () => {
-      const { editor } = /** @type {any} */ (window);
-      const { scene } = editor.document;
-      const [notice] = editor.notices.current;
-      if (editor.commands.history.length === 0) throw new Error(notice?.text ?? 'Nothing was baked.');
-      const blob = scene.assets.fileOf(scene.settings.bakedLight);
-      return [...new Uint8Array(await blob.arrayBuffer())];
-    })
-  );
+  const problem = await page.evaluate(() => {
+    const { editor } = /** @type {any} */ (window);
+    return editor.commands.history.length > 0 ? null : (editor.notices.current[0]?.text ?? 'Nothing was baked.');
+  });
+  if (problem !== null) throw new Error(problem);
   const seconds = ((Date.now() - begun) / 1000).toFixed(0);
-  const path = values.out ?? join(root, `public/scenes/${NAME}.bake`);
-  writeFileSync(path, Uint8Array.from(data));
-  if (values.out === undefined) {
-    execFileSync(process.execPath, [join(root, 'packages/tools/makeSamples.mjs')]);
-    rmSync(path);
-  }
-  console.log(`${NAME}: ${(data.length / 1000).toFixed(1)} kB of baked light in ${seconds} s`);
+  const download = page.waitForEvent('download');
+  await page.evaluate(() => {
+    const { editor } = /** @type {any} */ (window);
+    return editor.actions.get('file.save').run(editor);
+  });
+  const path = values.out ?? join(root, `public/scenes/${NAME}.farol`);
+  await (await download).saveAs(path);
+  console.log(`${NAME}: ${(statSync(path).size / 1000).toFixed(1)} kB, baked in ${seconds} s`);
 } finally {
   await browser.close();
   await server.close();

@@ -9,8 +9,8 @@ const idle = (): Promise<void> =>
   });
 
 /**
- * Fetches, once the page is idle, the code for opening, dropping and saving files, and the samples, which the first
- * frame does not need. A failure is ignored: the code is then fetched when needed.
+ * Fetches, once the page is idle, the code for selecting, copying, opening, dropping and saving, and the samples, which the
+ * first frame does not need. A failure is ignored: the code is then fetched when needed.
  * @returns whether everything was fetched, so that these work offline
  */
 export async function fetchAhead(): Promise<boolean> {
@@ -20,6 +20,16 @@ export async function fetchAhead(): Promise<boolean> {
       preloadFileCode(),
       preloadSceneCode(),
       import('browser-fs-access'),
+      import('./model/clip'),
+      import('./model/groupObjects'),
+      import('./viewport/pickBox'),
+      import('./viewport/CameraFlight'),
+      import('./viewport/SelectionLines'),
+      import('./viewport/CameraPreview'),
+      import('./viewport/MaterialBall'),
+      import('./viewport/handles/DragAssist'),
+      import('./viewport/handles/PoseDrag'),
+      import('three/examples/jsm/controls/TransformControls.js'),
       import('./files/dropOn'),
       import('./files/landInPicture'),
       import('./files/readScene'),
@@ -27,7 +37,6 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/thumbnails'),
       import('./panels/dialogs/TextDialog'),
       import('./panels/palette/CommandPalette'),
-      import('./viewport/MaterialBall'),
     ]);
     return true;
   } catch {

@@ -1,9 +1,11 @@
 /**
  * Tells its listeners of changes, and counts them. `subscribe` and `revision` are the two arguments of React's
  * `useSyncExternalStore`.
+ *
+ * @typeParam Details - what listeners are told of a change; nothing by default
  */
-export class Signal {
-  private readonly listeners = new Set<() => void>();
+export class Signal<Details extends readonly unknown[] = []> {
+  private readonly listeners = new Set<(...details: Details) => void>();
   private changes = 0;
 
   /** Grows by one with each change. */
@@ -12,13 +14,13 @@ export class Signal {
   }
 
   /** Counts a change and tells the listeners. */
-  readonly emit = (): void => {
+  readonly emit = (...details: Details): void => {
     this.changes++;
-    for (const listener of [...this.listeners]) listener();
+    for (const listener of [...this.listeners]) listener(...details);
   };
 
   /** Calls `listener` after each change. @returns a function that removes the listener */
-  readonly subscribe = (listener: () => void): (() => void) => {
+  readonly subscribe = (listener: (...details: Details) => void): (() => void) => {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   };

@@ -2,7 +2,6 @@ import { t } from '@farol/editing';
 import { Camera } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
-import { addCameraAt, alignCamera } from '../model/cameraEdits';
 
 /** The selected camera, or else the scene's active one. */
 function cameraOf({ document }: EditorApi): Camera | null {
@@ -18,10 +17,12 @@ export const alignCameraToView: Action = {
   keys: ['Ctrl+Shift+F'],
   icon: 'camera',
   menu: { menu: 'view', group: 'camera' },
-  run(editor) {
+  async run(editor) {
     const camera = cameraOf(editor)!;
-    if (camera === editor.viewport.lookThrough) return;
-    editor.commands.run(alignCamera(camera, editor.viewport.viewed));
+    const { lookThrough, viewed } = editor.viewport;
+    if (camera === lookThrough) return;
+    const { alignCamera } = await import('../model/cameraEdits');
+    if (camera.isAttached) editor.commands.run(alignCamera(camera, viewed));
   },
   enabled: hasCamera,
 };
@@ -40,7 +41,8 @@ export const createCameraFromView: Action = {
   label: 'Create camera from view',
   icon: 'camera',
   menu: { menu: 'view', group: 'camera' },
-  run({ commands, document, viewport }) {
+  async run({ commands, document, viewport }) {
+    const { addCameraAt } = await import('../model/cameraEdits');
     commands.run(addCameraAt(document.scene, t('Camera'), viewport.viewed, document.selection.ids));
   },
 };

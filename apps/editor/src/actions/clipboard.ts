@@ -1,18 +1,38 @@
-import type { Scene } from '@farol/engine';
-import type { FileAsset } from '@farol/engine/files';
+import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
-import { nameInScene } from '../model/bringAssets';
-import { assetsOfClip, copyObjects, isClip, pasteObjects, type PasteOptions } from '../model/clip';
+import type { PasteOptions } from '../model/clip';
 import type { Container } from '../model/commands/Placement';
 import type { EditorDocument } from '../model/EditorDocument';
 import { deleteObjects } from '../model/edits';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
-const copySelection = ({ document, clipboard }: EditorApi): void => {
-  const { text, files } = copyObjects(document.scene, document.selectedObjects);
-  clipboard.put(text, files);
-};
+type ClipCode = typeof import('../model/clip');
+
+/** The code of copies, which the first frame does without; null until it was fetched. */
+let clipCode: ClipCode | null = null;
+
+const loadClipCode = async (): Promise<ClipCode> => (clipCode ??= await import('../model/clip'));
+
+/**
+ * Copies what is selected: at once, or when the code of copies is there.
+ * @param copied - called with the objects once they were copied
+ */
+function copySelection(
+  { document, clipboard }: EditorApi,
+  copied: (objects: readonly GameObject[]) => void = () => {},
+): unknown {
+  const { scene, selectedObjects } = document;
+  const put = ({ copyObjects }: ClipCode): void => {
+    // some may have gone while the code was fetched
+    const objects = selectedObjects.filter((object) => scene.findById(object.id) === object);
+    if (scene !== document.scene || objects.length === 0) return;
+    const { text, files } = copyObjects(scene, objects);
+    clipboard.put(text, files);
+    copied(objects);
+  };
+  return clipCode ? put(clipCode) : clipboard.expect(loadClipCode().then(put));
+}
 
 /**
  * Pastes copied objects below a parent. Files and scripts that the scene lacks are read first.
@@ -24,25 +44,24 @@ function pasteClip(
 ): unknown {
   const { document, commands, clipboard } = editor;
   const { scene } = document;
+  if (clipboard.coming || !clipCode) {
+    return Promise.all([loadClipCode(), clipboard.coming]).then(() =>
+      scene === document.scene ? pasteClip(editor, where) : undefined,
+    );
+  }
+  const { assetsOfClip, isAssetThere, pasteObjects } = clipCode;
   const { text } = clipboard;
-  if (!isClip(text)) return undefined;
+  if (!clipboard.hasObjects || text === null) return undefined;
   const run = (read?: PasteOptions['read']): void => {
     const { parent, place } = where(document);
     commands.run(pasteObjects(scene, text, parent, document.selection.ids, { read, place }));
   };
   const assets = assetsOfClip(text);
-  if (assets.every((each) => isThere(scene, each))) return run();
+  if (assets.every((each) => isAssetThere(scene, each))) return run();
   return import('../files/readClipAssets').then(async ({ readClipAssets }) => {
     const read = await readClipAssets(editor, assets);
     if (scene === document.scene) run(read);
   });
-}
-
-/** Whether an asset needs no reading: the scene has it, or it consists of fields and is no script. */
-function isThere(scene: Scene, asset: FileAsset): boolean {
-  const { name, type, values } = asset;
-  if (values === undefined) return nameInScene(scene, asset) !== null;
-  return type !== 'script' || scene.assets.fieldAsset(name)?.get('source') === values.source;
 }
 
 export const copy: Action = {
@@ -51,7 +70,7 @@ export const copy: Action = {
   keys: ['Ctrl+C'],
   icon: 'copy',
   menu: { menu: 'edit', group: 'clipboard' },
-  run: copySelection,
+  run: (editor) => copySelection(editor),
   enabled: hasSelection,
 };
 
@@ -61,10 +80,8 @@ export const cut: Action = {
   keys: ['Ctrl+X'],
   icon: 'cut',
   menu: { menu: 'edit', group: 'clipboard' },
-  run(editor) {
-    copySelection(editor);
-    editor.commands.run(deleteObjects(editor.document.scene, editor.document.selectedObjects));
-  },
+  run: (editor) =>
+    copySelection(editor, (objects) => editor.commands.run(deleteObjects(editor.document.scene, objects))),
   enabled: hasSelection,
 };
 
@@ -77,7 +94,7 @@ export const paste: Action = {
   menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) =>
     pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1)?.parent ?? scene })),
-  enabled: ({ clipboard }) => isClip(clipboard.text),
+  enabled: ({ clipboard }) => clipboard.hasObjects,
 };
 
 /** Pastes at the top of the tree; the objects land at a page position (CSS pixels). */
@@ -99,5 +116,5 @@ export const pasteBelow: Action = {
   icon: 'paste',
   menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) => pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1) ?? scene })),
-  enabled: (editor) => isClip(editor.clipboard.text) && hasSelection(editor),
+  enabled: (editor) => editor.clipboard.hasObjects && hasSelection(editor),
 };

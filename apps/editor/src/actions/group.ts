@@ -1,4 +1,3 @@
-import { groupObjects, ungroupObjects } from '../model/groupObjects';
 import type { Action } from '../api/Action';
 import { hasSelection } from './hasSelection';
 
@@ -8,7 +7,10 @@ export const group: Action = {
   keys: ['Ctrl+G'],
   icon: 'folder',
   menu: { menu: 'object', group: 'tree' },
-  run: ({ document, commands }) => commands.run(groupObjects(document.scene, document.selectedObjects)),
+  async run({ document, commands }) {
+    const { groupObjects } = await import('../model/groupObjects');
+    if (document.selectedObjects.length > 0) commands.run(groupObjects(document.scene, document.selectedObjects));
+  },
   enabled: hasSelection,
 };
 
@@ -17,6 +19,9 @@ export const ungroup: Action = {
   label: 'Ungroup',
   keys: ['Ctrl+Shift+G'],
   menu: { menu: 'object', group: 'tree' },
-  run: ({ document, commands }) => commands.run(ungroupObjects(document.scene, document.selectedObjects)),
+  async run({ document, commands }) {
+    const { ungroupObjects } = await import('../model/groupObjects');
+    if (document.selectedObjects.length > 0) commands.run(ungroupObjects(document.scene, document.selectedObjects));
+  },
   enabled: ({ document }) => document.selectedObjects.some(({ children }) => children.length > 0),
 };

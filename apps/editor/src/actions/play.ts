@@ -1,7 +1,7 @@
 import type { Camera } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
-import { isEvenlyScaled } from '../model/cameraEdits';
+import { isEvenlyScaled } from '../model/isEvenlyScaled';
 
 const mainCamera = ({ document }: EditorApi): Camera | null => document.scene.activeCamera as Camera | null;
 

@@ -19,7 +19,7 @@ const ofFile = (file: string, label: string, help: string): Sample => ({
   ...{ label, help, file, scene: null },
 });
 
-/** Samples in files, written by `packages/tools/makeSamples.mjs`. */
+/** Samples in files of `public/scenes`. */
 const ofFiles: readonly Sample[] = [
   ofFile(
     'night-in-the-temple.farol',

@@ -17,6 +17,9 @@ export class Clipboard {
   /** Emits when something was copied in this tab. */
   readonly changed = new Signal();
 
+  /** Copied objects on their way, while the code of copies is fetched; null when there are none. */
+  coming: Promise<void> | null = null;
+
   private copiedText: string | null = null;
   private files: ReadonlyMap<string, Blob> = NONE;
   /** Whether files are being stored; until then other tabs still have the copy before this one. */
@@ -35,6 +38,23 @@ export class Clipboard {
 
   set text(text: string | null) {
     this.put(text, NONE);
+  }
+
+  /** Whether GameObjects were copied last, or are on their way. */
+  get hasObjects(): boolean {
+    return this.coming !== null || (this.text?.startsWith('{"format":"farol-objects"') ?? false);
+  }
+
+  /** Tells that objects are being copied. @param copied - fulfilled once they were put here; rejected when they cannot be */
+  async expect(copied: Promise<void>): Promise<void> {
+    this.coming = copied;
+    this.changed.emit();
+    try {
+      await copied;
+    } finally {
+      if (this.coming === copied) this.coming = null;
+      this.changed.emit();
+    }
   }
 
   /** @param files - files that the text names, by the names it has for them */

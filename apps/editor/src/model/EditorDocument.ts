@@ -42,9 +42,8 @@ export class EditorDocument {
   onAssetFailed: (error: Error) => void = () => {};
   /** Names of assets whose failure is reported by the code that loads them, not by `onAssetFailed`. */
   readonly toldElsewhere = new Set<string>();
-  /** Called with every edit of the scene as it is made, previews included. */
-  onSceneChange: (change: SceneChange) => void = () => {};
-
+  /** Emits every change of the scene that is shown, as it is made, previews included. */
+  readonly sceneChanged = new Signal<[SceneChange]>();
   /** Emits when a field of a material of the library changes. */
   readonly materials = new Signal();
   /** Selected assets: names, or ids of prefabs. The inspector shows the last one. */
@@ -143,7 +142,7 @@ export class EditorDocument {
     this.dropLost();
   }
 
-  private sceneChanged(change: SceneChange): void {
+  private tell(change: SceneChange): void {
     if (change.kind === 'field' || change.kind === 'enabled') this.ownerSignals.get(change.component)?.emit();
     else if (change.kind === 'settings') this.ownerSignals.get(this.scene.settings)?.emit();
     else if (change.kind === 'asset') {
@@ -155,13 +154,13 @@ export class EditorDocument {
       if (change.kind === 'prefab' || (change.kind === 'object' && change.property === 'prefab')) this.prefabs.emit();
       this.structure.emit();
     }
-    this.onSceneChange(change);
+    this.sceneChanged.emit(change);
     this.edited.emit();
   }
 
   private watch(scene: Scene): () => void {
     scene.onComponentError = (component, error) => this.onComponentError(component, error);
-    return scene.onChange((change) => this.sceneChanged(change));
+    return scene.onChange((change) => this.tell(change));
   }
 
   private openScripts(isOn: boolean): void {

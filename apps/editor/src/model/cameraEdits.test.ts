@@ -2,7 +2,8 @@ import { CommandStack } from '@farol/editing';
 import { Camera, createRandom, GameObject, Scene } from '@farol/engine';
 import { Quaternion, Vector3 } from 'three';
 import { expect, it } from 'vitest';
-import { addCameraAt, alignCamera, type CameraView, isEvenlyScaled, poseProblem } from './cameraEdits';
+import { addCameraAt, alignCamera, type CameraView, poseProblem } from './cameraEdits';
+import { isEvenlyScaled } from './isEvenlyScaled';
 
 const random = createRandom(7);
 const number = (): number => random() * 20 - 10;

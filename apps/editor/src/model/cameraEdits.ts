@@ -3,9 +3,7 @@ import { Camera, GameObject, type Scene } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { addObject } from './edits';
-
-/** Tolerance for rounding of a parent's axes: relative difference of lengths, and cosines between them. */
-const EVEN = 1e-4;
+import { isEvenlyScaled } from './isEvenlyScaled';
 
 /** World position and rotation. */
 export interface WorldPose {
@@ -28,20 +26,6 @@ const inverse = new Matrix4();
 const euler = new Euler();
 const turn = new Quaternion();
 const place = new Vector3();
-const axes = [new Vector3(), new Vector3(), new Vector3()] as const;
-
-/** Whether the world matrix of an object keeps angles: uniform scale, no mirroring, no shear. */
-export function isEvenlyScaled(object: GameObject): boolean {
-  object.object3D.updateWorldMatrix(true, false);
-  const { matrixWorld } = object.object3D;
-  matrixWorld.extractBasis(...axes);
-  const lengths = axes.map((axis) => axis.length());
-  for (const axis of axes) axis.normalize();
-  const [x, y, z] = axes;
-  const skew = Math.max(Math.abs(x.dot(y)), Math.abs(y.dot(z)), Math.abs(z.dot(x)));
-  const isEven = Math.max(...lengths) - Math.min(...lengths) <= EVEN * Math.max(...lengths);
-  return isEven && skew <= EVEN && matrixWorld.determinant() > 0;
-}
 
 /** Why a camera cannot be moved, in a sentence with the remedy; null when it can. */
 export function poseProblem({ gameObject }: Camera): string | null {

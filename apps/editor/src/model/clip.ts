@@ -14,7 +14,7 @@ import {
 } from '@farol/engine/files';
 import type { Prefab } from '@farol/engine/prefabs';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { bringAssets, type ReadAsset, renamedObjects } from './bringAssets';
+import { bringAssets, nameInScene, type ReadAsset, renamedObjects } from './bringAssets';
 import { AddAssets } from './commands/AddAssets';
 import { childrenOf, type Container, topmost } from './commands/Placement';
 import { PlaceObjects } from './commands/PlaceObjects';
@@ -26,6 +26,7 @@ import { nameUniquely } from './UniqueNames';
 
 /** Copied GameObjects as JSON: content of the clipboard. */
 export interface Clip {
+  /** The first of its text: `Clipboard.hasObjects` looks for it. */
   readonly format: 'farol-objects';
   /** Objects in tree order; the copied roots have no parent. */
   readonly objects: readonly FileObject[];
@@ -76,10 +77,6 @@ export function copyObjects(scene: Scene, objects: readonly GameObject[]): Copie
   const text = JSON.stringify(clip);
   return { text, files };
 }
-
-/** Whether a text looks like copied GameObjects; it is not checked further. */
-export const isClip = (text: string | null): text is string =>
-  text !== null && text.startsWith('{"format":"farol-objects"');
 
 /**
  * Removes references to objects that were not copied. @returns those whose target is in the scene: object's id, index
@@ -164,6 +161,13 @@ function readClip(text: string): RawClip & { objects: FileObject[] } {
  */
 export const assetsOfClip = (text: string): readonly FileAsset[] =>
   checked({ ...readClip(text), objects: [] }, { registry: new ComponentRegistry() }).assets;
+
+/** Whether a scene can have an asset at once: it has the same one, or one of fields comes, which is no script. */
+export function isAssetThere(scene: Scene, asset: FileAsset): boolean {
+  const { name, type, values } = asset;
+  if (values === undefined) return nameInScene(scene, asset) !== null;
+  return type !== 'script' || scene.assets.fieldAsset(name)?.get('source') === values.source;
+}
 
 const checked = (
   { assets = [], objects }: RawClip,

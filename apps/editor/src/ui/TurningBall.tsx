@@ -27,7 +27,8 @@ interface TurningBallProps {
 
 /** Preview sphere of a material, updated when the material changes, and rotated by dragging or arrow keys. */
 export function TurningBall({ materialOf, revision, label }: TurningBallProps): ReactNode {
-  const { viewport, document } = useEditor();
+  const editor = useEditor();
+  const { viewport, document } = editor;
   const assets = useSignal(document.assetsChanged);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [turn, setTurn] = useState<readonly [number, number]>([0, 0]);
@@ -39,11 +40,12 @@ export function TurningBall({ materialOf, revision, label }: TurningBallProps): 
     // once per frame for all changes, including the end of a drag
     const frame = requestAnimationFrame(() => {
       const drawn = material.current();
-      if (drawn && canvas.current) void viewport.drawMaterial(drawn, canvas.current, turn);
+      const place = canvas.current;
+      if (drawn && place) editor.attempt(() => viewport.drawMaterial(drawn, place, turn));
     });
     return () => cancelAnimationFrame(frame);
     // oxlint-disable-next-line react/exhaustive-effect-dependencies -- each means that the material may look different
-  }, [viewport, revision, assets, turn]);
+  }, [editor, viewport, revision, assets, turn]);
 
   const turnBy = (right: number, up: number): void =>
     setTurn((before) => [before[0] + right, Math.min(Math.PI / 2, Math.max(-Math.PI / 2, before[1] + up))]);

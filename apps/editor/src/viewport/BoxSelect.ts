@@ -1,4 +1,5 @@
-import { Box2, Vector2 } from 'three';
+import { Vector2 } from 'three';
+import type { pickBox } from './pickBox';
 import type { PickSurface } from './PickSurface';
 
 /** Distance (CSS pixels) from which a drag draws a selection box. */
@@ -14,6 +15,8 @@ export class BoxSelect {
   private readonly to = new Vector2();
   private pointer: number | null = null;
   private isOpen = false;
+  /** Null until it was fetched. */
+  private find: typeof pickBox | null = null;
 
   constructor(private readonly viewport: PickSurface) {
     this.element.className = 'select-box';
@@ -46,6 +49,8 @@ export class BoxSelect {
     if (viewport.mode !== 'select' && !(event.ctrlKey || event.metaKey)) return;
     if (!viewport.editorCamera.enabled) return;
     this.pointer = event.pointerId;
+    // a failure is told when the box is drawn
+    this.loadFind().catch(() => {});
     this.from.set(event.clientX, event.clientY);
     // the camera must know of the first finger when the second one comes
     if (event.pointerType === 'touch') viewport.editorCamera.oneFinger = false;
@@ -74,16 +79,26 @@ export class BoxSelect {
     const { viewport, isOpen } = this;
     this.cancel();
     if (!isOpen) return;
-    const { selection } = viewport.document;
-    const found = viewport.pickBox(this.box()).map(({ id }) => id);
-    selection.set(event.ctrlKey || event.metaKey ? [...selection.ids, ...found] : found);
+    const adds = event.ctrlKey || event.metaKey;
+    if (this.find) this.select(this.find, adds);
+    else this.loadFind().then((find) => this.select(find, adds), viewport.onError);
   };
 
-  private box(): Box2 {
-    const { left, top, width, height } = this.viewport.bounds;
-    const inPicture = ({ x, y }: Vector2): Vector2 =>
-      new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2);
-    return new Box2().setFromPoints([inPicture(this.from), inPicture(this.to)]);
+  /** Fetches what finds the objects of a box: asked for as a press begins, it is there when the box is drawn. */
+  private async loadFind(): Promise<typeof pickBox> {
+    return (this.find ??= (await import('./pickBox')).pickBox);
+  }
+
+  /** Selects what is in the box. @param adds - to what is selected */
+  private select(find: typeof pickBox, adds: boolean): void {
+    const { document, camera, bounds } = this.viewport;
+    const { scene, selection } = document;
+    const { left, top, width, height } = bounds;
+    const corners = [this.from, this.to].map(
+      ({ x, y }) => new Vector2(((x - left) / width) * 2 - 1, 1 - ((y - top) / height) * 2),
+    );
+    const found = find(scene, camera, corners).map(({ id }) => id);
+    selection.set(adds ? [...selection.ids, ...found] : found);
   }
 
   /** Removes the box; the current press draws none. */

@@ -16,19 +16,8 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { drawsFloats } from './drawsFloats';
+import { previewPlace } from './previewPlace';
 import { whenLost } from './whenLost';
-
-/** Height of the inset and its largest width (CSS pixels). */
-const HEIGHT = 130;
-const WIDEST = 260;
-const MARGIN = 10;
-
-/** Size of the inset, and margin to the viewport's lower right corner (CSS pixels). */
-export interface PreviewPlace {
-  readonly width: number;
-  readonly height: number;
-  readonly margin: number;
-}
 
 /** Inset in a corner of the viewport that shows the view of the selected camera. Created at first use. */
 export class CameraPreview {
@@ -79,12 +68,6 @@ export class CameraPreview {
     return this.farol.microshaders;
   }
 
-  /** Size of the inset in a viewport (CSS pixels), for the aspect ratio set on the camera. */
-  static placeIn(width: number, height: number): PreviewPlace {
-    const small = Math.min(HEIGHT, height / 3);
-    return { width: Math.round(Math.min(WIDEST, (small * width) / height)), height: Math.round(small), margin: MARGIN };
-  }
-
   /**
    * Draws the inset over the viewport.
    * @param width - viewport width (CSS pixels)
@@ -93,7 +76,7 @@ export class CameraPreview {
    */
   render(scene: EngineScene, camera: CameraComponent, width: number, height: number, key: string): void {
     const { webgl } = this;
-    const place = CameraPreview.placeIn(width, height);
+    const place = previewPlace(width, height);
     const ratio = webgl.getPixelRatio();
     const drawKey = `${camera.id} ${place.width} ${place.height} ${ratio} ${key}`;
     this.target.setSize(Math.round(place.width * ratio), Math.round(place.height * ratio));

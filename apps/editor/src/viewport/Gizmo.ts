@@ -1,24 +1,13 @@
-import {
-  dragLabel,
-  type DragStart,
-  type FieldEdit,
-  type Gesture,
-  placePivot,
-  type Pose,
-  type PoseValues,
-  roundPose,
-  SetFields,
-  TransformDrag,
-} from '@farol/editing';
-import type { Vector3Tuple } from '@farol/editing/fields';
+import { type Gesture, placePivot } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
-import { type Camera, Euler, MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { type Camera, MathUtils, Object3D, PerspectiveCamera, Vector3 } from 'three';
 import type { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { topmost } from '../model/commands/Placement';
 import type { EditorDocument } from '../model/EditorDocument';
 import { boundsOf } from './boundsOf';
 import type { DragAssist } from './handles/DragAssist';
 import type { SnapTarget } from './handles/DragSnap';
+import type { PoseDrag } from './handles/PoseDrag';
 
 export type GizmoMode = 'select' | 'translate' | 'rotate' | 'scale';
 export type GizmoSpace = 'world' | 'local';
@@ -38,21 +27,7 @@ export interface SnapSteps {
   readonly scale: number;
 }
 
-const euler = new Euler();
 const middle = new Vector3();
-
-/** Start values of a drag: authored ones, unaffected by simulation, or the current ones while the edit is recorded. */
-function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
-  const parent = object3D.parent ?? object3D;
-  parent.updateWorldMatrix(true, false);
-  const [x, y, z] = values.rotation;
-  return {
-    position: new Vector3(...values.position),
-    quaternion: new Quaternion().setFromEuler(euler.set(x, y, z, 'XYZ')),
-    scale: new Vector3(...values.scale),
-    parentWorld: parent.matrixWorld,
-  };
-}
 
 /**
  * Handles that move, rotate and scale the selection: three's TransformControls on a proxy object at its pivot. One drag
@@ -70,10 +45,9 @@ export class Gizmo {
   private loading: Promise<void> | null = null;
   private ownSpace: GizmoSpace = 'world';
   private readonly proxy = new Object3D();
-  private transform: TransformDrag | null = null;
-  private dragged: readonly GameObject[] = [];
-  /** Pose values of the dragged objects before the drag. */
-  private before: readonly PoseValues[] = [];
+  /** Makes the object of a drag; null until it is fetched with the handles. */
+  private Drag: typeof PoseDrag | null = null;
+  private poseDrag: PoseDrag | null = null;
   private targetList: GameObject[] = [];
   private targetsRevision = -1;
   private gesture: Gesture | null = null;
@@ -223,11 +197,13 @@ export class Gizmo {
   }
 
   private async load(): Promise<void> {
-    const [{ TransformControls }, { DragAssist }] = await Promise.all([
+    const [{ TransformControls }, { DragAssist }, { PoseDrag: Drag }] = await Promise.all([
       import('three/examples/jsm/controls/TransformControls.js'),
       import('./handles/DragAssist'),
+      import('./handles/PoseDrag'),
     ]);
     if (this.isDisposed) return;
+    this.Drag = Drag;
     // created first, so that its listeners run before those of the handles
     this.assist = new DragAssist(
       this.canvas,
@@ -297,18 +273,8 @@ export class Gizmo {
     const objects = this.targets();
     if (objects.length === 0) return; // objects may have been locked since the last frame
     this.placeProxy(objects);
-    this.dragged = objects;
-    const { commands } = this.document;
-    this.gesture = commands.begin();
-    this.before = objects.map(({ transform }) => ({
-      position: commands.valueOf(transform, 'position') as Vector3Tuple,
-      rotation: commands.valueOf(transform, 'rotation') as Vector3Tuple,
-      scale: commands.valueOf(transform, 'scale') as Vector3Tuple,
-    }));
-    this.transform = new TransformDrag(
-      this.proxy,
-      objects.map((object, i) => startOf(object, this.before[i])),
-    );
+    this.gesture = this.document.commands.begin();
+    this.poseDrag = new this.Drag!(this.document, objects, this.proxy);
     const { controls, currentMode: mode, proxy: pivot } = this;
     if (!controls || mode === 'select') return;
     const { camera, axis, space } = controls;
@@ -333,14 +299,12 @@ export class Gizmo {
   }
 
   private drag(): void {
-    const { gesture, transform, dragged, currentMode: mode } = this;
-    if (!gesture?.isOpen || !transform || mode === 'select') return;
+    const { gesture, poseDrag, currentMode: mode } = this;
+    if (!gesture?.isOpen || !poseDrag || mode === 'select') return;
     const holdsTo = this.snaps && this.snapTarget !== 'grid' ? this.snapTarget : null;
     const { alignsToSurface } = this;
     const turns = this.assist?.apply({ snapTo: holdsTo, alignsToSurface }) ?? false;
-    const poses = transform.poses(mode, { each: this.pivot === 'each', turns });
-    const edits = poses.flatMap((pose, i) => editsOf(dragged[i], this.before[i], pose));
-    gesture.preview(new SetFields(dragLabel(mode, dragged, transform), edits));
+    gesture.preview(poseDrag.command(mode, { each: this.pivot === 'each', turns }));
   }
 
   private end(): void {
@@ -367,9 +331,4 @@ export class Gizmo {
     this.ctrl = event.ctrlKey;
     this.applySnapping();
   };
-}
-
-/** Edits with rounded values. @param before - values before the drag */
-function editsOf({ transform: owner }: GameObject, before: PoseValues, pose: Partial<Pose>): FieldEdit[] {
-  return Object.entries(roundPose(before, pose)).map(([name, value]) => ({ owner, name, value }));
 }

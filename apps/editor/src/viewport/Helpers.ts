@@ -1,18 +1,11 @@
-import type { Camera as CameraComponent, Scene as EngineScene } from '@farol/engine';
+import type { Camera as CameraComponent } from '@farol/engine';
 import { type Camera, Scene, type Vector2, type WebGLRenderer } from 'three';
 import type { EditorDocument } from '../model/EditorDocument';
-import { drawRanges, drawSelection } from './drawSelection';
 import { Grid } from './Grid';
 import { IconPoints } from './IconPoints';
-import { LineSet } from './LineSet';
-import { SelectionOutline } from './SelectionOutline';
+import { LatePart } from './LatePart';
 import type { PickHit } from './pick';
-
-/** Colour of lines for selected objects. */
-const COLOUR = '#ff9d3c';
-
-/** Colour of ranges of lights that are not selected. */
-const QUIET = '#8a7a5c';
+import type { SelectionLines } from './SelectionLines';
 
 /**
  * Everything drawn over the viewport: grid, icons, lines of the selection, gizmo. A separate three scene rendered on
@@ -25,19 +18,30 @@ export class Helpers {
 
   private readonly grid = new Grid();
   private readonly icons = new IconPoints();
-  private readonly lines = new LineSet(COLOUR);
-  private readonly ranges = new LineSet(QUIET);
-  private readonly outline = new SelectionOutline(COLOUR);
-  private outlineKey = '';
-  private rangesKey = 'none';
+  /** Fetched once something is selected, or ranges are shown. */
+  private readonly lines: LatePart<SelectionLines>;
 
-  private assetChanges = 0;
-  private readonly endAssets: () => void;
-
-  constructor(private readonly document: EditorDocument) {
-    this.scene.add(this.grid, this.icons, this.ranges.three, this.lines.three);
-    // meshes that finish loading must be drawn too
-    this.endAssets = document.assets.onChange(() => this.assetChanges++);
+  /**
+   * @param redraw - called when the picture is to be drawn anew
+   * @param failed - called when the code of the selection's lines cannot be fetched
+   */
+  constructor(
+    private readonly document: EditorDocument,
+    redraw: () => void,
+    failed: (error: unknown) => void,
+  ) {
+    this.scene.add(this.grid, this.icons);
+    this.lines = new LatePart(
+      () => this.showRanges || document.selection.ids.length > 0,
+      async () => {
+        const { SelectionLines: Lines } = await import('./SelectionLines');
+        return () => {
+          redraw();
+          return new Lines(document, this.scene);
+        };
+      },
+      failed,
+    );
   }
 
   get showGrid(): boolean {
@@ -61,22 +65,14 @@ export class Helpers {
    * @param isDragging - whether the gizmo is being dragged: then only transforms change
    */
   render(webgl: WebGLRenderer, camera: Camera, lookThrough: CameraComponent | null, isDragging: boolean): void {
-    const { scene, selection, selectedObjects } = this.document;
+    const { scene, selection } = this.document;
     if (this.icons.visible) {
       const selected = new Set(selection.ids);
       this.icons.refresh(scene, ({ id }) => selected.has(id), webgl.getPixelRatio(), lookThrough);
     }
-    this.refreshRanges(scene);
-    this.lines.begin();
-    drawSelection(this.lines, selectedObjects, lookThrough);
-    this.lines.end();
     const { autoClear } = webgl;
     webgl.autoClear = false;
-    if (!isDragging) {
-      const { edited } = this.document;
-      this.outlineKey = `${selection.changed.revision} ${edited.revision} ${this.assetChanges}`;
-    }
-    this.outline.render(webgl, camera, selectedObjects, this.outlineKey);
+    this.lines.get()?.render(webgl, camera, lookThrough, this.showRanges, isDragging);
     this.grid.update(camera);
     webgl.render(this.scene, camera);
     webgl.autoClear = autoClear;
@@ -93,19 +89,6 @@ export class Helpers {
   dispose(): void {
     this.grid.dispose();
     this.icons.dispose();
-    this.ranges.dispose();
     this.lines.dispose();
-    this.outline.dispose();
-    this.endAssets();
-  }
-
-  /** Rebuilds the ranges of lights when the scene may have changed. */
-  private refreshRanges(scene: EngineScene): void {
-    const key = this.showRanges ? `${this.document.edited.revision} ${scene.time}` : '';
-    if (key === this.rangesKey) return;
-    this.rangesKey = key;
-    this.ranges.begin();
-    if (this.showRanges) drawRanges(this.ranges, scene);
-    this.ranges.end();
   }
 }

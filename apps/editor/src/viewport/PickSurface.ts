@@ -1,5 +1,5 @@
-import type { GameObject } from '@farol/engine';
-import type { Box2, Vector2 } from 'three';
+import type { GameObject, Scene } from '@farol/engine';
+import type { Camera, Vector2 } from 'three';
 import type { Selection } from '../model/Selection';
 import type { EditorCamera } from './EditorCamera';
 import type { GizmoMode } from './Gizmo';
@@ -8,15 +8,16 @@ import type { Bounds } from './panes/paneSurface';
 /** The part of the viewport that selecting by pointer uses. */
 export interface PickSurface {
   readonly canvas: HTMLCanvasElement;
-  readonly document: { readonly selection: Selection };
+  readonly document: { readonly scene: Scene; readonly selection: Selection };
   readonly editorCamera: EditorCamera;
   /** `isHot`: whether the pointer is over a handle. */
   readonly gizmo: { readonly isHot: boolean };
   readonly mode: GizmoMode;
   /** Rectangle of the active view on the page. */
   readonly bounds: Bounds;
+  /** The three camera of that view. */
+  readonly camera: Camera;
+  readonly onError: (error: unknown) => void;
   /** The visible GameObject at a point. @param point - normalised device coordinates */
   pick(point: Vector2): GameObject | null;
-  /** The GameObjects within a box (normalised device coordinates). */
-  pickBox(box: Box2): GameObject[];
 }

@@ -3,8 +3,9 @@ import { type Camera, MathUtils, Sphere, Vector2, Vector3 } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import { boundsOf } from './boundsOf';
-import { CameraFlight } from './CameraFlight';
+import type { CameraFlight } from './CameraFlight';
 import type { EditorCamera } from './EditorCamera';
+import { LatePart } from './LatePart';
 import type { ViewPose } from './ViewPose';
 import { castByTree } from './trees/castByTree';
 
@@ -12,19 +13,31 @@ const middle = new Vector2();
 
 /** The camera that the viewport shows: the editor's own, or one of the scene that is looked through. */
 export class PictureCamera {
-  /** Moves the scene's camera that is looked through. */
-  readonly flight: CameraFlight;
-
+  /** Moves the scene's camera that is looked through; fetched once one is. */
+  private readonly flight: LatePart<CameraFlight>;
   private through: CameraComponent | null = null;
   /** Pose of the editor's camera before a camera was looked through. */
   private before: ViewPose | null = null;
 
+  /** @param failed - called when the code that moves a camera of the scene cannot be fetched */
   constructor(
     private readonly document: EditorDocument,
     private readonly editorCamera: EditorCamera,
     canvas: HTMLCanvasElement,
+    failed: (error: unknown) => void,
   ) {
-    this.flight = new CameraFlight(document, editorCamera, canvas, (camera) => this.match(camera, true));
+    this.flight = new LatePart(
+      () => this.through !== null,
+      async () => {
+        const { CameraFlight: Flight } = await import('./CameraFlight');
+        return () => {
+          const flight = new Flight(document, editorCamera, canvas, (camera) => this.match(camera, true));
+          flight.camera = this.through;
+          return flight;
+        };
+      },
+      failed,
+    );
   }
 
   /** The scene's camera that is looked through; null for the editor's own. */
@@ -36,7 +49,8 @@ export class PictureCamera {
     if (camera === this.through) return;
     if (this.through === null) this.before = this.editorCamera.pose;
     this.through = camera;
-    this.flight.camera = camera;
+    const flight = this.flight.get();
+    if (flight) flight.camera = camera;
     if (camera === null && this.before) this.editorCamera.show(this.before, false);
     this.editorCamera.allowed = this.steers;
   }
@@ -45,7 +59,12 @@ export class PictureCamera {
    * Whether the controls can change the view: always with the editor's camera, else if the scene's camera can be moved.
    */
   get steers(): boolean {
-    return this.through === null || this.flight.problem === null;
+    return this.through === null || (this.flight.part !== null && this.problem === null);
+  }
+
+  /** Why the camera that is looked through cannot be moved, in a sentence with the mend; null where it can. */
+  get problem(): string | null {
+    return this.flight.part?.problem ?? null;
   }
 
   /** Whether the camera that is looked through has been removed from the scene. */
@@ -65,9 +84,10 @@ export class PictureCamera {
   /** Advances movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
     this.editorCamera.allowed = this.steers;
-    this.flight.follow();
+    const flight = this.flight.part;
+    flight?.follow();
     const hasMoved = this.editorCamera.update(deltaSeconds);
-    this.flight.update(hasMoved);
+    flight?.update(hasMoved);
     return hasMoved;
   }
 

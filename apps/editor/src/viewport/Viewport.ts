@@ -2,22 +2,21 @@ import { Signal } from '@farol/editing';
 import { type Camera as CameraComponent, createWebGLRenderer, type GameObject, PictureRenderer } from '@farol/engine';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
 import type { MicroShaderRegistry } from '@farol/renderer/authoring';
-import type { Box2, Camera, Material, Vector2, WebGLRenderer } from 'three';
+import type { Camera, Material, Vector2, WebGLRenderer } from 'three';
 import type { CameraView } from '../model/cameraEdits';
 import type { EditorDocument } from '../model/EditorDocument';
 import type { Registry } from '../model/Registry';
 import { type AddedEffect, AddedEffects } from './AddedEffects';
 import { BoxSelect } from './BoxSelect';
-import { CameraPreview } from './CameraPreview';
 import { CanvasPlace } from './CanvasPlace';
 import type { EditorCamera } from './EditorCamera';
 import { FrameLoop } from './FrameLoop';
 import { FrameStatistics } from './FrameStatistics';
 import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
-import type { BallTurn, MaterialBall } from './MaterialBall';
+import { LateParts } from './LateParts';
+import type { BallTurn } from './MaterialBall';
 import { pick } from './pick';
-import { pickBox } from './pickBox';
 import type { Painter } from './Painter';
 import { PaneDrawing, type PaneSurface } from './panes/PaneDrawing';
 import { Panes } from './panes/Panes';
@@ -25,9 +24,6 @@ import { type Bounds, paneSurface } from './panes/paneSurface';
 import { limitShare, type PaneShare } from './panes/PaneShare';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
-import { LateParticlePreview } from './particles/LateParticlePreview';
-import { LateLightHandles } from './lights/LateLightHandles';
-import { LatePhysicsOverlay } from './physics/LatePhysicsOverlay';
 import { PictureCamera } from './PictureCamera';
 import { PlayView } from './PlayView';
 import { PointerPicker } from './PointerPicker';
@@ -62,12 +58,8 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
-  /** Lines and handles of colliders and joints. */
-  readonly physics: LatePhysicsOverlay;
-  /** Handles of area lights. */
-  readonly lightHandles: LateLightHandles;
-  /** Preview of selected emitters while the scene is stopped. */
-  readonly particles: LateParticlePreview;
+  /** What is fetched when it is first needed. */
+  readonly parts: LateParts;
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;
 
@@ -78,8 +70,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
 
   private readonly added: AddedEffects;
   private readonly playView: PlayView;
-  private preview: CameraPreview | null = null;
-  private ball: Promise<MaterialBall> | null = null;
   private readonly drawing = new PaneDrawing(this);
   private assetChanges = 0;
   private drawnBy: TechniqueName = 'auto';
@@ -119,13 +109,13 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const surface = paneSurface(canvas, () => this.panes.bounds);
     // the handles must receive pointer events before the camera, which then stays still
     this.gizmo = new Gizmo(document, surface, dragged, this.redraw, () => this.panes.listenLast());
-    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas);
+    this.pictureCamera = new PictureCamera(document, this.panes.main.editorCamera, canvas, (error) =>
+      this.onError(error),
+    );
     this.place = new CanvasPlace(canvas, () => this.resize());
-    this.helpers = new Helpers(document);
+    this.helpers = new Helpers(document, this.redraw, (error) => this.onError(error));
     this.helpers.scene.add(this.gizmo.three);
-    this.physics = new LatePhysicsOverlay(this, this.helpers.scene, (error) => this.onError(error));
-    this.lightHandles = new LateLightHandles(this, this.helpers.scene, (error) => this.onError(error));
-    this.particles = new LateParticlePreview(this, this.helpers.scene, (error) => this.onError(error));
+    this.parts = new LateParts(this);
     this.boxSelect = new BoxSelect(this);
     this.picker = new PointerPicker(this);
     this.input = new SceneInput(
@@ -183,7 +173,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
 
   /** Why the camera that is looked through cannot be moved, in a sentence with the remedy; null when it can. */
   get flightProblem(): string | null {
-    return this.pictureCamera.flight.problem;
+    return this.pictureCamera.problem;
   }
 
   /** Pose and lens of the editor's camera. */
@@ -299,11 +289,11 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.picture.effects.update(scene.settings);
     this.noticeTechnique();
     const { previewed } = this;
-    if (previewed) {
-      this.preview ??= this.makePreview();
+    const preview = this.parts.preview.get();
+    if (previewed && preview) {
       const { edited } = this.document;
       const key = `${edited.revision} ${scene.time} ${this.assetChanges}`;
-      this.preview.render(scene, previewed, width, height, key);
+      preview.render(scene, previewed, width, height, key);
     }
     this.statistics.add(performance.now());
     this.drawn.emit();
@@ -321,21 +311,14 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return mesh?.object ?? null;
   }
 
-  /** The GameObjects within a box of the active view (normalised device coordinates), see `pickBox`. */
-  pickBox(box: Box2): GameObject[] {
-    return pickBox(this.document.scene, this.camera, box);
-  }
-
   /**
    * Renders a sphere with a material to a canvas of the page.
    * @param turn - rotation of the sphere to the right and up (rad)
    * @returns fulfilled when the image is there
+   * @throws Error (as a rejection) when the code for it cannot be fetched
    */
-  async drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
-    this.ball ??= import('./MaterialBall').then((code) => new code.MaterialBall(this.webgl));
-    const { ball } = this;
-    ball.catch(() => (this.ball = null)); // a failed fetch is retried by the next preview
-    await (await ball).draw(material, this.document.scene.three.environment, canvas, turn);
+  drawMaterial(material: Material, canvas: HTMLCanvasElement, turn: BallTurn = [0, 0]): Promise<void> {
+    return this.parts.drawBall(material, this.document.scene.three.environment, canvas, turn);
   }
 
   /** Frames the selection, or everything when nothing is selected. */
@@ -371,14 +354,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     for (const end of this.endings) end();
     this.picker.dispose();
     this.boxSelect.dispose();
-    this.physics.dispose();
-    this.lightHandles.dispose();
-    this.particles.dispose();
-    this.preview?.dispose();
-    this.ball?.then(
-      (ball) => ball.dispose(),
-      () => {},
-    );
+    this.parts.dispose();
     this.input.dispose();
     this.playView.dispose();
     this.gizmo.dispose();
@@ -407,12 +383,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.gizmo.update(this.rayCamera);
     this.helpers.scene.updateMatrixWorld();
     this.changed.emit();
-  }
-
-  private makePreview(): CameraPreview {
-    const preview = new CameraPreview(this.webgl, this.redraw);
-    this.shareMicroShaders(preview.microshaders);
-    return preview;
   }
 
   private sceneOpened(): void {
@@ -453,6 +423,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const step = Math.min(seconds, 0.1);
     const moved = this.pictureCamera.update(step);
     if (this.panes.update(step) || moved) this.invalidate();
-    return this.particles.advance(seconds) || simulation.isPlaying;
+    return (this.parts.particles.get()?.advance(seconds) ?? false) || simulation.isPlaying;
   }
 }

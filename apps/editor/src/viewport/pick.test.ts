@@ -1,7 +1,6 @@
 import { GameObject, Light, ObjectRenderer, Scene } from '@farol/engine';
 import {
   Bone,
-  Box2,
   BoxGeometry,
   BufferAttribute,
   MeshBasicMaterial,
@@ -84,7 +83,7 @@ it('gives what has its middle in a box: meshes, instances and lights, none that 
   const behind = box(scene, 'Behind', 0);
   behind.transform.position = [0, 0, 30];
   scene.three.updateMatrixWorld();
-  const found = pickBox(scene, camera, new Box2(pointOf(-4, -2), pointOf(3, 2)));
+  const found = pickBox(scene, camera, [pointOf(-4, -2), pointOf(3, 2)]);
   expect(found).toEqual([...shown, lamp]);
   scene.dispose();
 });

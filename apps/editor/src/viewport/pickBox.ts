@@ -1,5 +1,5 @@
 import { Camera, type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene } from '@farol/engine';
-import { type Box2, Box3, type Camera as ThreeCamera, Vector2, Vector3 } from 'three';
+import { Box2, Box3, type Camera as ThreeCamera, Vector2, Vector3 } from 'three';
 import { boundsOf } from './boundsOf';
 
 const bounds = new Box3();
@@ -9,9 +9,10 @@ const point = new Vector2();
 /**
  * The GameObjects whose centre is inside a box on screen: active, unlocked meshes, models, lights and cameras, in tree
  * order.
- * @param box - in normalised device coordinates
+ * @param corners - of the box, in normalised device coordinates
  */
-export function pickBox(scene: Scene, camera: ThreeCamera, box: Box2): GameObject[] {
+export function pickBox(scene: Scene, camera: ThreeCamera, corners: Vector2[]): GameObject[] {
+  const box = new Box2().setFromPoints(corners);
   const found: GameObject[] = [];
   scene.traverse((object) => {
     if (!object.activeInHierarchy) return;

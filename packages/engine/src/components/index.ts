@@ -1,4 +1,4 @@
-import { builtinComponents } from '../core/builtinComponents';
+import { builtinComponents as registry } from '../core/builtinComponents';
 import { Transform } from '../core/Transform';
 import { Animation } from './Animation';
 import { Animator } from './Animator';
@@ -46,6 +46,10 @@ const components = [
   EventTrigger,
 ];
 
-for (const each of components) builtinComponents.register(each);
+for (const each of components) registry.register(each);
 
-export { builtinComponents };
+/**
+ * The built-in types of components. A name of this module's own: a bundler that leaves out the package's index, which has no
+ * effect of its own, still runs the lines above for who imports it.
+ */
+export const builtinComponents = registry;

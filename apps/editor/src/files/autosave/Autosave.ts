@@ -62,12 +62,10 @@ export class Autosave implements DraftKeeper {
     document.opened.subscribe(() => this.restart());
     document.assetsChanged.subscribe(() => this.delta.noteAssets());
     editor.fileChanged.subscribe(() => this.storedAt !== null && this.wake());
-    const before = document.onSceneChange;
-    document.onSceneChange = (change) => {
-      before(change);
+    document.sceneChanged.subscribe((change) => {
       this.delta.note(change);
       this.wakeIfEdited();
-    };
+    });
     commands.changed.subscribe(() => this.wakeIfEdited());
     // a hidden page may be ended without further events
     window.document.addEventListener('visibilitychange', () => window.document.hidden && this.flush());

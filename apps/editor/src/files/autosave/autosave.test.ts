@@ -1,4 +1,4 @@
-import { createRandom, GameObject, Light, type SceneChange } from '@farol/engine';
+import { createRandom, GameObject, Light } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { changePrefab, makePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
@@ -44,7 +44,7 @@ it.each([1, 2, 3])('the stored parts make the very scene, after any changes, see
     parents[Math.floor(random() * parents.length)].add(new GameObject(`Object ${i}`));
   }
   const delta = new SceneDelta(scene);
-  document.onSceneChange = (change: SceneChange) => delta.note(change);
+  document.sceneChanged.subscribe((change) => delta.note(change));
   delta.noteAll();
   const parts = new Map<string, string>();
   for (let i = 0; i < 120; i++) {
@@ -78,7 +78,7 @@ it('reads what changed, and nothing else', () => {
   const { scene } = document;
   for (let i = 0; i < 1000; i++) scene.add(new GameObject(`Object ${i}`));
   const delta = new SceneDelta(scene);
-  document.onSceneChange = (change: SceneChange) => delta.note(change);
+  document.sceneChanged.subscribe((change) => delta.note(change));
   scene.roots[5].transform.position = [1, 2, 3];
   scene.roots[5].name = 'Other';
   const parts = new Map<string, string>();

@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { CameraPreview } from '../../viewport/CameraPreview';
+import { previewPlace } from '../../viewport/previewPlace';
 
 /** Frame round the inset with the selected camera's view, which the viewport draws. */
 export function PreviewFrame(): ReactNode {
@@ -10,7 +10,7 @@ export function PreviewFrame(): ReactNode {
   const camera = useSyncExternalStore(viewport.drawn.subscribe, () => viewport.previewed);
   const place = useSyncExternalStore(viewport.drawn.subscribe, () => {
     const { width, height } = viewport.size;
-    return Object.values(CameraPreview.placeIn(width, height)).join();
+    return Object.values(previewPlace(width, height)).join();
   });
   if (!camera) return null;
   const [width, height, margin] = place.split(',').map(Number);

@@ -34,7 +34,7 @@ export function ViewportPanel(): ReactNode {
     viewport.attach(place.current!);
     return () => viewport.detach();
   }, [viewport]);
-  const particles = viewport.particles.preview;
+  const particles = viewport.parts.particles.part;
   const isGrid = viewport.painter?.isGrid ?? false;
   return (
     <section className="panel viewport" aria-label={t('Viewport')}>

@@ -3,6 +3,7 @@ import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { Camera, WebGLRenderer } from 'three';
 import type { Gizmo } from '../Gizmo';
 import type { Helpers } from '../Helpers';
+import type { LateParts } from '../LateParts';
 import type { Painter } from '../Painter';
 import type { PlainShading } from '../shading/PlainShading';
 import { isPlain, techniqueOf } from '../shading/Shading';
@@ -18,9 +19,7 @@ export interface PaneSurface {
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
-  readonly physics: { update(pixelRatio: number): void };
-  readonly lightHandles: { update(pixelRatio: number): void };
-  readonly particles: { update(): void };
+  readonly parts: Pick<LateParts, 'physics' | 'lightHandles' | 'particles'>;
   readonly painter: Painter | null;
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
   readonly view: string;
@@ -57,9 +56,10 @@ export class PaneDrawing {
     this.drawScene(pane, camera, lookThrough);
     gizmo.update(surface.raysOf(pane));
     if (surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
-      surface.physics.update(webgl.getPixelRatio());
-      surface.lightHandles.update(webgl.getPixelRatio());
-      surface.particles.update();
+      const { physics, lightHandles, particles } = surface.parts;
+      physics.get()?.update(webgl.getPixelRatio());
+      lightHandles.get()?.update(webgl.getPixelRatio());
+      particles.part?.update();
       helpers.render(webgl, camera, lookThrough, gizmo.isDragging);
     }
   }

@@ -1,8 +1,15 @@
 import { Signal } from '@farol/editing';
 import { type GameObject, ParticleEmitter } from '@farol/engine';
+import type { EditorDocument } from '../../model/EditorDocument';
 import { LineSet } from '../LineSet';
 import { drawEmitter } from './drawEmitter';
-import type { PreviewHost } from './LateParticlePreview';
+
+/** What the preview needs of the viewport. */
+export interface PreviewHost {
+  readonly document: EditorDocument;
+  /** Tells those who show what the viewport does. */
+  viewChanged(): void;
+}
 
 /** Colour of the shapes of selected emitters. */
 const COLOUR = '#ffb454';

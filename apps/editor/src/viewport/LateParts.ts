@@ -1,0 +1,119 @@
+import { Camera as CameraComponent, type GameObject, Light } from '@farol/engine';
+import type { MicroShaderRegistry } from '@farol/renderer/authoring';
+import type { Scene, WebGLRenderer } from 'three';
+import type { CameraPreview } from './CameraPreview';
+import type { Handle, HandlePoints } from './handles/HandlePoints';
+import { LatePart } from './LatePart';
+import type { MaterialBall } from './MaterialBall';
+import type { ParticlePreview, PreviewHost } from './particles/ParticlePreview';
+import type { OverlayHost, PhysicsOverlay } from './physics/PhysicsOverlay';
+
+/** What the parts that are fetched late need of the viewport. */
+export interface LateHost extends OverlayHost, PreviewHost {
+  readonly webgl: WebGLRenderer;
+  /** What is drawn over the picture. */
+  readonly helpers: { readonly scene: Scene };
+  /** The selected camera, of which a small picture is shown; null for none. */
+  readonly previewed: CameraComponent | null;
+  shareMicroShaders(registry: MicroShaderRegistry): void;
+  onError(error: unknown): void;
+}
+
+/** Of the lines of a selected light. */
+const LIGHT_COLOUR = '#ff9d3c';
+/** Round the light's place, where its icon and the gizmo's middle are (CSS pixels). */
+const LIGHT_CLEARANCE = 12;
+
+const physicsTypes = ['Collider', 'Joint', 'CharacterController'];
+
+/** The parts of the viewport that most scenes, or the first frame, do without. */
+export class LateParts {
+  /** Lines and handles of colliders and joints, once a scene has any. */
+  readonly physics: LatePart<PhysicsOverlay>;
+  /** Handles that size lights with a shape, once one is selected. */
+  readonly lightHandles: LatePart<HandlePoints>;
+  /** Selected emitters, which play while the scene is stopped, once a scene has any. */
+  readonly particles: LatePart<ParticlePreview>;
+  /** The small picture of the selected camera, once one is selected. */
+  readonly preview: LatePart<CameraPreview>;
+
+  private ball: MaterialBall | null = null;
+  private isDisposed = false;
+
+  constructor(private readonly host: LateHost) {
+    const { helpers } = host;
+    const failed = (error: unknown): void => host.onError(error);
+    const late = <Part extends { dispose(): void }>(isNeeded: () => boolean, load: () => Promise<() => Part>) =>
+      new LatePart(isNeeded, load, failed);
+    const has = (type: string): boolean => host.document.scene.componentsOf(type).length > 0;
+    this.physics = late(
+      () => physicsTypes.some(has),
+      async () => {
+        const { PhysicsOverlay: Overlay } = await import('./physics/PhysicsOverlay');
+        return () => {
+          const overlay = new Overlay(host);
+          helpers.scene.add(overlay.three);
+          host.invalidate();
+          return overlay;
+        };
+      },
+    );
+    this.lightHandles = late(
+      () => host.document.selectedObjects.some((object) => object.getComponent(Light)?.isArea),
+      async () => {
+        const [{ HandlePoints: Points }, { areaLightHandles }] = await Promise.all([
+          import('./handles/HandlePoints'),
+          import('./lights/areaLightHandles'),
+        ]);
+        const handlesOf = (object: GameObject): Handle[] => {
+          const light = object.getComponent(Light);
+          return light?.isActive ? areaLightHandles(light) : [];
+        };
+        return () => {
+          const points = new Points(host, LIGHT_COLOUR, handlesOf, LIGHT_CLEARANCE);
+          helpers.scene.add(points.three);
+          host.invalidate();
+          return points;
+        };
+      },
+    );
+    this.particles = late(
+      () => has('ParticleEmitter'),
+      async () => {
+        const { ParticlePreview: Preview } = await import('./particles/ParticlePreview');
+        return () => {
+          const preview = new Preview(host);
+          helpers.scene.add(preview.lines.three);
+          return preview;
+        };
+      },
+    );
+    this.preview = late(
+      () => host.previewed !== null,
+      async () => {
+        const { CameraPreview: Preview } = await import('./CameraPreview');
+        return () => {
+          const preview = new Preview(host.webgl, () => host.invalidate());
+          host.shareMicroShaders(preview.microshaders);
+          host.invalidate();
+          return preview;
+        };
+      },
+    );
+  }
+  /**
+   * Draws a ball of a material on a canvas of the page: see `MaterialBall.draw`.
+   * @throws Error (as a rejection) when the code cannot be fetched; try again
+   */
+  async drawBall(...of: Parameters<MaterialBall['draw']>): Promise<void> {
+    const { MaterialBall: Ball } = await import('./MaterialBall');
+    if (this.isDisposed) return;
+    this.ball ??= new Ball(this.host.webgl);
+    await this.ball.draw(...of);
+  }
+
+  dispose(): void {
+    this.isDisposed = true;
+    for (const part of [this.physics, this.lightHandles, this.particles, this.preview, this.ball]) part?.dispose();
+  }
+}
