@@ -8,7 +8,7 @@ const packages = publishedPackages();
 /** The built-in components register themselves, the demo scenes their meshes. */
 const sideEffects: Readonly<Record<string, readonly string[]>> = {
   'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
-  'packages/scenes': ['./src/index.ts', './dist/index.js'],
+  'packages/scenes': ['./src/meshPack.ts', './dist/chunks/meshPack.js'],
 };
 const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 

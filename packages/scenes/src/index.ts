@@ -1,5 +1,3 @@
-import { addMeshPack } from '@farol/engine';
-
 /** The scenes that the apps offer, and what another one is made with. */
 export { preloadSceneCode, scenes } from './scenes';
 
@@ -12,6 +10,3 @@ export { temple } from './temple/temple';
 
 export { registerSceneAssets } from './registerSceneAssets';
 export { defineScene, type SceneBuildOptions, type SceneDefinition, type SceneParameters } from './SceneDefinition';
-
-// scene files may name the meshes of these scenes
-addMeshPack(async () => (await import('./registerSceneAssets')).registerSceneAssets);

@@ -1,3 +1,4 @@
+import './meshPack';
 import { benchmarkLightsScene } from './benchmark/benchmarkLightsScene';
 import { benchmarkLightsObjectsScene } from './benchmark/benchmarkLightsObjectsScene';
 import { dragonsScene } from './dragon/dragonsScene';

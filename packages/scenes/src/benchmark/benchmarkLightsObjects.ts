@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import type { Scene } from '@farol/engine';
+import '../meshPack';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 import { registerSceneAssets } from '../registerSceneAssets';

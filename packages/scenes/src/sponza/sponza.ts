@@ -1,5 +1,6 @@
 import { Box3, type Object3D, Vector3 } from 'three';
 import { importModel, type Scene } from '@farol/engine';
+import '../meshPack';
 import { lightBudget } from '../lightBudget';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';

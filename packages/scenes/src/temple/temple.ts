@@ -1,5 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { GameObject, Scene } from '@farol/engine';
+import '../meshPack';
 import { SceneBuilder } from '../SceneBuilder';
 import type { SceneBuildOptions } from '../SceneDefinition';
 import { lightBudget } from '../lightBudget';
