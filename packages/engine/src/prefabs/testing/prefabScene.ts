@@ -8,7 +8,7 @@ import { ComponentRegistry } from '../../core/ComponentRegistry';
 import { builtinComponents } from '../../components/index';
 import { instantiatePrefab } from '../instantiatePrefab';
 import { makePrefab } from '../makePrefab';
-import { type PrefabPlan } from '../planPrefabChange';
+import type { PrefabPlan } from '../planPrefabChange';
 import type { Prefab } from '../../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from '../PrefabEdit';
 
