@@ -9,28 +9,34 @@ export interface Ratio {
   readonly competitor: string;
   readonly of: SeriesCase;
   readonly ratio: number;
-  /** By the spreads' bounds. */
+  /** Lowest and highest ratio of the spreads' bounds. */
   readonly low: number;
   readonly high: number;
   readonly isTie: boolean;
 }
 
-/** Times of `run` over those of `base` in every case that both measured: same scene, lights and pixels. */
+/** Times of `run` over those of `base` in every case of both: same scene, lights and pixels. */
 export function ratiosOf(run: LabRun, base: LabRun, metric: Metric): Ratio[] {
   const cases = new Map(casesOf(base).map((each) => [caseKey(each), each]));
   return casesOf(run).flatMap((of) => {
     const same = cases.get(caseKey(of));
     if (!same) return [];
-    const before = new Map(
+    const baseTimes = new Map(
       entriesOf(base, same.series, same.index, metric).map(({ competitor, time }) => [competitor, time]),
     );
     return entriesOf(run, of.series, of.index, metric).flatMap(({ competitor, time }): Ratio[] => {
-      const other = before.get(competitor);
+      const other = baseTimes.get(competitor);
       if (!other) return [];
-      const [own, its] = [boundsOf(time), boundsOf(other)];
+      const [bounds, baseBounds] = [boundsOf(time), boundsOf(other)];
       return [
         {
-          ...{ competitor, of, ratio: time.median / other.median, low: own.low / its.high, high: own.high / its.low },
+          ...{
+            competitor,
+            of,
+            ratio: time.median / other.median,
+            low: bounds.low / baseBounds.high,
+            high: bounds.high / baseBounds.low,
+          },
           isTie: compareSpreads(time, other) === 0,
         },
       ];
