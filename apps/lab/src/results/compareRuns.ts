@@ -1,5 +1,6 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
-import type { LabRow, LabRun, Metric } from './LabRun';
+import { timeOf } from '../words/compareSpreads';
+import type { LabRow, LabRun, Metric, Spread } from './LabRun';
 import { caseKey } from './mergeRuns';
 
 /** Times of a competitor in a case of both runs. */
@@ -7,7 +8,10 @@ export interface ComparedRow {
   readonly competitor: string;
   readonly series: LabSeries;
   readonly labCase: LabCase;
+  readonly index: number;
   readonly value: number;
+  /** Times of both runs; null unless both have a figure. */
+  readonly times: readonly [a: Spread, b: Spread] | null;
   /** Medians (ms); null without a figure. */
   readonly a: number | null;
   readonly b: number | null;
@@ -49,9 +53,13 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
         );
         const their = theirs.get(`${competitor} ${caseKey(labCase)}`);
         if (!ours || !their) continue;
-        const [first, second] = [ours[metric]?.median ?? null, their[metric]?.median ?? null];
-        const ratio = first !== null && second !== null && second > 0 && first > 0 ? first / second : null;
-        rows.push({ competitor, series, labCase, value: series.values[index], a: first, b: second, ratio });
+        const [first, second] = [timeOf(ours, metric), timeOf(their, metric)];
+        rows.push({
+          ...{ competitor, series, labCase, index, value: series.values[index] },
+          times: first && second ? [first, second] : null,
+          ...{ a: first?.median ?? null, b: second?.median ?? null },
+          ratio: first && second ? first.median / second.median : null,
+        });
       }
     });
   }

@@ -16,9 +16,14 @@ export function casesOf(run: LabRun): SeriesCase[] {
   return run.plan.series.flatMap((series) =>
     series.cases.map((labCase, index) => ({
       ...{ series, index, labCase },
-      label: `${seriesWord(series)}, ${valueText(series.axis, series.values[index], labCase)}`,
+      label: caseLabel(series, index),
     })),
   );
+}
+
+/** Scene and value of a case: `Atrium, 100 lights`. */
+export function caseLabel(series: LabSeries, index: number): string {
+  return `${seriesWord(series)}, ${valueText(series.axis, series.values[index], series.cases[index])}`;
 }
 
 /** Label of a series without its axis: `Atrium` for `Atrium over point lights`. */
