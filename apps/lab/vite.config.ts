@@ -26,7 +26,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // What is imported late must be known early, or the development server reloads the page when a scene asks for it.
+  // late imports: without this list the development server would reload the page when a scene needs one
   optimizeDeps: {
     entries: ['index.html', 'stage.html'],
     include: [

@@ -7,7 +7,7 @@ import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
 import { defineConfig } from 'vite';
 
-/** Address of the real Sponza, if its glTF was put into public/models/Sponza (which git ignores), else null. */
+/** Address of the real Sponza if its glTF is in public/models/Sponza (ignored by git), otherwise null. */
 function sponzaUrl(): string | null {
   const folder = new URL('../../public/models/Sponza/', import.meta.url);
   if (!existsSync(folder)) return null;
@@ -18,7 +18,7 @@ function sponzaUrl(): string | null {
   return shortest === undefined ? null : `./models/Sponza/${encodeURI(shortest.replaceAll('\\', '/'))}`;
 }
 
-/** The viewer's page, and those of the examples: each folder of examples/ with an index.html is one. */
+/** Pages of the viewer and of the examples: each folder of examples/ with an index.html is one. */
 function pages(): string[] {
   const folder = fileURLToPath(new URL('.', import.meta.url));
   const names = readdirSync(join(folder, 'examples')).map((name) => `examples/${name}/index.html`);
@@ -35,7 +35,7 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  // What is imported late must be known early, or the development server reloads the page when a model asks for it.
+  // late imports: without this list the development server would reload the page when a model needs one
   optimizeDeps: {
     entries: pages(),
     include: [

@@ -12,7 +12,7 @@ test('a chart is read by pointer, by keyboard and as a table, and saved', async 
   await expect(page.getByRole('button', { name: 'GPU', exact: true })).toBeDisabled();
   await expect(page.getByText('No GPU times: the device or the browser has no timer queries.')).toBeVisible();
 
-  // the lines of what is not pointed at step back
+  // the lines of other competitors fade
   const drawing = chart.getByRole('application');
   await expect(drawing.locator('.group-1').first()).toBeVisible();
   await drawing.focus();

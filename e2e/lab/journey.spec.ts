@@ -8,7 +8,7 @@ test.use({ reducedMotion: 'reduce' });
 const tiny =
   '#preset=custom&series=benchmarkLights:lights:4,9:n=1&size=96x54&techniques=forward,deferred&rounds=2&turn=30&longest=60000';
 
-/** The software rasteriser is told of where figures would be taken for a GPU's. */
+/** Expects the warning about a software rasteriser, unless a GPU draws. */
 const expectMachine = (page: Page): Promise<void> =>
   expect(page.getByText(/software rasteriser, not on a graphics card/)).toHaveCount(process.env.FAROL_GPU ? 0 : 1);
 
@@ -18,7 +18,7 @@ test('builds a comparison by mouse and keyboard, and measures it', async ({ page
   // reference results are there before anything is measured
   await expect(page.getByText('reference, not your machine')).toBeVisible();
   await expect(page.locator('.results figure svg').first()).toBeVisible();
-  // the machine is named, and what spoils its figures
+  // the machine is named, with its warning
   await expectMachine(page);
 
   await page.getByText('Build your own').click();
@@ -74,11 +74,11 @@ test('builds a comparison by mouse and keyboard, and measures it', async ({ page
 test('a run that is cancelled keeps the rows that it has @verify', async ({ page }) => {
   await page.goto(`./${tiny}`);
   await page.getByText('Build your own').click();
-  // more than anybody would wait for
+  // far longer than the test
   await page.getByLabel('Turns for each').fill('50');
   await page.getByLabel(/^A turn/).fill('2000');
   await page.getByRole('button', { name: 'Measure: your own comparison' }).click();
-  // the turn that goes on is kept, what is only being opened is not
+  // the row of the current turn is kept, that of a competitor being opened is not
   const now = page.locator('.running .now strong');
   await expect(now).toHaveText('Farol: deferred');
   await expect(now).toHaveText('Farol: forward');

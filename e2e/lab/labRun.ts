@@ -2,11 +2,11 @@ interface Changes {
   id: string;
   name: string;
   device: string;
-  /** How many times as long its frames take. */
+  /** Factor of the frame times. */
   factor: number;
 }
 
-/** A run as another machine's Lab exports it: the atrium under 10 and 100 lights, by two competitors. */
+/** A run as exported by another machine's Lab: the atrium under 10 and 100 lights, by two competitors. */
 export function labRun({ id, name, device, factor }: Changes) {
   const size = {
     shadows: 0,
@@ -46,7 +46,7 @@ export function labRun({ id, name, device, factor }: Changes) {
   };
 }
 
-/** A run as a file to choose or to drop. */
+/** A run as a file for an input or a drop. */
 export const runFile = (name: string, run: object) => ({
   name,
   mimeType: 'application/json',

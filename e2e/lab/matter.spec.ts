@@ -34,7 +34,7 @@ test('the preset Light and matter in small: every kind of light and shading is m
     const fragment =
       'preset=matter&techniques=clustered-forward,deferred,stock,multipass&size=96x54&rounds=1&turn=20&longest=60000';
     const configuration = lab.configurationOf(fragment);
-    // four planes and nine lights in place of the atrium and its thousands; kinds that the preset has not beside its own
+    // four planes and nine lights in place of the atrium and its thousands, with the kinds that the preset lacks
     const small = configuration.series.map((each) => {
       const few = { ...each, scene: 'benchmarkLights', n: 2, lights: 9 };
       if (each.axis === 'lights') return { ...few, values: [9] };
@@ -79,7 +79,7 @@ test('the preset Light and matter in small: every kind of light and shading is m
     'three.js has no particles that are lights.',
     ...[null, 'three.js has no Gouraud shading: it lights all materials in each pixel.', null],
   ]);
-  // the same picture as stock three's, where that can: points and spots, flat and Phong
+  // the picture of stock three, of the kinds that it has: points and spots, flat and Phong
   for (const index of [0, 1]) expect(found[`deferred planes-kind ${index}`].likeness!.reference).toBe('stock');
   expect(problem('multipass', 'planes-kind 0')).toBeNull();
   expect(problem('multipass', 'planes-kind 2')).toBe(

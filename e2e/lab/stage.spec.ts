@@ -8,7 +8,7 @@ declare global {
   }
 }
 
-/** Every way of Farol's, and three's own. */
+/** All techniques of Farol, and three's own renderers. */
 const farol = [
   'auto',
   'forward',
@@ -20,9 +20,9 @@ const farol = [
 ].concat(['tiled-forward', 'forward-plus', 'clustered-deferred', 'clustered-forward']);
 
 /**
- * Least likeness with stock three (dB). Forward techniques compute the same in the same precision; G-buffers and sums of
- * half floats round, by less than half a step of 8 bits on average, which is 54 dB; `inferred` lights half as many pixels a
- * side, so that edges of planes are off.
+ * Lowest PSNR to stock three (dB). Forward techniques compute the same in the same precision; G-buffers and sums of half
+ * floats round by less than half an 8-bit step on average, which is 54 dB; `inferred` lights at half the resolution, so that
+ * edges of planes differ.
  */
 const likeness = (name: string): number => (name === 'inferred' ? 36 : 54);
 
@@ -87,14 +87,14 @@ test('every competitor draws the picture of stock three, is timed and counted, a
     // a software rasteriser has no GPU to time
     if (process.env.FAROL_GPU) expect(Math.min(...turn.gpu!), name).toBeGreaterThan(0);
     else expect(turn.gpu, name).toBeNull();
-    // nine planes: once, or once for each light and once without
+    // nine planes: drawn once, or once per light and once without lights
     const times = name === 'multipass' ? 10 : 1;
     expect(counts.draws, name).toBeGreaterThanOrEqual(9 * times);
     expect(counts.triangles, name).toBeGreaterThanOrEqual(18 * times);
     expect(counts.programs, name).toBeGreaterThan(0);
     if (farol.includes(name)) expect(counts.targetBytes, name).toBeGreaterThan(0);
     expect(added.ms, name).toBeGreaterThan(0);
-    // stock three alone compiles anew when lights come
+    // only stock three compiles for added lights
     expect(added.programs > 0, name).toBe(name === 'stock');
     if (farol.includes(name)) expect(changed, name).toMatchObject({ ms: expect.any(Number), programs: 0 });
     else expect(changed, name).toBeNull();

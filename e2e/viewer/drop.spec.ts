@@ -8,7 +8,7 @@ import { test as own } from '../support/test';
 import { addressOf, openViewer, readImage, still } from '../support/viewer';
 import { expect, test } from './sharedViewer';
 
-/** A square of two triangles as glTF, its colour from a texture if one is named. */
+/** A square of two triangles as glTF, coloured by a texture if one is named. */
 function square(buffer: { uri?: string }, image?: string): object {
   return {
     asset: { version: '2.0' },
@@ -61,7 +61,7 @@ const bluePng = Buffer.from(
   'base64',
 );
 
-/** Mean of a channel over the middle of the picture. */
+/** Mean of a channel in the middle of the picture. */
 function middle(image: { width: number; height: number; data: ArrayLike<number> }, channel: number): number {
   let sum = 0;
   let count = 0;
@@ -98,7 +98,7 @@ test('a glTF dropped with its buffer and texture is shown with them', async ({ p
     'my blue.png': bluePng,
   });
   await shown(page).toBe('square.gltf');
-  // an address cannot hold the model, and the scene is not what is seen
+  // an address cannot hold the model, so it names no scene
   const address = await addressOf(page);
   expect(address.scene).toBeUndefined();
   expect(address.technique).toBeDefined();

@@ -22,7 +22,7 @@ test('a dropped model is handed to the Lab, and a demo scene goes by its address
   await expect(lab.getByText('room.obj').first()).toBeVisible();
   await lab.close();
 
-  // where nobody knows the Lab
+  // without an address of the Lab
   await page.route('**/apps.json', (route) => route.fulfill({ json: {} }));
   await measure.click();
   await expect(page.locator('.message[data-subject=lab]')).toHaveText(/^Nobody says where the Lab is/);

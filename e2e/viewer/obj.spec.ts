@@ -4,7 +4,7 @@ import { compareImages } from '../support/images';
 import { readImage } from '../support/viewer';
 import { expect, test } from './sharedViewer';
 
-/** A square that faces the camera, without normals; paths as programs of Windows write them. */
+/** A square that faces the camera, without normals, with Windows paths. */
 const obj = `mtllib Room.MTL
 v -1 0 0
 v 1 0 0
@@ -25,10 +25,10 @@ const mtl = `newmtl wall\r
 \tmap_bump textures\\bump.png\r
 `;
 
-/** 2 × 2 texels of 24 bits, blue: of a TGA each texel is blue, green, red. */
+/** TGA of 2 × 2 blue texels of 24 bits, each in the order blue, green, red. */
 const blueTga = Buffer.from('000002000000000000000000020002001800ff0000ff0000ff0000ff0000', 'hex');
 
-/** Means of red and blue over the middle of the picture. */
+/** Mean red and mean blue of the middle of the picture. */
 async function middle(page: Page): Promise<{ red: number; blue: number }> {
   const { width, height, data } = await readImage(page);
   const at = (Math.floor(height / 2) * width + Math.floor(width / 2)) * 4;
@@ -48,7 +48,7 @@ test('an OBJ is shown with its MTL and a TGA, and one message names what is miss
   expect(blue.blue).toBeGreaterThan(0.05);
   expect(blue.blue).toBeGreaterThan(4 * blue.red);
 
-  // alone, by the menu: grey, and a message
+  // without its MTL, by the menu: grey, and a message
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Open a model…' }).click();
   await (await chooser).setFiles({ name: 'bare.obj', mimeType: 'text/plain', buffer: Buffer.from(obj) });

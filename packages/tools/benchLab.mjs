@@ -16,7 +16,7 @@ import { root } from './root.mjs';
  * @typedef {{ now: string, against: string | null }} Labs folders of built Labs
  */
 
-/** How often a browser is started in a run: anew after each crash. */
+/** Most starts of a browser in a run; each crash needs another one. */
 const MOST_STARTS = 10;
 
 /**
@@ -24,7 +24,7 @@ const MOST_STARTS = 10;
  *
  * @param {LabBench} options
  * @returns {Promise<number>} exit code: 0 when anything was measured
- * @throws {Error} that names the option and the mend
+ * @throws {Error} that names the option and the remedy
  */
 export async function benchLab(options) {
   const labs = await prepareLabs(options);
@@ -35,9 +35,9 @@ export async function benchLab(options) {
   const browser = new LabBrowser({ ...options, executablePath: ensureBrowser(), url: server.url });
   try {
     const plan = await planFor(browser, options);
-    const before = options.resume ? await readBefore(browser, plan, options.out) : null;
-    const rest = before === null ? plan : await browser.call(remainingOf, before);
-    const measured = rest.series.length === 0 ? before : await measure(browser, { plan, rest, before, options });
+    const previous = options.resume ? await readPrevious(browser, plan, options.out) : null;
+    const rest = previous === null ? plan : await browser.call(remainingOf, previous);
+    const measured = rest.series.length === 0 ? previous : await measure(browser, { plan, rest, previous, options });
     if (measured === null) return 1;
     const run = { ...measured, name: options.name ?? measured.name };
     await writeFiles(browser, run, options);
@@ -97,7 +97,7 @@ function planFor(browser, { fragment, lights, rivals, against, gpu }) {
   return browser.call(
     ({ fragment, lights, rivals, isCompared, gpu }) => {
       const { lab } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
-      // as the page's large button
+      // the configuration of the page's large button
       const configuration =
         fragment === 'preset=quick' ? lab.quickFor({ software: !gpu }) : lab.configurationOf(fragment);
       if (lights) {
@@ -109,7 +109,7 @@ function planFor(browser, { fragment, lights, rivals, against, gpu }) {
       const named = [...new Set([...configuration.competitors, ...(rivals ? others : [])])];
       const plan = lab.planOf({ ...configuration, competitors: named });
       if (!isCompared) return plan;
-      // one right after the other; a build is compared by Farol's own techniques
+      // the two builds of a technique in adjacent turns; only Farol's techniques are compared by build
       const competitors = named.flatMap((name) =>
         lab.competitors[name].kind === 'farol' ? [name, `${name}@against`] : [name],
       );
@@ -123,13 +123,13 @@ function planFor(browser, { fragment, lights, rivals, against, gpu }) {
 const remainingOf = (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.remaining(run);
 
 /**
- * The run that ended early, to go on with.
+ * Reads the run that ended early, to continue it.
  *
  * @param {LabBrowser} browser @param {LabPlan} plan @param {string} out
- * @returns {Promise<LabRun | null>} null where there is none
- * @throws {Error} when it is a run of something else
+ * @returns {Promise<LabRun | null>} null without one
+ * @throws {Error} when it is a run of another plan, device, browser or build
  */
-async function readBefore(browser, plan, out) {
+async function readPrevious(browser, plan, out) {
   const path = join(out, 'bench.json');
   if (!existsSync(path)) return null;
   const run = await browser.call(
@@ -154,24 +154,24 @@ async function readBefore(browser, plan, out) {
 
 /**
  * @param {LabBrowser} browser
- * @param {{ plan: LabPlan, rest: LabPlan, before: LabRun | null, options: LabBench }} world
+ * @param {{ plan: LabPlan, rest: LabPlan, previous: LabRun | null, options: LabBench }} world
  * @returns {Promise<LabRun | null>} null when nothing was measured
  */
-async function measure(browser, { plan, rest, before, options }) {
+async function measure(browser, { plan, rest, previous, options }) {
   const { minutes, out, against } = options;
   const end = minutes > 0 ? performance.now() + minutes * 60_000 : Infinity;
   const command = ['npm run bench --', ...process.argv.slice(2).map(quoted)].join(' ');
   /** @type {Record<string, string>} */
   const versions = against === null ? {} : { against };
   /** @type {LabRun[]} */
-  let parts = before === null ? [] : [before];
-  let whole = before;
+  let parts = previous === null ? [] : [previous];
+  let whole = previous;
   const count = (/** @type {LabPlan} */ { series }) => series.reduce((sum, { cases }) => sum + cases.length, 0);
   console.log(`${count(rest)} of ${count(plan)} cases, ${plan.competitors.length} competitors in turns.`);
   /** @type {import('./benchLabBrowser.mjs').Crash[]} */
   const crashes = [];
   for (let start = 1; rest.series.length > 0; start++) {
-    let said = 0;
+    let printed = 0;
     /** @type {import('./benchLabBrowser.mjs').Step | null} */
     let at = null;
     /** @type {LabRun | null} */
@@ -180,13 +180,13 @@ async function measure(browser, { plan, rest, before, options }) {
     const onStep = (/** @type {import('./benchLabBrowser.mjs').Step} */ step) => {
       if (step.competitor !== null) at = step;
       if (performance.now() > end) void browser.cancel().catch(() => {});
-      if (performance.now() - said < 5000) return;
-      said = performance.now();
+      if (performance.now() - printed < 5000) return;
+      printed = performance.now();
       console.log(`  ${step.done}/${step.total} ${step.competitor ?? ''}${remainingMinutes(step.remaining)}`);
     };
     const onCase = (/** @type {LabRun} */ run) => {
       part = run;
-      tellCases(run, done);
+      printCases(run, done);
       void keepParts([...parts, run]).catch(() => {});
     };
     const keepParts = async (/** @type {LabRun[]} */ runs) => {
@@ -198,7 +198,7 @@ async function measure(browser, { plan, rest, before, options }) {
     };
     try {
       part = await browser.run(rest, { command, versions, crashes, onStep, onCase });
-      tellCases(part, done, true);
+      printCases(part, done, true);
       await keepParts([...parts, part]);
       return whole;
     } catch (error) {
@@ -210,7 +210,7 @@ async function measure(browser, { plan, rest, before, options }) {
       console.log(`The browser is started anew, and ${competitor} is left out in that case.`);
       if (part !== null) await keepParts([...parts, part]);
       parts = whole === null ? [] : [whole];
-      // what `onCase` told holds whole cases alone
+      // the parts of `onCase` have complete cases alone
       rest = whole === null ? plan : await browser.call(remainingOf, { ...whole, complete: part !== null });
     }
   }
@@ -218,18 +218,18 @@ async function measure(browser, { plan, rest, before, options }) {
   return whole;
 }
 
-/** An argument as a shell takes it. @param {string} argument */
+/** An argument, quoted for a shell if needed. @param {string} argument */
 const quoted = (argument) => (/^[\w./:=,@+-]+$/.test(argument) ? argument : `'${argument.replaceAll("'", "'\\''")}'`);
 
-/** Prints the cases that are over. @param {LabRun} run @param {Set<string>} done @param {boolean} [isLast] */
-function tellCases({ plan, rows }, done, isLast = false) {
+/** Prints the cases that have ended. @param {LabRun} run @param {Set<string>} done @param {boolean} [isLast] */
+function printCases({ plan, rows }, done, isLast = false) {
   for (const series of plan.series) {
     series.cases.forEach((_, index) => {
       const key = `${series.name} ${index}`;
-      const own = rows.filter((row) => row.series === series.name && row.index === index);
-      if (done.has(key) || own.length === 0 || (own.length < plan.competitors.length && !isLast)) return;
+      const caseRows = rows.filter((row) => row.series === series.name && row.index === index);
+      if (done.has(key) || caseRows.length === 0 || (caseRows.length < plan.competitors.length && !isLast)) return;
       done.add(key);
-      console.log(runLine(series, index, own));
+      console.log(runLine(series, index, caseRows));
     });
   }
 }
@@ -252,7 +252,7 @@ async function writeFiles(browser, run, options) {
     (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run),
     run,
   );
-  // drawings of an earlier run would lie between those of this one
+  // removes drawings of an earlier run
   for (const name of readdirSync(out)) if (name.endsWith('.svg')) rmSync(join(out, name));
   for (const { name, text } of files) writeFileSync(join(out, name), text);
   const drawings = files.filter(({ name }) => name.endsWith('.svg')).length;

@@ -49,16 +49,16 @@ import { launchBench } from './benchBrowser.mjs';
  * @typedef {{ lab: LabHandle, benchStep(step: Step): void, benchCase(run: LabRun): void }} LabWindow
  */
 
-/** WebGPU on Linux, where Chromium has it by these flags alone; the first without the last loses WebGL contexts. */
+/** Flags for WebGPU on Linux; the first without the last loses WebGL contexts. */
 const webgpuFlags =
   process.platform === 'linux'
     ? ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--disable-gpu-compositing']
     : [];
 
-/** Timers and drawing at full rate, whatever the window's state is. */
+/** Flags that keep timers and drawing at full rate in every state of the window. */
 const steadyFlags = ['--disable-background-timer-throttling', '--disable-renderer-backgrounding'];
 
-/** A browser with the Lab open, without its page: `window.lab` alone is used. */
+/** A browser with the Lab under `?headless`, used through `window.lab`. */
 export class LabBrowser {
   /** @type {Awaited<ReturnType<typeof launchBench>> | null} */
   #running = null;
@@ -66,7 +66,7 @@ export class LabBrowser {
   #page = null;
   /** @type {RunHandlers | null} */
   #handlers = null;
-  #lastSign = 0;
+  #lastStep = 0;
 
   /** @param {{ executablePath: string, gpu: boolean, url: string, timeout: number }} options - timeout in s */
   constructor(options) {
@@ -74,7 +74,7 @@ export class LabBrowser {
   }
 
   /**
-   * Calls `work` in the page. What it throws is thrown here, as its message alone.
+   * Calls `work` in the page. Rejects with the message of its error.
    *
    * @template T, [A=undefined]
    * @param {(argument: A) => T | Promise<T>} work
@@ -105,18 +105,18 @@ export class LabBrowser {
    * @param {LabPlan} plan
    * @param {RunHandlers} handlers
    * @returns {Promise<LabRun>}
-   * @throws {Error} when the page crashes, or gives no sign for `timeout`; what it gave until then went to `onCase`
+   * @throws {Error} when the page crashes, or makes no step for `timeout` seconds; `onCase` got the cases before
    */
   async run(plan, handlers) {
     this.#handlers = handlers;
-    this.#lastSign = performance.now();
+    this.#lastStep = performance.now();
     const { command, versions, crashes } = handlers;
     const { timeout } = this.options;
     /** @type {NodeJS.Timeout | undefined} */
     let timer;
-    const silent = new Promise((_, reject) => {
+    const stalled = new Promise((_, reject) => {
       timer = setInterval(() => {
-        if (performance.now() - this.#lastSign > timeout * 1000) reject(new Error(`no sign of it for ${timeout} s`));
+        if (performance.now() - this.#lastStep > timeout * 1000) reject(new Error(`no step for ${timeout} s`));
       }, 1000);
     });
     const measured = this.call(
@@ -128,13 +128,13 @@ export class LabBrowser {
     );
     measured.catch(() => {}); // the browser may be killed while it is at work
     try {
-      return /** @type {LabRun} */ (await Promise.race([measured, silent]));
+      return /** @type {LabRun} */ (await Promise.race([measured, stalled]));
     } finally {
       clearInterval(timer);
     }
   }
 
-  /** Ends the run at work, which then gives what it has. */
+  /** Cancels the run, whose promise then resolves with the rows so far. */
   async cancel() {
     await this.#page?.evaluate(() => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.cancel());
   }
@@ -154,7 +154,7 @@ export class LabBrowser {
     const page = await context.newPage();
     page.on('pageerror', (error) => console.error(`page error: ${error.message}`));
     await page.exposeFunction('benchStep', (/** @type {Step} */ step) => {
-      this.#lastSign = performance.now();
+      this.#lastStep = performance.now();
       this.#handlers?.onStep(step);
     });
     await page.exposeFunction('benchCase', (/** @type {LabRun} */ run) => this.#handlers?.onCase(run));

@@ -3,7 +3,7 @@ import { digits } from './benchTable.mjs';
 /** @typedef {import('./benchLabBrowser.mjs').LabRow} LabRow */
 
 /**
- * A case that is over, on one line, the fastest first.
+ * One line for a case that has ended, the fastest competitor first.
  *
  * @param {{ label: string, axis: string, values: number[], cases: object[] }} series
  * @param {number} index - of the case
@@ -15,13 +15,13 @@ export function runLine({ label, axis, values, cases }, index, rows) {
   const without = rows.filter(({ frame }) => frame === null).map(({ competitor }) => competitor);
   const missing = without.length > 0 ? `; no figure: ${without.join(', ')}` : '';
   const { lightKind, shading } = /** @type {{ lightKind?: string, shading?: string }} */ (cases[index]);
-  // along these the values are places in lists of names
+  // the values of these axes are indices into lists of names
   const name = axis === 'kind' ? lightKind : axis === 'shading' ? shading : undefined;
   const unit = values[index] === 1 ? axis.replace(/s$/, '') : axis;
   return `${label}, ${name ?? `${values[index].toLocaleString('en')} ${unit}`}: ${figures.length > 0 ? `${figures.join(', ')} ms` : 'nothing'}${missing}`;
 }
 
-/** Time left, with a comma before it; nothing when it is unknown. @param {number | null} ms */
+/** Time left, after a comma; empty if unknown. @param {number | null} ms */
 export function remainingMinutes(ms) {
   if (ms === null) return '';
   const seconds = Math.max(1, Math.round(ms / 1000));

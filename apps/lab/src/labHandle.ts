@@ -15,21 +15,21 @@ import { type Crash, framesOfBuilds } from './run/framesOfBuilds';
 import type { Progress } from './run/Progress';
 import { runPlan } from './run/runPlan';
 
-/** What a run from outside is told, and how. */
+/** Options of a run started from outside of the page. */
 export interface HandleOptions {
-  /** The command that makes the run, for its surroundings. */
+  /** Command that makes the run, for its surroundings. */
   readonly command?: string | null;
-  /** Versions that are told beside those of the page: of the build under `against/`, say. */
+  /** Versions in addition to those of the page, such as that of the build under `against/`. */
   readonly versions?: Readonly<Record<string, string>>;
-  /** Competitors with which the browser crashed in a case: they are not opened there again. */
+  /** Competitors and cases with which the browser crashed: they are not opened again. */
   readonly crashes?: readonly Crash[];
   /** Called before each step. */
   onStep?(step: Step): unknown;
-  /** Called with all rows so far once a case is over. */
+  /** Called after each case with all rows so far. */
   onCase?(run: LabRun): unknown;
 }
 
-/** See `Progress`; times in ms. */
+/** State of a run before a step, see `Progress`; times in ms. */
 export type Step = Pick<Progress, 'done' | 'total' | 'remaining' | 'competitor' | 'labCase'>;
 
 /** A file made of a run, as text. */
@@ -38,29 +38,29 @@ export interface TextFile {
   readonly text: string;
 }
 
-/** What the page offers as `window.lab` under `?headless`: the whole Lab without its page, for `npm run bench`. */
+/** Interface of the page under `?headless`, its `window.lab`: the Lab without a user interface, for `npm run bench`. */
 export interface LabHandle {
-  /** Words of the competitors, by key. */
+  /** Texts of the competitors by key. */
   readonly competitors: Readonly<Record<string, CompetitorWords>>;
   /**
-   * The configuration that the fragment of an address holds.
+   * Configuration of an address's fragment.
    *
-   * @throws Error that names all that is wrong in it
+   * @throws Error that names all its errors
    */
   configurationOf(fragment: string): Configuration;
-  /** What the page's large button measures. */
+  /** Configuration of the page's large button. */
   quickFor(device: { software: boolean }): Configuration;
   /** @throws Error that names what is out of bounds */
   planOf(configuration: Configuration): LabPlan;
   /**
    * Measures a plan. Competitors with `@against` at the end of their key are drawn by the build under `against/`.
    *
-   * @throws Error (as a rejection) when a run is at work, or the frame that draws does not open
+   * @throws Error (as a rejection) during another run, or if the frame that draws does not open
    */
   run(plan: LabPlan, options?: HandleOptions): Promise<LabRun>;
-  /** Where a run that begins now would be made. */
+  /** Surroundings of a run that would begin now. */
   surroundings(): Promise<LabSurroundings>;
-  /** Ends the run at work; its promise gives what was measured. */
+  /** Cancels the run, whose promise then resolves with the rows so far. */
   cancel(): void;
   /** See `remainingPlan` in mergeRuns.ts. */
   remaining(run: LabRun): LabPlan;
@@ -78,12 +78,12 @@ declare global {
   }
 }
 
-let atWork: AbortController | null = null;
+let running: AbortController | null = null;
 
 async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> {
-  if (atWork) throw new Error('A run is at work: wait for it, or call lab.cancel().');
+  if (running) throw new Error('A run is at work: wait for it, or call lab.cancel().');
   const controller = new AbortController();
-  atWork = controller;
+  running = controller;
   const frames = framesOfBuilds(document.body, options.crashes);
   try {
     const device = await (await frames.stageOf('forward')).device();
@@ -95,7 +95,7 @@ async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> 
     };
     const begin = performance.now();
     let labCase: unknown = null;
-    const tell = (rows: readonly LabRow[]): void => {
+    const report = (rows: readonly LabRow[]): void => {
       const duration = performance.now() - begin;
       const id = `${surroundings.date}-part`;
       const format = { format: 'farol-lab-run', version: 1, id, name: '' } as const;
@@ -108,14 +108,14 @@ async function run(plan: LabPlan, options: HandleOptions = {}): Promise<LabRun> 
       onProgress(progress) {
         const { done, total, remaining, competitor, rows } = progress;
         if (labCase !== null && labCase !== progress.labCase)
-          tell(rows.filter((row) => caseOf(plan, row) !== progress.labCase));
+          report(rows.filter((row) => caseOf(plan, row) !== progress.labCase));
         labCase = progress.labCase;
         void options.onStep?.({ done, total, remaining, competitor, labCase: progress.labCase });
       },
     });
   } finally {
     frames.close();
-    atWork = null;
+    running = null;
   }
 }
 
@@ -144,7 +144,7 @@ function files(run: LabRun): TextFile[] {
   return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
 }
 
-/** Offers `window.lab`. */
+/** Sets `window.lab`. */
 export function installLabHandle(): void {
   window.lab = {
     competitors: competitorNames,
@@ -153,7 +153,7 @@ export function installLabHandle(): void {
     planOf,
     run,
     surroundings,
-    cancel: () => atWork?.abort(),
+    cancel: () => running?.abort(),
     remaining: remainingPlan,
     merge: mergeRuns,
     parse: parseRun,

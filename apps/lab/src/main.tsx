@@ -4,7 +4,7 @@ import { NoStart, webglProblem } from './ui/NoStart';
 import { applyTheme, storedTheme } from './ui/support/theme';
 import './style.css';
 
-// npm run bench measures without the page
+// for npm run bench
 if (new URLSearchParams(location.search).has('headless')) {
   void import('./labHandle').then(({ installLabHandle }) => installLabHandle());
 } else showPage();

@@ -9,7 +9,7 @@ import { tag } from './svg';
 interface Props {
   runs: readonly LabRun[];
   names: readonly string[];
-  /** Keys of all competitors that have figures. */
+  /** Keys of the competitors of all runs. */
   competitors: readonly string[];
   settings: ChartSettings;
   onChange: (settings: ChartSettings) => void;
@@ -103,7 +103,7 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
   );
 }
 
-/** A competitor's line and symbol, as in the charts. */
+/** Line and symbol of a competitor in the charts. */
 function CompetitorSwatch({ name }: { name: string }) {
   const line = { d: 'M-12,0H12', stroke: pagePaint.competitor(name), 'stroke-width': name === 'auto' ? 2.6 : 1.8 };
   return (

@@ -64,7 +64,7 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
   );
 }
 
-/** The drawing, with a note at the point under the pointer or reached by arrow keys. */
+/** The drawing, with a note at the point that the pointer or the arrow keys chose. */
 function ChartDrawing({ chart }: { chart: ChartSpec }) {
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLDivElement>(null);

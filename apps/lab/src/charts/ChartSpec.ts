@@ -8,7 +8,7 @@ export interface ChartSettings {
   readonly scale: 'log' | 'linear';
   /** Keys of competitors that are left out. */
   readonly hidden: ReadonlySet<string>;
-  /** Index of the option on show, by key of a chart with a choice. */
+  /** Index of the chosen option, by key of a chart with a choice. */
   readonly cases: Readonly<Record<string, number>>;
 }
 
@@ -35,7 +35,7 @@ export interface ChartPoint {
 export interface DrawnChart {
   /** Pixels. */
   readonly height: number;
-  /** Elements as SVG text, without the `<svg>` around them: texts are centred and of 12 pixels unless they say otherwise. */
+  /** Elements as SVG text, without the `<svg>` around them: texts are centred and of 12 pixels by default. */
   readonly svg: string;
   readonly points: readonly ChartPoint[];
 }
@@ -56,9 +56,9 @@ export interface ChartTable {
 export interface ChartChoice {
   readonly label: string;
   readonly options: readonly string[];
-  /** Index of the option on show. */
+  /** Index of the chosen option. */
   readonly selected: number;
-  /** Whether an export has a file for each option; otherwise one for the option on show. */
+  /** Whether an export has a file for each option; otherwise one for the chosen option. */
   readonly exportsAll?: boolean;
 }
 

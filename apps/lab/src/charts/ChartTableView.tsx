@@ -1,6 +1,6 @@
 import type { ChartTable } from './ChartSpec';
 
-/** A chart's figures as a table that scrolls sideways where it is wider than its place. */
+/** A chart's figures as a table that scrolls sideways if it is too wide. */
 export function ChartTableView({ table, caption }: { table: ChartTable; caption: string }) {
   return (
     <div class="chart-table-scroll" role="region" aria-label={`Table: ${caption}`} tabIndex={0}>

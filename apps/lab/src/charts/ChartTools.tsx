@@ -5,7 +5,7 @@ import { chartPNG } from './chartPNG';
 import { chartSVG } from './chartSVG';
 import type { ChartSpec } from './ChartSpec';
 
-/** Saves a chart as a file, in the theme that the page shows. */
+/** Buttons that save a chart as a file, in the page's theme. */
 export function ChartTools({ chart, source }: { chart: ChartSpec; source: string }) {
   const [problem, setProblem] = useState('');
   const save = async (kind: 'svg' | 'png', event: MouseEvent): Promise<void> => {
@@ -35,7 +35,7 @@ export function ChartTools({ chart, source }: { chart: ChartSpec; source: string
   );
 }
 
-/** The theme in which an element is shown, by its `color-scheme`. */
+/** Theme of an element, by its `color-scheme`. */
 function themeOf(element: HTMLElement): 'light' | 'dark' {
   const scheme = getComputedStyle(element).colorScheme;
   const isBoth = scheme.includes('light') === scheme.includes('dark');

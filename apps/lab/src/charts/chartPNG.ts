@@ -3,7 +3,7 @@
  *
  * @param svg - text of the file, with width and height in pixels
  * @param scale - pixels of the picture for one of the file; 2 by default
- * @throws Error when the browser cannot draw the file, or makes no picture of it
+ * @throws Error when the browser cannot draw or encode the file
  */
 export async function chartPNG(svg: string, scale = 2): Promise<Blob> {
   const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));

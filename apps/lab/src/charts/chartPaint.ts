@@ -63,7 +63,7 @@ export const pagePaint: ChartPaint = {
   shade: (index) => `var(--chart-shade-${index % shades.length})`,
 };
 
-/** The custom properties that {@link pagePaint} names; they follow `color-scheme`. */
+/** Values of the custom properties in {@link pagePaint}; they follow `color-scheme`. */
 export const paintProperties: Readonly<Record<string, string>> = Object.fromEntries([
   ...Object.entries(colours).map(([name, pair]) => [`--chart-${name}`, lightDark(pair)]),
   ...shades.map((pair, i) => [`--chart-shade-${i}`, lightDark(pair)]),

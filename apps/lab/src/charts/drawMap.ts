@@ -8,7 +8,7 @@ const TOP = 40;
 
 /** The fastest of each case: a cell coloured by the winner, with a strip below for those that tie with it. */
 export function drawMap(map: WinnerMap, { width, paint }: DrawOptions): DrawnChart {
-  // many columns on a narrow screen: columns become rows
+  // columns become rows if they are many on a narrow screen
   const isTurned = map.columns.length > map.rows.length && (width - 120) / map.columns.length < 64;
   const [columns, rows] = isTurned ? [map.rows, map.columns] : [map.columns, map.rows];
   const [columnTitle, rowTitle] = isTurned ? [map.rowTitle, map.columnTitle] : [map.columnTitle, map.rowTitle];
@@ -17,7 +17,7 @@ export function drawMap(map: WinnerMap, { width, paint }: DrawOptions): DrawnCha
   const cellWidth = Math.min(170, (width - marginLeft - 4) / columns.length);
   const inner = cellWidth - 3;
   const cells = map.cells.flatMap(({ winners, ...cell }) => (winners === null ? [] : [{ ...cell, winners }]));
-  // two lines if one is too narrow for any of the names
+  // two lines if any name is too long for one
   const names = cells.map(({ winners }) =>
     wrapText(competitorWord(winners.best.competitor), inner - 4, 11).slice(0, 2),
   );

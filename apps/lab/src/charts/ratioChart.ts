@@ -1,7 +1,9 @@
 import type { LabRun } from '../results/LabRun';
 import { formatFactor, formatNumber } from '../words/format';
+import { boundsOf, compareSpreads } from '../words/compareSpreads';
 import { competitorLabel, competitorWord, metricWords } from '../words/names';
-import { geometricMean, ratiosOf } from '../words/ratios';
+import { caseLabel } from '../words/seriesCases';
+import { compareRuns } from '../results/compareRuns';
 import type { ChartSettings, ChartSpec } from './ChartSpec';
 import { competitorOrder } from './competitorMarks';
 import { type ChartRow, drawRows } from './drawRows';
@@ -14,27 +16,37 @@ export function ratioChart(
   { metric, scale }: ChartSettings,
   key = 'ratio',
 ): ChartSpec | null {
-  const ratios = ratiosOf(run, base, metric);
+  const compared = compareRuns(run, base, metric);
+  const ratios = compared.rows.flatMap(({ competitor, series, index, times, ratio }) => {
+    if (!times || ratio === null) return [];
+    const [bounds, baseBounds] = times.map(boundsOf);
+    return {
+      ...{ competitor, ratio, label: caseLabel(series, index), isTie: compareSpreads(...times) === 0 },
+      ...{ low: bounds.low / baseBounds.high, high: bounds.high / baseBounds.low },
+    };
+  });
   if (ratios.length === 0) return null;
-  const competitors = [...new Set(ratios.map(({ competitor }) => competitor))].sort(
-    (a, b) => competitorOrder(a) - competitorOrder(b),
-  );
+  const competitors = compared.competitors
+    .filter(({ cases }) => cases > 0)
+    .sort((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
   const lowest = Math.min(1, ...ratios.map(({ ratio }) => ratio));
   const highest = Math.max(1, ...ratios.map(({ ratio }) => ratio));
   const domain: [number, number] = scale === 'log' ? [lowest / 1.1, highest * 1.1] : [0, highest * 1.05];
-  const rows = competitors.map((competitor): ChartRow => {
-    const ratiosOfOne = ratios.filter((each) => each.competitor === competitor).sort((a, b) => a.ratio - b.ratio);
-    const mean = geometricMean(ratiosOfOne.map(({ ratio }) => ratio));
-    const [least, most] = [ratiosOfOne[0], ratiosOfOne.at(-1)!];
+  const rows = competitors.map(({ competitor, cases, ratio }): ChartRow => {
+    const sorted = ratios.filter((each) => each.competitor === competitor).sort((a, b) => a.ratio - b.ratio);
+    const [lowestCase, highestCase] = [sorted[0], sorted.at(-1)!];
+    const mean = ratio!;
     const lines = [
-      `${formatFactor(mean)} as long over ${ratiosOfOne.length} ${ratiosOfOne.length === 1 ? 'figure' : 'figures'}`,
-      `${formatNumber(least.ratio)} (${least.of.label}) to ${formatNumber(most.ratio)} (${most.of.label})`,
+      `${formatFactor(mean)} as long over ${cases} ${cases === 1 ? 'figure' : 'figures'}`,
+      `${formatNumber(lowestCase.ratio)} (${lowestCase.label}) to ${formatNumber(highestCase.ratio)} (${highestCase.label})`,
     ];
     const tip = { title: competitorLabel(competitor), lines };
     const fill = (paint: { competitor(name: string): string }): string => paint.competitor(competitor);
     return {
       ...{ label: competitorWord(competitor), competitor },
-      bars: [{ from: least.ratio, to: most.ratio, lane: 0, opacity: 0.35, fill, tip, text: formatNumber(mean) }],
+      bars: [
+        { from: lowestCase.ratio, to: highestCase.ratio, lane: 0, opacity: 0.35, fill, tip, text: formatNumber(mean) },
+      ],
       marks: [{ value: mean, competitor, lane: 0, tip }],
     };
   });
@@ -45,8 +57,8 @@ export function ratioChart(
     notes: ['Bars run from the least ratio of a case to the greatest; symbols and numbers are geometric means.'],
     table: {
       columns: ['Case', 'Competitor', 'Ratio', 'By the spreads', 'Within the spread'],
-      rows: ratios.map(({ of, competitor, ratio, low, high, isTie }) => [
-        ...[of.label, competitorLabel(competitor), formatNumber(ratio)],
+      rows: ratios.map(({ label, competitor, ratio, low, high, isTie }) => [
+        ...[label, competitorLabel(competitor), formatNumber(ratio)],
         ...[`${formatNumber(low)} to ${formatNumber(high)}`, isTie ? 'yes' : 'no'],
       ]),
     },
@@ -61,7 +73,7 @@ export function ratioChart(
   };
 }
 
-/** Ticks with 1 among them, closer together where the ratios are close. */
+/** Ticks with 1 among them, closer together if the ratios are close. */
 function ratioTicks([low, high]: readonly [number, number], most: number): number[] {
   const ticks = logTicks(low, high, most);
   if (ticks.length > 2) return ticks;

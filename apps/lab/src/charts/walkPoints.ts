@@ -1,22 +1,22 @@
 import type { ChartPoint } from './ChartSpec';
 
-/** The point nearest to a place; null where none lies within `reach` pixels. */
+/** The point nearest to a place; null if none lies within `reach` pixels. */
 export function nearestPoint(points: readonly ChartPoint[], x: number, y: number, reach: number): ChartPoint | null {
   let nearest: ChartPoint | null = null;
-  let least = reach * reach;
+  let nearestSquare = reach * reach;
   for (const point of points) {
     const distance = (point.x - x) ** 2 + (point.y - y) ** 2;
-    if (distance < least) [nearest, least] = [point, distance];
+    if (distance < nearestSquare) [nearest, nearestSquare] = [point, distance];
   }
   return nearest;
 }
 
 /**
- * Where an arrow key leads: left and right within a group, up and down to the next point of other groups at the same
- * place, Home and End to a group's ends.
+ * Next point for an arrow key: left and right within a group, up and down to the next point of other groups with the same
+ * order, Home and End to a group's ends.
  *
- * @param current - null where none is chosen yet: the first point is then
- * @returns undefined for a key that does not walk
+ * @param current - the chosen point; null for none: the first point is next
+ * @returns undefined for any other key
  */
 export function walkPoints(
   points: readonly ChartPoint[],

@@ -25,8 +25,8 @@ export interface WinnerMap {
 }
 
 /**
- * Maps of a run: lights by pixels for each scene that was measured at several of both, and series by values of one axis
- * for the rest. A map of one contest says nothing and is left out.
+ * Maps of a run: lights by pixels for each scene measured at several of both, otherwise series by values of one axis. Maps
+ * with fewer than two cases of several competitors are left out.
  */
 export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
   const cases = casesOf(run);

@@ -1,35 +1,35 @@
 import { type Camera, Matrix4, Vector3 } from 'three';
 
-/** A grid of clusters as three's ClusteredLightsNode has it. */
+/** A grid of clusters like that of three's ClusteredLightsNode. */
 export interface ClusterGrid {
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
   /** Side of a tile (pixels). */
   readonly tile: number;
-  /** Slices along the depth, each as much deeper than the one before. */
+  /** Slices along the depth, whose far ends grow by a constant factor. */
   readonly slices: number;
 }
 
-/** How full the clusters of a scene are. */
+/** Load of the clusters of a scene. */
 export interface ClusterFill {
   /** Lights of the fullest cluster. */
   readonly fullest: number;
-  /** Lights that `limit` leaves out of some cluster that they reach. */
+  /** Lights missing in some cluster within their range because of `limit`. */
   readonly dropped: number;
 }
 
-/** A sphere that a light reaches, in world space (m). */
+/** Sphere lit by a light, in world space (m). */
 export interface Reach {
   readonly centre: Vector3;
   readonly radius: number;
 }
 
 /**
- * Counts the lights of each cluster by the addon's own rule: spheres against the bounds of clusters in view space, lists
- * filled from the farthest light on.
+ * Counts the lights of each cluster by the rule of the ClusteredLighting addon: spheres against the bounds of clusters in
+ * view space, lists filled from the farthest light on.
  *
- * @param limit - lights that a cluster holds
+ * @param limit - most lights of a cluster
  */
 export function clusterFill(
   lights: readonly Reach[],
@@ -75,10 +75,10 @@ export function clusterFill(
   return { fullest, dropped };
 }
 
-/** How far a number is outside of a range. */
+/** Distance of a number from a range; 0 within it. */
 const outside = (value: number, low: number, high: number): number => Math.max(low - value, value - high, 0);
 
-/** Extent in view space of a range of normalised device coordinates between two depths. */
+/** Extent in view space of a range of normalised device coordinates, between two depths. */
 function bounds(low: number, high: number, near: number, far: number, scale: number): [number, number] {
   return [Math.min(low * near, low * far) * scale, Math.max(high * near, high * far) * scale];
 }

@@ -1,8 +1,8 @@
 import { type TechniqueName, techniques } from '@farol/renderer';
 
 /**
- * Competitors in the order of menus and colours. Run when the page is built (`valueModules`): the page has names and words,
- * `stage.html` alone the code.
+ * Texts and maker of a competitor. This module runs when the page is built (`valueModules`): the page has its values, the
+ * code of competitors is in `stage.html`.
  */
 export interface CompetitorWords {
   readonly label: string;
@@ -10,7 +10,7 @@ export interface CompetitorWords {
   readonly kind: 'farol' | 'three' | 'rival';
 }
 
-/** A technique's name within a label: its own label where that spells the key, else the key. */
+/** Short name of a technique: its label if that spells the key, otherwise the key. */
 function shortName(key: string, label: string): string {
   const letters = label
     .toLowerCase()
@@ -27,7 +27,7 @@ const techniqueCompetitors = Object.fromEntries(
   ]),
 ) as Readonly<Record<TechniqueName, CompetitorWords>>;
 
-/** Words of the competitors, by key: Farol's techniques, then the others. */
+/** Competitors by key, in the order of menus and charts: Farol's techniques, then the others. */
 export const competitorNames = {
   ...techniqueCompetitors,
   stock: {

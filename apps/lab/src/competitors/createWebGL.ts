@@ -1,17 +1,17 @@
 import { WebGLRenderer } from 'three';
 import type { StageScene } from '../stage/StageScene';
 
-/** How every competitor draws: no anti-aliasing, no tone mapping, sRGB out, a pixel a texel. */
+/** three's WebGLRenderer with the settings of all competitors: no anti-aliasing, no tone mapping, sRGB, pixel ratio 1. */
 export interface PlainWebGL {
   readonly renderer: WebGLRenderer;
   readonly gl: WebGL2RenderingContext;
-  /** @throws Error with the first line of what the shader compiler said, where a program did not compile */
+  /** @throws Error with the first line of the compiler's log if a program did not compile */
   check(): void;
   dispose(): void;
 }
 
 /**
- * three's WebGLRenderer for a case, with shadow maps where a light casts shadows.
+ * Makes the renderer of a case, with shadow maps if a light casts shadows.
  *
  * @throws Error when the browser gives no WebGL 2
  */

@@ -4,10 +4,10 @@ import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
 import { createWebGL } from './createWebGL';
 
-/** Frames after which 'auto' keeps to a technique, unless it prepares another one. */
+/** Frames by one technique after which `auto` counts as settled. */
 const SETTLED = 12;
 
-/** Farol with one of its techniques, its code fetched before a frame is timed. */
+/** Farol by one of its techniques; its code is fetched before a frame is timed. */
 export function farol(name: TechniqueName): Competitor {
   return {
     name,

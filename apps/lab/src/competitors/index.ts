@@ -9,7 +9,7 @@ import { stock } from './stock';
 /** Fetches a competitor's code. */
 type Fetch = () => Promise<Competitor>;
 
-const ofFarol = Object.fromEntries(
+const farolCompetitors = Object.fromEntries(
   Object.keys(techniques).map((name) => [name, async () => farol(name as TechniqueName)]),
 ) as Record<TechniqueName, Fetch>;
 
@@ -17,9 +17,9 @@ const ofFarol = Object.fromEntries(
 const rival = async (name: RivalName): Promise<Competitor> =>
   (await import('./rivals/rivalCompetitor')).rivalCompetitor(name);
 
-/** All competitors by key; what is large is fetched when it is chosen. A new one is a file and a line here. */
+/** Competitors by key; large ones are fetched when they first draw. A new one is a file and a line here. */
 export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
-  ...ofFarol,
+  ...farolCompetitors,
   stock: async () => stock,
   multipass: async () => multipass,
   'three-webgpu': async () => (await import('./threeWebGPU')).threeWebGPU,

@@ -1,28 +1,28 @@
 /** The command that installs the other engines. */
 export const installCommand = 'npm run rivals';
 
-/** What is installed of the other engines. */
+/** Installed versions of the other engines. */
 export interface InstalledRivals {
-  /** Versions of their packages by competitor's key; empty when they are not installed. */
+  /** Versions of their packages by competitor's key; empty if they are not installed. */
   readonly versions: Readonly<Record<string, string>>;
-  /** Whether the server that the page came from installs them when asked: the one of `npm start` does. */
+  /** Whether the page's server can install them, like that of `npm start`. */
   readonly canInstall: boolean;
 }
 
-/** What is installed of the other engines, as the page's server says. */
+/** Asks the page's server for the installed versions of the other engines. */
 export async function installedRivals(): Promise<InstalledRivals> {
   try {
     const answer = await fetch(new URL('rivals/versions.json', document.baseURI));
     if (answer.ok) return (await answer.json()) as InstalledRivals;
   } catch {
-    // a server that knows nothing of them, or none
+    // another server, or none
   }
   return { versions: {}, canInstall: false };
 }
 
 /**
- * Has the server of `npm start` install the other engines: some seconds to minutes, by the network.
- * @throws Error (as a rejection) with what npm said, or when the server installs nothing
+ * Makes the server of `npm start` install the other engines, which takes seconds to minutes.
+ * @throws Error (as a rejection) with npm's message, or if the server cannot install
  */
 export async function installRivals(): Promise<void> {
   const answer = await fetch(new URL('rivals/install', document.baseURI), { method: 'POST' });

@@ -24,8 +24,8 @@ import { createWebGL } from './createWebGL';
 import { lackingInThree, pointsAlone, refuseMatter } from './refuseMatter';
 
 /**
- * three's renderer as one would first think of many lights: all but the moving lights in a base pass, then the whole scene
- * once more for each of them, added up in linear half floats.
+ * The thesis's forward rendering by three's renderer: a base pass with all lights but the moving ones, then the whole scene
+ * once more for each of these, added in linear half floats.
  */
 export const multipass: Competitor = {
   name: 'multipass',
@@ -73,7 +73,7 @@ export const multipass: Competitor = {
   },
 };
 
-/** What is drawn over the base pass for a light: the lit meshes, with materials that only add. */
+/** The lit meshes with additive materials, drawn over the base pass for each light. */
 class AddedLights {
   readonly scene = new Scene();
   private readonly lamp = new PointLight();
@@ -93,7 +93,7 @@ class AddedLights {
       const { material } = object as Mesh;
       if (!material) continue;
       const copy = object.clone(false) as Mesh;
-      // where the base pass has it, at any time
+      // shared with the base pass: the copy moves with the original
       copy.matrix = object.matrix;
       copy.matrixWorld = object.matrixWorld;
       if (object instanceof InstancedMesh) (copy as InstancedMesh).instanceMatrix = object.instanceMatrix;
@@ -102,7 +102,7 @@ class AddedLights {
     }
   }
 
-  /** Takes the place, colour and reach of a light. */
+  /** Copies place, colour and range of a light to the light of this scene. */
   light(source: PointLight): void {
     const used = source.castShadow ? this.caster : this.lamp;
     this.lamp.visible = !source.castShadow;
@@ -127,7 +127,7 @@ class AddedLights {
     this.materials.set(source, copy);
     const { lights, emissive } = copy as Material & { lights?: boolean; emissive?: { set(value: number): void } };
     copy.visible = source.visible && (lights === true || 'lightMap' in copy) && !(copy instanceof MeshBasicMaterial);
-    // what the base pass has drawn already
+    // the base pass has these already
     emissive?.set(0);
     for (const map of ['emissiveMap', 'envMap', 'lightMap', 'aoMap']) {
       if (map in copy) (copy as unknown as Record<string, unknown>)[map] = null;
@@ -144,7 +144,7 @@ class AddedLights {
   }
 }
 
-/** A quad that shows the sum as sRGB. */
+/** A quad that draws the sum as sRGB. */
 function fullScreen(target: WebGLRenderTarget): Scene {
   const material = new MeshBasicMaterial({ map: target.texture, depthTest: false, depthWrite: false });
   return new Scene().add(new Mesh(new PlaneGeometry(2, 2), material));

@@ -1,4 +1,4 @@
-/** As much of WebGPU as is used here; TypeScript's library does not know it. */
+/** The part of WebGPU used here; TypeScript's library lacks it. */
 export interface CopyingDevice {
   readonly queue: { submit(commands: unknown[]): void };
   createBuffer(descriptor: { size: number; usage: number }): CopyBuffer;
@@ -19,7 +19,7 @@ const USAGE = 0x8 | 0x1;
 const READ = 1;
 
 /**
- * Reads what was drawn to a WebGPU canvas in this task; its context must have been configured to be copied from.
+ * Reads the picture drawn to a WebGPU canvas in this task; its context must be configured with COPY_SRC.
  *
  * @returns 8-bit pixels, top row first, opaque
  */

@@ -1,18 +1,18 @@
 import { type LightKind, lightKinds, type Shading, shadings } from '../plan/lightKinds';
 import type { RefusableScene } from './Competitor';
 
-/** Why a competitor cannot draw kinds of lights and shadings, as sentences; what is not named it can. */
+/** Reasons, each a sentence, why a competitor cannot draw kinds of lights and shadings; others it can. */
 export interface Lacking {
   readonly kinds?: Readonly<Partial<Record<LightKind, string>>>;
   readonly shadings?: Readonly<Partial<Record<Shading, string>>>;
 }
 
-/** The first reason not to draw a case; null where there is none. */
+/** The first reason not to draw a case; null if there is none. */
 export function refuseMatter({ kind, shading }: RefusableScene, lacking: Lacking): string | null {
   return lacking.kinds?.[kind] ?? lacking.shadings?.[shading] ?? null;
 }
 
-/** What three's renderers lack: fields, particles and the ends of rectangles are Farol's. */
+/** Kinds and shadings of Farol that three's renderers lack. */
 export const lackingInThree: Lacking = {
   kinds: {
     rectangles: 'Rectangles of three.js have no end: its picture would be another one.',
@@ -23,7 +23,7 @@ export const lackingInThree: Lacking = {
   shadings: { gouraud: 'three.js has no Gouraud shading: it lights all materials in each pixel.' },
 };
 
-/** Reasons of a competitor that is measured with point lights alone, for all other kinds. */
+/** Reasons, for all other kinds of lights, of a competitor measured with point lights alone. */
 export function pointsAlone(who: string): Readonly<Partial<Record<LightKind, string>>> {
   const others = Object.entries(lightKinds).filter(([kind]) => kind !== 'points');
   return Object.fromEntries(
@@ -31,7 +31,7 @@ export function pointsAlone(who: string): Readonly<Partial<Record<LightKind, str
   );
 }
 
-/** The reason of one that is handed other renderers' materials. */
+/** Reason of an engine that gets converted materials. */
 export const noGouraud = (who: string): Lacking['shadings'] => ({
   gouraud: `The Lab has no ${shadings.gouraud.word} for ${who}.`,
 });

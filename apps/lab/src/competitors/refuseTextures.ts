@@ -2,11 +2,11 @@ import type { Material } from 'three';
 import type { StageScene } from '../stage/StageScene';
 
 /**
- * Refuses a scene whose shadow maps do not fit into a shader beside a material's own textures.
+ * Refuses a scene whose shadow maps and material textures exceed the textures of a shader.
  *
- * @param textures - that a shader holds on this device
- * @param others - that the renderer needs besides
- * @throws Error that says for how many lights there is room
+ * @param textures - most textures of a shader on this device
+ * @param others - textures that the renderer itself needs
+ * @throws Error with the number of lights whose shadow maps fit
  */
 export function refuseTextures({ three, lights, still }: StageScene, textures: number, others = 0): void {
   const shadows = [...lights, ...still].filter(({ castShadow }) => castShadow).length;

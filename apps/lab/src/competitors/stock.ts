@@ -6,15 +6,15 @@ import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { smallFirstFrame } from './smallFirstFrame';
 
-/** Uniform vectors of a point light: position and distance, colour and decay; of a spot light; and of a point's shadow. */
+/** Uniform vectors of a point light, of a spot light, and of a point light's shadow. */
 const LIGHT = 2;
 const SPOT = 4;
 const SHADOW = 3;
-/** Uniform vectors that a material needs besides. */
+/** Uniform vectors of a material. */
 const OTHERS = 16;
-/** From so many lights on, compiling may hang the page: it is foretold, or done beside the page where the browser can. */
+/** Number of lights from which compiling may hang the page: it is done in parallel, or predicted if that is impossible. */
 const MANY = 64;
-/** Time between two questions whether it is done (ms). */
+/** Time between two polls of the compilation (ms). */
 const POLL = 4;
 
 /** three's own renderer: every light is in every shader. */
@@ -36,8 +36,8 @@ export const stock: Competitor = {
     const { three, camera, lights, still } = scene;
     refuseTextures(scene, deviceLimits().textures);
     const count = lights.length + still.length;
-    const isBeside = deviceLimits().compilesBeside;
-    if (count >= MANY && !isBeside) refuseTime(compileForecast(count), longest, count);
+    const isParallel = deviceLimits().compilesBeside;
+    if (count >= MANY && !isParallel) refuseTime(compileForecast(count), longest, count);
     const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
     async function drawFirst(): Promise<void> {
       const begin = performance.now();
@@ -53,7 +53,7 @@ export const stock: Competitor = {
     return {
       gl,
       render: () => renderer.render(three, camera),
-      ...(count >= MANY && isBeside && { drawFirst }),
+      ...(count >= MANY && isParallel && { drawFirst }),
       check,
       dispose,
     };
@@ -63,7 +63,7 @@ export const stock: Competitor = {
 /** COMPLETION_STATUS_KHR. */
 const IS_COMPLETE = 0x91b1;
 
-/** Watches which programs a context links. @returns whether they all are linked; asking does not wait for them */
+/** Records the programs that a context links. @returns a function that tells, without a wait, whether all are linked */
 function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   const programs: WebGLProgram[] = [];
   gl.linkProgram = (program) => {
@@ -73,7 +73,7 @@ function watchLinks(gl: WebGL2RenderingContext): () => boolean {
   return () => programs.every((program) => gl.getProgramParameter(program, IS_COMPLETE) as boolean);
 }
 
-/** @throws Error when compiling takes longer than a first frame may */
+/** @throws Error when compiling exceeds the limit of a first frame */
 function refuseTime(ms: number, longest: number, lights: number): void {
   if (ms < longest) return;
   const [time, limit] = [ms, longest].map((each) => (each < 9950 ? (each / 1000).toFixed(1) : Math.round(each / 1000)));
@@ -87,14 +87,14 @@ const TRIED = [16, 64] as const;
 /** Bounds of the growth of the compile time, as powers of the number of lights. */
 const SLOPES = [1, 3] as const;
 
-let tried: readonly number[] | null = null;
+let samples: readonly number[] | null = null;
 
 /**
  * Compile time of three's shader with many lights (ms), extrapolated from 16 and 64 lights: on some devices it is minutes,
  * during which the page would hang.
  */
 function compileForecast(lights: number): number {
-  tried ??= TRIED.map(smallFirstFrame);
-  const slope = Math.log(tried[1] / tried[0]) / Math.log(TRIED[1] / TRIED[0]);
-  return tried[1] * (lights / TRIED[1]) ** Math.min(SLOPES[1], Math.max(SLOPES[0], slope));
+  samples ??= TRIED.map(smallFirstFrame);
+  const slope = Math.log(samples[1] / samples[0]) / Math.log(TRIED[1] / TRIED[0]);
+  return samples[1] * (lights / TRIED[1]) ** Math.min(SLOPES[1], Math.max(SLOPES[0], slope));
 }

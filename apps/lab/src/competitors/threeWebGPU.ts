@@ -10,19 +10,19 @@ import { lackingInThree, refuseMatter } from './refuseMatter';
 import { refuseTextures } from './refuseTextures';
 import { type CopyingDevice, readWebGPU } from './readWebGPU';
 
-/** The addon's own sizes: side of a tile (pixels), slices along the depth. */
+/** Default sizes of the ClusteredLighting addon: side of a tile (pixels), slices along the depth. */
 const TILE = 32;
 const SLICES = 24;
-/** Lights that may come while the scene is measured. */
+/** Capacity for lights that are added while the scene is measured. */
 const SPARE = 10;
-/** Part by which a cluster may become fuller while lights move. */
+/** Factor by which a cluster may become fuller while lights move. */
 const ROOM = 1.15;
-/** Textures of the addon's own in each material. */
+/** Textures of the addon in each material. */
 const LIGHT_TEXTURES = 2;
-/** Part by which the addon makes its storage larger than need be. */
+/** Factor by which the addon enlarges its storage. */
 const HEADROOM = 1.5;
 
-/** As much of WebGPU as is used here; TypeScript's library does not know it. */
+/** The part of WebGPU used here; TypeScript's library lacks it. */
 interface Device extends CopyingDevice {
   readonly queue: CopyingDevice['queue'] & { onSubmittedWorkDone(): Promise<void> };
   readonly limits: { readonly maxStorageBufferBindingSize: number; readonly maxSampledTexturesPerShaderStage: number };
@@ -31,8 +31,8 @@ interface Device extends CopyingDevice {
 }
 
 /**
- * three's WebGPURenderer with the ClusteredLighting addon, whose clusters are made as large as the scene's lights ask for.
- * Lights that cast shadows are none of its clusters': they are drawn one by one, as by the stock renderer.
+ * three's WebGPURenderer with the ClusteredLighting addon, whose clusters hold as many lights as the scene needs. Lights
+ * that cast shadows are not clustered: each material loops over them, as in the stock renderer.
  */
 export const threeWebGPU: Competitor = {
   name: 'three-webgpu',
@@ -59,7 +59,7 @@ export const threeWebGPU: Competitor = {
     let problem = '';
     const tell = ({ message }: { message: string }): void => void (problem ||= message.split('\n')[0].slice(0, 200));
     Object.assign(renderer, { onError: tell, onDeviceLost: tell });
-    // it is told by `check`, not by the console
+    // reported by `check`, not on the console
     device.addEventListener('uncapturederror', (event) => event.preventDefault());
     saltShaderModules(device);
     const { limit, dropped } = clustersOf(scene, device.limits.maxStorageBufferBindingSize);
@@ -82,7 +82,7 @@ export const threeWebGPU: Competitor = {
   },
 };
 
-/** Lights that a cluster is to hold, and how many are left out where memory does not allow for more. */
+/** Lights per cluster, and the number of lights left out if memory does not allow for more. */
 function clustersOf(scene: StageScene, memory: number): { limit: number; dropped: number } {
   const { width, height } = scene;
   const camera = scene.camera as PerspectiveCamera;
@@ -92,18 +92,18 @@ function clustersOf(scene: StageScene, memory: number): { limit: number; dropped
   camera.updateMatrixWorld();
   for (const light of [...scene.lights, ...scene.still]) {
     if (!(light instanceof PointLight || light instanceof SpotLight)) continue;
-    // a spot light's own sphere is smaller: this one is no less than what it needs
+    // an upper bound for spot lights
     reaches.push({ centre: light.position, radius: light.distance || Infinity });
   }
   const clusters = Math.ceil(width / TILE) * Math.ceil(height / TILE) * SLICES;
   const most = Math.max(16, 16 * Math.floor(memory / (clusters * HEADROOM * 4) / 16));
   const { fullest } = clusterFill(reaches, camera, grid);
-  const wanted = Math.min(fullest * ROOM + SPARE, reaches.length + SPARE);
-  const limit = Math.min(most, Math.max(16, 16 * Math.ceil(wanted / 16)));
+  const needed = Math.min(fullest * ROOM + SPARE, reaches.length + SPARE);
+  const limit = Math.min(most, Math.max(16, 16 * Math.ceil(needed / 16)));
   return { limit, dropped: fullest > limit ? clusterFill(reaches, camera, grid, limit).dropped : 0 };
 }
 
-/** As saltShaders does for WebGL: no pipeline comes from the browser's cache. */
+/** Keeps pipelines from the browser's cache, like `saltShaders` for WebGL. */
 function saltShaderModules(device: Device): void {
   const salt = `\n// ${Math.random().toString(36).slice(2)}\n`;
   const create = device.createShaderModule;

@@ -18,20 +18,20 @@ export class GpuTimer {
     private readonly extension: TimerExtension,
   ) {}
 
-  /** A timer of a context; null where the device has none. */
+  /** A timer of a context; null if the device has no timer queries. */
   static of(gl: WebGL2RenderingContext): GpuTimer | null {
     const extension = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
     return extension && new GpuTimer(gl, extension);
   }
 
   /**
-   * GPU times (ms) of frames that are drawn one right after the other. Fewer than `count`, or none, when the device says
-   * that its clock was disturbed, does not answer, or gives times that are longer than all of it took.
+   * GPU times (ms) of consecutive frames: fewer than `count`, or none, if the device reports a disjoint clock, does not
+   * answer in time, or answers with times longer than the whole measurement.
    */
   async time(count: number, frame: () => void): Promise<number[]> {
     const { gl, extension, queries } = this;
     while (queries.length < count) queries.push(gl.createQuery() as WebGLQuery);
-    gl.getParameter(extension.GPU_DISJOINT_EXT); // asking clears it
+    gl.getParameter(extension.GPU_DISJOINT_EXT); // reading clears it
     const begin = performance.now();
     for (let i = 0; i < count; i++) {
       gl.beginQuery(extension.TIME_ELAPSED_EXT, queries[i]);

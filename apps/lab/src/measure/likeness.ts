@@ -1,8 +1,8 @@
-/** An 8-bit picture: as much of ImageData as is compared. */
+/** The compared part of an ImageData. */
 export interface Picture {
   readonly width: number;
   readonly height: number;
-  /** RGBA, a byte each. */
+  /** RGBA, one byte each. */
   readonly data: Uint8ClampedArray;
 }
 

@@ -3,32 +3,32 @@ import type { GpuTimer } from './GpuTimer';
 import { nextTask } from './nextTask';
 import { median } from './spread';
 
-/** What is measured. Times come from `now` (ms). */
+/** Frames to be measured, by the clock `now` (ms). */
 export interface Measured {
-  /** Moves the lights by a step and draws a frame; says how long the drawing call took (ms). */
+  /** Moves the lights by a step and draws a frame. @returns duration of the drawing call (ms) */
   frame(): number;
-  /** Waits until all that was drawn is done. */
+  /** Waits until the device has drawn everything. */
   finish(): void | Promise<void>;
   readonly timer: Pick<GpuTimer, 'time'> | null;
   now(): number;
 }
 
-/** A sample spans so much time at least, where frames are short (ms): browsers' clocks have steps of 0.1 ms. */
+/** Shortest duration of a sample, by several frames if needed (ms): browsers' clocks have steps of 0.1 ms. */
 const SPAN = 20;
-/** Samples of each kind, at least. */
-const LEAST = 3;
-/** Frames whose GPU times are asked for at once. */
+/** Fewest samples of each kind. */
+const FEWEST = 3;
+/** Frames timed by the GPU between two waits. */
 const QUERIES = 8;
 
 /**
- * Draws frames for about `ms` (ms): a few to warm up, then throughput in batches with one wait each, CPU time in frames
- * that are waited for one by one, and GPU times.
+ * Draws frames for about `ms` milliseconds: a few to warm up, then batches with one wait each for the throughput, single
+ * frames with a wait each for the CPU time, and frames with timer queries for the GPU time.
  */
 export async function measureTurn(measured: Measured, ms: number): Promise<Turn> {
   const { finish, timer, now } = measured;
   const wait = await waitCost(measured);
   const drawn = (): void => void measured.frame();
-  // caches filled, clocks up; how long a frame takes tells how many make a batch
+  // fills caches and raises clocks; the duration of a frame decides the size of a batch
   let length = 0;
   const begin = now();
   do {
@@ -50,7 +50,7 @@ export async function measureTurn(measured: Measured, ms: number): Promise<Turn>
     await finish();
     const whole = now() - start;
     frame.push(Math.max(whole - Math.min(wait, whole / 2), 0) / batch);
-    // with one frame at a time the call never waits for an earlier frame
+    // with one frame per batch the call never waits for an earlier frame: its time is the CPU time
     if (batch === 1) cpu.push(calls);
   });
   if (batch > 1) {
@@ -72,14 +72,14 @@ export async function measureTurn(measured: Measured, ms: number): Promise<Turn>
       now,
       share,
       async () => void gpu.push(...(await timer.time(queries, drawn))),
-      Math.ceil(LEAST / queries),
+      Math.ceil(FEWEST / queries),
     );
     await finish();
   }
   return { frame, cpu, gpu: gpu.length > 0 ? gpu : null };
 }
 
-/** Cost of a wait when there is nothing to wait for (ms). */
+/** Duration of a wait on an idle device (ms). */
 async function waitCost({ finish, now }: Measured): Promise<number> {
   await finish();
   const costs: number[] = [];
@@ -91,10 +91,10 @@ async function waitCost({ finish, now }: Measured): Promise<number> {
   return median(costs);
 }
 
-/** Does `step` for about `ms` (ms), `least` times at least; other tasks of the page run in between. */
-async function repeat(now: () => number, ms: number, step: () => Promise<void>, least = LEAST): Promise<void> {
+/** Repeats `step` for about `ms` milliseconds, at least `minimum` times; other tasks of the page run in between. */
+async function repeat(now: () => number, ms: number, step: () => Promise<void>, minimum = FEWEST): Promise<void> {
   const begin = now();
-  for (let i = 0; i < least || now() - begin < ms; i++) {
+  for (let i = 0; i < minimum || now() - begin < ms; i++) {
     await step();
     await nextTask();
   }

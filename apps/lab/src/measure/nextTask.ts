@@ -1,7 +1,7 @@
 let waiting: (() => void)[] = [];
 let channel: MessageChannel | null = null;
 
-/** Lets the page's other tasks run. Unlike `setTimeout` it is not slowed to 4 ms, nor to a second in a hidden tab. */
+/** Lets the page's other tasks run. Unlike `setTimeout` it is not throttled to 4 ms, nor to 1 s in a hidden tab. */
 export function nextTask(): Promise<void> {
   if (!channel) {
     channel = new MessageChannel();

@@ -18,18 +18,18 @@ export function quantile(values: readonly number[], q: number): number {
 export const median = (values: readonly number[]): number => quantile(values, 0.5);
 
 /**
- * Median of the turns' medians, so that one disturbed turn does not count, and percentiles of all samples, so that it
- * shows.
+ * Median of the turns' medians, which a single disturbed turn does not change, and percentiles of all samples, which show
+ * that turn.
  *
- * @param turns - samples of each turn (ms); turns without samples do not count
- * @returns null when no turn has any
+ * @param turns - samples of each turn (ms); turns without samples are ignored
+ * @returns null when no turn has samples
  */
 export function spreadOf(turns: readonly (readonly number[])[]): Spread | null {
-  const there = turns.filter((turn) => turn.length > 0);
-  if (there.length === 0) return null;
-  const all = there.flat();
+  const measured = turns.filter((turn) => turn.length > 0);
+  if (measured.length === 0) return null;
+  const all = measured.flat();
   return {
-    median: median(there.map(median)),
+    median: median(measured.map(median)),
     low: quantile(all, 0.1),
     high: quantile(all, 0.9),
     samples: all.length,

@@ -1,6 +1,6 @@
 const pixel = new Uint8Array(4);
 
-/** Waits until a context's work is done. `gl.finish` does not wait in Chrome; reading a pixel of the canvas does. */
+/** Waits until a context has drawn everything: `gl.finish` does not wait in Chrome, reading a pixel of the canvas does. */
 export function waitForPixel(gl: WebGL2RenderingContext): void {
   const framebuffer = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
   const pack = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING) as WebGLBuffer | null;

@@ -11,17 +11,17 @@ import { creaseAngle, type NormalsPicture, type NormalsWay } from './NormalsPict
 /** Point lights, as in the thesis's picture of Sponza. */
 const LIGHTS = 50;
 
-/** Time that the first frame may take (ms). */
+/** Limit of the first frame (ms). */
 const LONGEST = 60_000;
 
-/** The geometry as a file without normals has it. */
+/** A copy of a geometry without normals. */
 function bare(geometry: BufferGeometry): BufferGeometry {
   const copy = geometry.clone();
   copy.deleteAttribute('normal');
   return copy;
 }
 
-/** Takes the normals of all meshes off and computes them again. @returns share of corners that lean */
+/** Removes the normals of all meshes and computes them anew. @returns share of leaning corners, 0 to 1 */
 async function recompute(scene: OwnedScene, way: NormalsWay, assets: AssetLibrary): Promise<number> {
   const made = new Map<BufferGeometry, BufferGeometry>();
   let corners = 0;
@@ -43,13 +43,13 @@ async function recompute(scene: OwnedScene, way: NormalsWay, assets: AssetLibrar
     const counted = countLeaning(geometry, creaseAngle);
     corners += counted.corners;
     leaning += counted.leaning;
-    // what normal maps add hides what is to be seen
+    // normal maps would hide the difference
     mesh.material.normalMap = null;
   }
   return leaning / Math.max(1, corners);
 }
 
-/** Looks at the walls between the arches, where the thesis's picture has its stripes and rhombi. */
+/** Points the camera at the walls between the arches, where the thesis's picture has stripes and rhombi. */
 function aim(camera: PerspectiveCamera): void {
   camera.position.set(-12.5, 4.6, 1.2);
   camera.lookAt(-9.6, 5.3, -5);

@@ -8,20 +8,20 @@ export const pictureSize = { width: 640, height: 360 } as const;
 
 export interface NormalsPictures {
   readonly pictures: Partial<Readonly<Record<NormalsWay, NormalsPicture>>>;
-  /** Why there are none, as a sentence. */
+  /** Reason, a sentence, why there are none. */
   readonly problem: string | null;
 }
 
 /**
- * The two pictures of figure 4.3, drawn once in a frame of their own, which goes again.
+ * The two pictures of figure 4.3, drawn once in a temporary frame.
  *
- * @param isWanted - whether they are to be drawn now: not while others are measured
+ * @param isActive - whether to draw them now: not during a run
  */
-export function useNormalsPictures(isWanted: boolean): NormalsPictures {
+export function useNormalsPictures(isActive: boolean): NormalsPictures {
   const [state, setState] = useState<NormalsPictures>({ pictures: {}, problem: null });
   const isDone = state.problem !== null || Boolean(state.pictures.crease);
   useEffect(() => {
-    if (!isWanted || isDone) return;
+    if (!isActive || isDone) return;
     let isOver = false;
     const frames = createStageFrames(document.body);
     const draw = async (): Promise<void> => {
@@ -41,6 +41,6 @@ export function useNormalsPictures(isWanted: boolean): NormalsPictures {
       isOver = true;
       frames.close();
     };
-  }, [isWanted, isDone]);
+  }, [isActive, isDone]);
   return state;
 }

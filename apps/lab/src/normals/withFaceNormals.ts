@@ -1,11 +1,11 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
 
-/** Places nearer than this are one (m): files round them. */
+/** Distance below which two vertices have one place (m): files round positions. */
 const WELD = 1e-5;
 
 /**
- * A copy of a geometry without normals, with those that engines of 2015 computed: each place takes the mean of the
- * triangles that meet there, by their areas, whatever the angle between them.
+ * Copies a geometry with normals computed as engines of 2015 did: at each place the mean of the triangles that meet there,
+ * weighted by area, whatever the angle between them.
  *
  * @param geometry - indexed triangles with positions; left as it is
  */
@@ -27,10 +27,10 @@ export function withFaceNormals(geometry: BufferGeometry): BufferGeometry {
   return copy;
 }
 
-/** Corners of a geometry's triangles, and those whose normal leans from the triangle by more than an angle (radians). */
+/** Counts the corners of all triangles, and those whose normal deviates from the triangle's by more than an angle (radians). */
 export function countLeaning(geometry: BufferGeometry, angle: number): { corners: number; leaning: number } {
   const { normal: normals } = geometry.attributes;
-  const least = Math.cos(angle);
+  const limit = Math.cos(angle);
   let corners = 0;
   let leaning = 0;
   forEachTriangle(geometry, (vertices, face) => {
@@ -39,8 +39,8 @@ export function countLeaning(geometry: BufferGeometry, angle: number): { corners
     for (const vertex of vertices) {
       const [x, y, z] = [normals.getX(vertex), normals.getY(vertex), normals.getZ(vertex)];
       corners++;
-      // rounded: normals of 32 bits on a flat wall lean by nothing
-      if ((x * face[0] + y * face[1] + z * face[2]) / area < least - 1e-6) leaning++;
+      // tolerance for normals rounded to 32 bits
+      if ((x * face[0] + y * face[1] + z * face[2]) / area < limit - 1e-6) leaning++;
     }
   });
   return { corners, leaning };
@@ -48,7 +48,7 @@ export function countLeaning(geometry: BufferGeometry, angle: number): { corners
 
 type Triple = [number, number, number];
 
-/** Calls with the vertices of each triangle, and its normal times twice its area. Both are written anew each time. */
+/** Calls `use` for each triangle with its vertices and its normal times twice its area; both arrays are reused. */
 function forEachTriangle(geometry: BufferGeometry, use: (corners: Triple, normal: Triple) => void): void {
   const { index, attributes } = geometry;
   const { position } = attributes;
@@ -67,7 +67,7 @@ function forEachTriangle(geometry: BufferGeometry, use: (corners: Triple, normal
   }
 }
 
-/** Number of the place of each vertex. */
+/** Index of the place of each vertex; vertices at one place share it. */
 function placesOf({ attributes: { position } }: BufferGeometry): Uint32Array {
   const numbers = new Map<string, number>();
   const places = new Uint32Array(position.count);

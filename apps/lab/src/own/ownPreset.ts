@@ -1,10 +1,10 @@
 import type { Configuration } from '../plan/Configuration';
 import { presets, type Preset } from '../plan/presets';
 
-/** Whether a configuration measures the scene that was handed over. */
+/** Whether a configuration measures the handed-over scene. */
 export const usesOwnScene = ({ series }: Configuration): boolean => series.some(({ scene }) => scene === 'own');
 
-/** What to measure of the scene that was handed over, by everybody. @param name - of the scene */
+/** Preset that measures the handed-over scene by all competitors. @param name - of the scene */
 export function ownPreset(name: string): Preset {
   const { configuration } = presets.quick;
   return {

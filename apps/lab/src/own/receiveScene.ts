@@ -1,4 +1,4 @@
-/** A scene that another app handed over. */
+/** A scene handed over by another app. */
 export interface ReceivedScene {
   readonly name: string;
   /** A scene file of the engine with its assets, for `Stage.setOwnScene`. */
@@ -6,25 +6,25 @@ export interface ReceivedScene {
 }
 
 export interface ReceiveOptions {
-  /** How long the other page may take (ms). Default 60 s: a large scene has to be packed. */
+  /** Limit of the wait for the other page (ms). Default 60 s: large scenes take long to pack. */
   readonly patience?: number;
-  /** What receives it; the window when absent. */
+  /** Window that receives it; replaced in tests. */
   readonly host?: Pick<Window, 'opener' | 'location' | 'addEventListener' | 'removeEventListener'>;
 }
 
-/** Keys in `apps.json` of the apps whose scenes are taken. */
+/** Keys in `apps.json` of the apps that may hand scenes over. */
 const senders = ['editor', 'viewer'];
 
-/** Letters of a scene's name that are kept. */
+/** Longest name of a scene; longer ones are cut. */
 const LONGEST_NAME = 120;
 
 /**
- * Asks the page that opened this one for its scene, where the address says `?from=` and its origin. It is taken from the
- * editor and the viewer that `apps.json` names, and from nobody else. What the file holds is not looked at here: the engine
- * checks it when a stage opens it, and fetches nothing for it from elsewhere.
+ * Asks the page that opened this one for its scene, if the address has that page's origin as `?from=`. Only origins of the
+ * editor and the viewer in `apps.json` are accepted. The file is checked by the engine when a stage opens it; nothing is
+ * fetched for it from other addresses.
  *
- * @returns null when the address asks for none
- * @throws Error (as a rejection) of a sentence with the mend: another page offers it, nobody answers, or it was not packed
+ * @returns null if the address asks for none
+ * @throws Error (as a rejection), a sentence with the remedy: another page offers it, no answer, or it was not packed
  */
 export async function receiveScene({
   patience = 60_000,
@@ -67,7 +67,7 @@ export async function receiveScene({
   });
 }
 
-/** Origins of the apps whose scenes are taken. */
+/** Origins of the apps that may hand scenes over. */
 async function originsOf(page: string): Promise<string[]> {
   const list = new URL('./apps.json', page);
   try {

@@ -3,18 +3,18 @@ import { messageOf } from '../run/messageOf';
 import type { ReceivedScene } from './receiveScene';
 
 export interface OwnSceneState {
-  /** Whether the address asks for a scene that is not there yet. */
+  /** Whether a scene is expected and has not arrived yet. */
   readonly isComing: boolean;
-  /** The scene that the editor or the viewer handed over; null for none. */
+  /** The scene handed over by the editor or the viewer; null for none. */
   readonly scene: ReceivedScene | null;
-  /** Why it did not come, as a sentence; empty where nothing went wrong. */
+  /** Reason, a sentence, why it did not arrive; empty for no problem. */
   readonly problem: string;
 }
 
 /** Whether the address asks for a scene. */
 const isAsked = (): boolean => new URLSearchParams(location.search).has('from');
 
-/** The scene that another app handed over, as the address asks for one; the page's title names it. */
+/** The scene handed over by another app, if the address asks for one; sets the page's title to its name. */
 export function useOwnScene(): OwnSceneState {
   const [state, setState] = useState<OwnSceneState>(() => ({
     isComing: isAsked(),

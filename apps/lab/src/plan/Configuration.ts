@@ -1,7 +1,7 @@
 import type { Axis, Effort } from './LabPlan';
 import type { LightKind, Shading } from './lightKinds';
 
-/** Cases that differ along one axis, as a user chooses them. */
+/** Choice of a series: cases that differ along one axis. */
 export interface SeriesChoice {
   /** Key in `sceneWords`. */
   readonly scene: string;
@@ -9,26 +9,26 @@ export interface SeriesChoice {
   readonly n: number;
   readonly axis: Axis;
   /**
-   * Ascending: lights, objects, thousands of pixels, layers of overdraw or shadowed lights, as the axis says; for kinds of
-   * lights and shadings their places in `lightKindNames` and `shadingNames`.
+   * Ascending numbers of lights, objects, thousands of pixels, layers of overdraw or shadowed lights, by the axis; for kinds
+   * of lights and shadings indices into `lightKindNames` and `shadingNames`.
    */
   readonly values: readonly number[];
-  /** Moving lights where the axis is another; `objects` for as many as there are planes. */
+  /** Moving lights, unless they are the axis; `objects` for as many as there are planes. */
   readonly lights: number | 'objects';
-  /** What they are, where the axis is another. Default points. */
+  /** Kind of the moving lights, unless it is the axis. Default points. */
   readonly lightKind?: LightKind;
-  /** How far each reaches (m), 0.1 to 100. Default, or null: what the scene gives so many lights. */
+  /** Range of each moving light (m), 0.1 to 100. Default, or null: the scene's own range for this number of lights. */
   readonly lightRange?: number | null;
-  /** How materials are shaded, where the axis is another. Default their own. */
+  /** Shading of the materials, unless it is the axis. Default their own. */
   readonly shading?: Shading;
 }
 
-/** What a run is to measure, as the builder and the address hold it. */
+/** Settings of a run, edited by the builder and stored in the address. */
 export interface Configuration {
   /** Key in `presets`, or `custom`. */
   readonly preset: string;
   readonly series: readonly SeriesChoice[];
-  /** Size of the picture (pixels); its sides' ratio stays where the axis is pixels. */
+  /** Size of the picture (pixels); along an axis of pixels the aspect ratio stays. */
   readonly width: number;
   readonly height: number;
   /** Keys in `competitorNames`. */

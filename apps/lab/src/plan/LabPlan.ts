@@ -1,42 +1,42 @@
 import type { LightKind, Shading } from './lightKinds';
 
-/** Scene of a case: one of `scenes` of `@farol/scenes`, or `own`, the scene that another app handed over. */
+/** Scene of a case: one of `scenes` of `@farol/scenes`, or `own`, the scene handed over by another app. */
 export interface SceneChoice {
   /** Key in `scenes`, or `own`. */
   readonly name: string;
-  /** Values of the scene's parameters; the number of lights stands in the case. */
+  /** Values of the scene's parameters other than the number of lights, which is in the case. */
   readonly parameters: Readonly<Record<string, number | string | boolean>>;
 }
 
-/** One picture to be drawn by every competitor. */
+/** One picture that every competitor draws. */
 export interface LabCase {
   readonly scene: SceneChoice;
-  /** Moving lights; null where the scene fixes them (`own`). */
+  /** Number of moving lights; null for scene `own`, which has its own. */
   readonly lights: number | null;
-  /** Of them, how many cast shadows (maps of 512 texels a side). */
+  /** Number of moving lights that cast shadows, by maps of 512 texels per side. */
   readonly shadows: number;
-  /** What the moving lights are. */
+  /** Kind of the moving lights. */
   readonly lightKind: LightKind;
-  /** How far each of them reaches (m); null for what the scene gives so many lights. */
+  /** Range of the moving lights (m); null for the scene's own range. */
   readonly lightRange: number | null;
   readonly shading: Shading;
-  /** Layers of quads that cover the picture one behind the other; 0 for the scene as it is. */
+  /** Number of quads, one behind the other, that cover the whole picture; 0 for none. */
   readonly overdraw: number;
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
 }
 
-/** Fields of a case as they are in runs and callers that do not know them yet. */
+/** Values of fields that older runs lack. */
 export const plainCase = { lightKind: 'points', lightRange: null, shading: 'own' } as const satisfies Partial<LabCase>;
 
-/** What the curves of a run have along their x axis. */
+/** Property along the x axis of a run's curves. */
 export type Axis = 'lights' | 'objects' | 'pixels' | 'overdraw' | 'shadows' | 'kind' | 'shading';
 
-/** Whether the values of an axis are places in a list of names: `lightKindNames`, `shadingNames`. */
+/** Whether the values of an axis are indices into a list of names: `lightKindNames`, `shadingNames`. */
 export const isNamed = (axis: Axis): axis is 'kind' | 'shading' => axis === 'kind' || axis === 'shading';
 
-/** A chart of its own: cases that differ along one axis, in ascending order of it. */
+/** Cases of one chart, ascending along one axis. */
 export interface LabSeries {
   /** Unique within the plan, lower-kebab: `sponza`, `planes`. */
   readonly name: string;
@@ -47,30 +47,30 @@ export interface LabSeries {
   readonly values: readonly number[];
 }
 
-/** How long and how often each competitor is measured in each case. */
+/** Duration and repetition of the measurements of a competitor in a case. */
 export interface Effort {
-  /** Turns that each competitor gets, A B C A B C. */
+  /** Turns of each competitor, A B C A B C. */
   readonly rounds: number;
   /** Length of a turn (ms), shared among throughput, CPU and GPU times. */
   readonly turn: number;
   /**
-   * Measure first frames, the frame after ten lights more, and the frame after the technique changed; where the run has a
-   * `limit`, in the first case of each series alone.
+   * Whether to measure the frame after ten lights more and the frame after the technique changed. A run with a `limit` does
+   * so in the first case of each series alone.
    */
   readonly changes: boolean;
-  /** A competitor is left out, and says so, where its first frame or an ordinary one would take longer than this (ms). */
+  /** Longest first or ordinary frame (ms): a competitor that takes longer is left out, with a problem in its row. */
   readonly longestFrame: number;
-  /** Time for the whole run (ms): turns become shorter so that it ends by then. Null for none. */
+  /** Time limit of the whole run (ms), kept by shorter turns; null for none. */
   readonly limit: number | null;
 }
 
-/** What a run measures: series of cases, each by every competitor. */
+/** Series of cases, each to be measured for every competitor. */
 export interface LabPlan {
   /** Key in `presets`, or `custom`. */
   readonly preset: string;
   readonly label: string;
   readonly series: readonly LabSeries[];
-  /** Keys of competitors (`competitorNames`), in the order in which they take turns. */
+  /** Keys in `competitorNames`, in the order of turns. */
   readonly competitors: readonly string[];
   readonly effort: Effort;
 }

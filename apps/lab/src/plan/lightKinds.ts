@@ -1,13 +1,13 @@
-/** What the moving lights of a case are. */
+/** Texts of a kind of lights or of a shading. */
 export interface LightKindWords {
-  /** In menus. */
+  /** Label in menus. */
   readonly label: string;
   readonly help: string;
-  /** In sentences and beside an axis: `with rectangles`, `1,000 rectangles`. */
+  /** Name within a text and beside an axis: `with rectangles`, `1,000 rectangles`. */
   readonly word: string;
 }
 
-/** Kinds of the moving lights, by key; all shine where the point lights of the scene do, as far and as brightly. */
+/** Kinds of moving lights by key: all with the places, ranges and brightness of the scene's point lights. */
 export const lightKinds = {
   points: { label: 'Point lights', word: 'points', help: 'PointLights of three.js.' },
   spots: { label: 'Spot lights', word: 'spots', help: 'SpotLights of three.js that shine down, with soft edges.' },
@@ -35,15 +35,15 @@ export const lightKinds = {
 
 export type LightKind = keyof typeof lightKinds;
 
-/** In the order of the axis: the place of a kind is its value there, in runs that were kept too. New ones come last. */
+/** Keys in the order of the axis: indices are stored in kept runs, so new kinds come last. */
 export const lightKindNames = Object.keys(lightKinds) as readonly LightKind[];
 
-/** Kinds whose lights are objects of their own; the others are data of one object. */
+/** Kinds with an object per light; the others are data of one object. */
 export type SingleLightKind = Exclude<LightKind, 'field' | 'particles'>;
 
 export const isSingleLightKind = (kind: LightKind): kind is SingleLightKind => kind !== 'field' && kind !== 'particles';
 
-/** How the materials of a case are shaded. */
+/** Shadings of materials by key. */
 export const shadings = {
   own: { label: 'As they are', word: 'the materials’ own shading', help: 'Materials as the scene has them.' },
   flat: { label: 'Flat', word: 'flat shading', help: 'One normal a triangle.' },
@@ -53,5 +53,5 @@ export const shadings = {
 
 export type Shading = keyof typeof shadings;
 
-/** In the order of the axis, as for the kinds of lights. */
+/** Keys in the order of the axis: new shadings come last. */
 export const shadingNames = Object.keys(shadings) as readonly Shading[];

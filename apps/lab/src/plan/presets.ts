@@ -3,14 +3,14 @@ import type { Configuration, SeriesChoice } from './Configuration';
 import type { Effort } from './LabPlan';
 import { type LightKind, lightKindNames, type Shading, shadingNames } from './lightKinds';
 
-/** A configuration to begin with. */
+/** A ready-made configuration. */
 export interface Preset {
   readonly label: string;
   readonly help: string;
   readonly configuration: Configuration;
 }
 
-/** All but the other engines, which are installed on demand. */
+/** Keys of all competitors but the other engines, which are installed on demand. */
 export const ordinaryCompetitors: readonly string[] = Object.entries(competitorNames)
   .filter(([, { kind }]) => kind !== 'rival')
   .map(([name]) => name);
@@ -89,14 +89,14 @@ const recipes: Record<string, (name: string) => Preset> = {
   ),
 };
 
-/** Configurations to begin with, by key. */
+/** Ready-made configurations by key. */
 export const presets: Readonly<Record<string, Preset>> = Object.fromEntries(
   Object.entries(recipes).map(([name, make]) => [name, make(name)]),
 );
 
 /**
- * What the large button measures: on a processor that plays a graphics card, the planes in a small picture, since one
- * frame of the atrium takes it a second there.
+ * Configuration of the large button. On a software rasteriser, where one frame of the atrium takes a second, it has small
+ * pictures, mostly of the planes.
  */
 export function quickFor({ software }: { software: boolean }): Configuration {
   const { configuration } = presets.quick;

@@ -9,7 +9,7 @@ export interface SceneWords {
 
 const lit = ['lights', 'pixels', 'overdraw', 'shadows', 'kind', 'shading'] as const;
 
-/** Scenes by key in `@farol/scenes`; `own` is the scene that the editor or the viewer handed over. */
+/** Scenes by key in `@farol/scenes`; `own` is the scene handed over by the editor or the viewer. */
 export const sceneWords: Readonly<Record<string, SceneWords>> = {
   benchmarkLights: {
     label: 'Planes',
@@ -33,7 +33,7 @@ export const sceneWords: Readonly<Record<string, SceneWords>> = {
   },
 };
 
-/** What stands under the x axis of a chart. */
+/** Labels of the x axis of a chart, and units. */
 export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> = {
   lights: { label: 'Point lights', unit: 'lights' },
   objects: { label: 'Objects', unit: 'objects' },
@@ -44,7 +44,7 @@ export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> 
   shading: { label: 'Shading', unit: 'shading' },
 };
 
-/** The same for one series: its lights need not be point lights. */
+/** Label of the x axis of a series, whose lights need not be point lights. */
 export function axisLabel({ axis, cases }: Pick<LabSeries, 'axis' | 'cases'>): string {
   const others = axis === 'lights' && cases.some(({ lightKind }) => lightKind !== 'points');
   return others ? 'Lights' : axisWords[axis].label;

@@ -13,13 +13,13 @@ const metrics: Readonly<Record<Metric, string>> = {
   cpu: 'CPU time in the call that draws',
 };
 
-/** Ratios nearer to one than this are told as the same. */
+/** Relative difference below which two times count as equal. */
 const SAME = 0.03;
 
-/** Two runs side by side: what they differ in, a mean for each competitor, and every case that both have. */
+/** Two runs side by side: their differences, a mean for each competitor, and every case that both have. */
 export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
-  const [wanted, setWanted] = useState<Metric | null>(null);
-  const compared = useMemo(() => compareRuns(a, b, wanted ?? undefined), [a, b, wanted]);
+  const [chosen, setChosen] = useState<Metric | null>(null);
+  const compared = useMemo(() => compareRuns(a, b, chosen ?? undefined), [a, b, chosen]);
   const { metric, rows, competitors, differences } = compared;
   const series = [...new Set(rows.map((row) => row.series))];
   return (
@@ -32,7 +32,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
         <dd>{runWords(b)}</dd>
       </dl>
       {differences.length > 0 && (
-        <ul class="comparison-differences" aria-label="What the runs differ in">
+        <ul class="comparison-differences" aria-label="Differences of the runs">
           {differences.map((each) => (
             <li key={each}>{each}</li>
           ))}
@@ -45,7 +45,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
             <select
               id="comparison-metric"
               value={metric}
-              onChange={({ currentTarget }) => setWanted(currentTarget.value as Metric)}
+              onChange={({ currentTarget }) => setChosen(currentTarget.value as Metric)}
             >
               {Object.entries(metrics).map(([key, label]) => (
                 <option key={key} value={key}>
@@ -125,13 +125,13 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
   );
 }
 
-/** What of a case stands before its figures. */
+/** Label of a case before its figures. */
 function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number): string {
   if (isNamed(axis)) return namedValue(axis, value);
   return axis === 'pixels' ? `${width} × ${height}` : digits(value);
 }
 
-/** What the second run is to the first. */
+/** Relation of the second run to the first. */
 function ratioWords(ratio: number | null): string {
   if (ratio === null) return 'no figure in one of them';
   if (kindOf(ratio) === 'same') return 'the same within 3%';

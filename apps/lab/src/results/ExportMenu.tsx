@@ -7,15 +7,15 @@ import './results.css';
 
 interface ExportMenuProps {
   run: LabRun;
-  /** Address that restores the run's configuration; left out where there is none, as for a scene of one's own. */
+  /** Address that restores the run's configuration; null if none can, as for a handed-over scene. */
   link?: string | null;
 }
 
-/** Takes a run away: as a file, as Markdown by the clipboard, or its configuration as a link. */
+/** Menu to save a run as a file, copy it as Markdown, or copy a link to its configuration. */
 export function ExportMenu({ run, link = null }: ExportMenuProps) {
   const details = useRef<HTMLDetailsElement>(null);
   const summary = useRef<HTMLElement>(null);
-  const [said, setSaid] = useState<{ text: string; isProblem: boolean } | null>(null);
+  const [message, setMessage] = useState<{ text: string; isProblem: boolean } | null>(null);
   useEffect(() => {
     const onPointer = ({ target }: PointerEvent): void => {
       if (details.current?.open && !details.current.contains(target as Node)) details.current.open = false;
@@ -23,16 +23,16 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
     addEventListener('pointerdown', onPointer);
     return () => removeEventListener('pointerdown', onPointer);
   }, []);
-  useEffect(() => setSaid(null), [run]);
+  useEffect(() => setMessage(null), [run]);
 
   const act = async (work: () => Promise<string>): Promise<void> => {
-    setSaid(null);
+    setMessage(null);
     if (details.current) details.current.open = false;
     summary.current?.focus();
     try {
-      setSaid({ text: await work(), isProblem: false });
+      setMessage({ text: await work(), isProblem: false });
     } catch (error) {
-      setSaid({ text: messageOf(error), isProblem: true });
+      setMessage({ text: messageOf(error), isProblem: true });
     }
   };
   const save = (format: ExportFormat) =>
@@ -89,14 +89,14 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
           )}
         </ul>
       </details>
-      <p role={said?.isProblem ? 'alert' : 'status'} class={said?.isProblem ? 'problem' : 'dim'}>
-        {said?.text}
+      <p role={message?.isProblem ? 'alert' : 'status'} class={message?.isProblem ? 'problem' : 'dim'}>
+        {message?.text}
       </p>
     </div>
   );
 }
 
-/** Moves a menu to the left as far as it would lie outside of the page. */
+/** Moves a menu to the left so that it lies within the page. */
 function keepInside(menu: HTMLElement): void {
   menu.style.left = '0';
   const { right } = menu.getBoundingClientRect();

@@ -3,43 +3,43 @@ import type { LabPlan } from '../plan/LabPlan';
 /** Version of the JSON format. */
 export const LAB_RUN_VERSION = 1;
 
-/** Median and spread of a time (ms) over a case's turns. */
+/** Median and spread of a time (ms) over all turns of a case. */
 export interface Spread {
   /** Median of the turns' medians. */
   median: number;
   /** 10th and 90th percentile of all samples. */
   low: number;
   high: number;
-  /** How many samples there are. */
+  /** Number of samples. */
   samples: number;
 }
 
-/** What one frame asks of WebGL. Null for WebGPU, which is not counted. */
+/** Counts of one frame; null for WebGPU, which is not counted. */
 export interface Counts {
   draws: number | null;
   triangles: number | null;
   /** Programs linked since the competitor was opened for the case. */
   programs: number | null;
-  /** Bytes of render targets and light data, where the competitor tells them. */
+  /** Bytes of render targets and light data; null for competitors that do not report them. */
   targetBytes: number | null;
-  /** Bytes of textures and buffers sent to the device in a frame whose lights move; uniforms, as stock three's, do not count. */
+  /** Bytes of textures and buffers uploaded in a frame with moving lights, without uniforms. */
   uploadBytes: number | null;
 }
 
-/** GPU or, without a timer, CPU time of each pass (ms). */
+/** Time of each pass (ms): of the GPU, or of the CPU without timer queries. */
 export interface PassTimes {
   kind: 'gpu' | 'cpu';
   passes: { name: string; ms: number }[];
 }
 
-/** A frame after something changed, waited for. */
+/** Frame after a change, with the wait for the device. */
 export interface Change {
   ms: number;
   /** Programs linked in the frame; null for WebGPU. */
   programs: number | null;
 }
 
-/** How a competitor's picture compares with the reference of the case. */
+/** Comparison of a competitor's picture with the reference of the case. */
 export interface Likeness {
   /** Key of the competitor that drew the reference. */
   reference: string;
@@ -49,7 +49,7 @@ export interface Likeness {
   thumbnail: string;
 }
 
-/** What a competitor did in a case. */
+/** Results of a competitor in a case. */
 export interface LabRow {
   /** Key of the competitor. */
   competitor: string;
@@ -60,25 +60,25 @@ export interface LabRow {
   cpu: Spread | null;
   gpu: Spread | null;
   firstMs: number | null;
-  /** The frame after ten lights more. */
+  /** Frame after ten lights more. */
   added: Change | null;
-  /** The frame after another technique was chosen and this one again (Farol alone). */
+  /** Frame after a change to another technique and back (Farol alone). */
   changed: Change | null;
   counts: Counts | null;
   passes: PassTimes | null;
   likeness: Likeness | null;
-  /** Lights that the competitor leaves out. */
+  /** Number of lights that the competitor leaves out. */
   dropped: number;
-  /** Technique that drew, where the competitor picks one, and why. */
+  /** Technique chosen by the competitor, and its reason; null if it has none to choose. */
   technique: string | null;
   reason: string | null;
-  /** Why there is no figure, as a sentence; null when there is one. */
+  /** Reason, a sentence, why there are no figures; null if there are. */
   problem: string | null;
-  /** What spoils the figure, as sentences: throttling seen as drift, a hidden tab, a display-limited rate. */
+  /** Sentences on doubtful figures: a drift between turns, a hidden tab, a wait for the display. */
   warnings: string[];
 }
 
-/** Where and when a run was made. */
+/** Place and time of a run. */
 export interface LabSurroundings {
   /** Date and time, ISO 8601. */
   date: string;
@@ -87,25 +87,25 @@ export interface LabSurroundings {
   /** Browser's name and version; operating system. */
   browser: string;
   system: string;
-  /** Cores that the browser tells of. */
+  /** Cores reported by the browser. */
   cores: number | null;
   /** Version and commit of Farol. */
   build: string;
   /** Versions of the competitors' packages: three, playcanvas, @babylonjs/core. */
   versions: Record<string, string>;
-  /** The command that made the run; null in the page. */
+  /** Command that made the run; null for runs of the page. */
   command: string | null;
-  /** What spoils the whole run, as sentences: a software rasteriser, a hidden tab. */
+  /** Sentences on circumstances that make the whole run doubtful, such as a software rasteriser. */
   warnings: string[];
 }
 
-/** A finished or cancelled run: the JSON that is kept, exported, imported and compared. */
+/** A finished or cancelled run: the JSON format of kept, exported and imported runs. */
 export interface LabRun {
   format: 'farol-lab-run';
   version: typeof LAB_RUN_VERSION;
-  /** Unique, made of date and a random part. */
+  /** Unique: date and a random part. */
   id: string;
-  /** A name given by the user; empty for none. */
+  /** Name by the user; empty for none. */
   name: string;
   surroundings: LabSurroundings;
   plan: LabPlan;
@@ -116,5 +116,5 @@ export interface LabRun {
   duration: number;
 }
 
-/** The number that charts and sentences compare: GPU time where both have it, else throughput. */
+/** Time by which charts and tables compare. */
 export type Metric = 'frame' | 'gpu' | 'cpu';

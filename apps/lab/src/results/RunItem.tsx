@@ -5,11 +5,11 @@ import type { RunInfo } from './RunStore';
 
 interface RunItemProps {
   info: RunInfo;
-  /** Whether the run lies in the repository, and stays as it is. */
+  /** Whether the run is a reference of the repository, which cannot be renamed or deleted. */
   isReference?: boolean;
-  /** Ids of the runs that are chosen for a comparison, two at most. */
+  /** Ids of the runs chosen for a comparison, two at most. */
   chosen: readonly string[];
-  /** Id of the run on show. */
+  /** Id of the displayed run. */
   current: string | null;
   onOpen(id: string): Promise<void>;
   onChoose(id: string, isChosen: boolean): void;
@@ -17,7 +17,7 @@ interface RunItemProps {
   onDelete?(): Promise<void>;
 }
 
-/** A run of the library. */
+/** An entry of the library. */
 export function RunItem(props: RunItemProps) {
   const { info, isReference = false, chosen, current, onOpen, onChoose, onRename, onDelete } = props;
   const [isNaming, setNaming] = useState(false);
@@ -65,11 +65,11 @@ export function RunItem(props: RunItemProps) {
   );
 }
 
-/** @param onEnd - called once with the name, or with null when the user left it */
+/** @param onEnd - called once: with the name, or with null if the user cancels */
 function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(name: string | null): void }) {
   const field = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);
-  // before the next key
+  // in the same frame, so that no key is lost
   useLayoutEffect(() => {
     field.current?.focus();
     field.current?.select();

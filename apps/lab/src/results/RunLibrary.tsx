@@ -11,17 +11,17 @@ import './results.css';
 
 interface RunLibraryProps {
   store: RunStore;
-  /** Runs of the repository, which can be opened and compared. */
+  /** Reference runs of the repository. */
   references?: readonly ReferenceRun[];
-  /** Id of the run on show. */
+  /** Id of the displayed run. */
   current: string | null;
   onOpen(run: LabRun): void;
   onCompare(a: LabRun, b: LabRun): void;
-  /** Called once a run has another name. */
+  /** Called after a run was renamed. */
   onRename?(id: string, name: string): void;
 }
 
-/** Something that was deleted and can come back. */
+/** A deleted run that can be restored. */
 interface Deleted {
   readonly name: string;
   readonly undo: () => Promise<void>;
@@ -29,7 +29,7 @@ interface Deleted {
 
 const none: readonly ReferenceRun[] = [];
 
-/** The kept runs: open, rename, delete, import, and two of them to compare. */
+/** List of kept runs: to open, rename, delete, import, and compare two of them. */
 export function RunLibrary({ store, references = none, current, onOpen, onCompare, onRename }: RunLibraryProps) {
   const kept = useRuns(store);
   const [problems, setProblems] = useState<readonly string[]>([]);
@@ -47,7 +47,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
     }
   }, []);
 
-  const take = useCallback(
+  const importFiles = useCallback(
     (files: File[]) =>
       attempt(async () => {
         const { runs, problems } = await importRuns(files, store);
@@ -57,7 +57,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
       }),
     [store, onOpen, attempt],
   );
-  const isOver = useFileDrop(useCallback((files: File[]) => void take(files), [take]));
+  const isOver = useFileDrop(useCallback((files: File[]) => void importFiles(files), [importFiles]));
 
   const readers = useMemo(() => {
     const ofReferences = references.map(({ info, read }) => [info.id, read] as const);
@@ -82,7 +82,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
   const remove = (id: string, name: string) =>
     attempt(async () => {
       setDeleted({ name, undo: await store.remove(id) });
-      // the button that had the focus is gone
+      // the focused button no longer exists
       requestAnimationFrame(() => undoButton.current?.focus());
     });
   const undo = () =>
@@ -112,7 +112,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
             aria-label="Runs to import"
             tabIndex={-1}
             onChange={({ currentTarget }) => {
-              void take([...(currentTarget.files ?? [])]);
+              void importFiles([...(currentTarget.files ?? [])]);
               currentTarget.value = '';
             }}
           />

@@ -2,7 +2,7 @@ import { createStore, delMany, get, getMany, promisifyRequest, setMany, type Use
 import type { LabRun } from './LabRun';
 import { readRun } from './parseRun';
 
-/** What the list of kept runs shows of one. */
+/** Entry of a run in the list of kept runs. */
 export interface RunInfo {
   id: string;
   /** Given by the user; empty for none. */
@@ -24,7 +24,7 @@ export function runInfo({ id, name, plan, surroundings, complete, rows }: LabRun
   return { id, name, label: plan.label, date, device, browser, build, complete, rows: rows.length };
 }
 
-/** Why runs cannot be kept or read, as a sentence. */
+/** Failure to keep or read runs; the message is a sentence with the remedy. */
 export class RunStoreError extends Error {
   override name = 'RunStoreError';
 }
@@ -40,7 +40,7 @@ const reasons: Readonly<Record<string, string>> = {
   UnknownError: 'its store is damaged, or the disk is full',
 };
 
-/** @param what - could not be done, as in "The run was not kept" */
+/** @param what - start of the message, as in "The run was not kept" */
 function refused(what: string, error: unknown): RunStoreError {
   const { name, message } = error instanceof Error ? error : new Error(String(error));
   const why = Object.hasOwn(reasons, name) ? reasons[name] : message || 'it did not say why';
@@ -50,8 +50,8 @@ function refused(what: string, error: unknown): RunStoreError {
 }
 
 /**
- * Runs that the browser keeps, in IndexedDB: a short entry for the list and the run itself, always written together.
- * Each method rejects with a {@link RunStoreError} where the browser refuses; the runs stay with their owner.
+ * Runs kept in IndexedDB: a short entry for the list and the run itself, always written together. Each method rejects with
+ * a {@link RunStoreError} if the browser refuses.
  */
 export class RunStore {
   readonly #store: UseStore;
@@ -61,19 +61,19 @@ export class RunStore {
   /** @param name - of the database */
   constructor(name = 'farol-lab') {
     let opened: UseStore | null = null;
-    // opened on first use: a page that may store nothing throws here, and should start nevertheless
+    // opened on first use: it throws in a page without storage, which should start nevertheless
     this.#store = async (mode, callback) => (opened ??= createStore(name, 'runs'))(mode, callback);
     this.#channel = typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name);
-    this.#channel?.addEventListener('message', () => this.#tell());
+    this.#channel?.addEventListener('message', () => this.#notify());
   }
 
-  /** Calls `listener` whenever runs were kept, renamed or deleted, in this tab or another. @returns what ends that */
+  /** Calls `listener` after runs were kept, renamed or deleted in any tab. @returns a function that stops it */
   onChange(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** Keeps a run, in place of one of the same id. */
+  /** Keeps a run; replaces one of the same id. */
   async save(run: LabRun): Promise<void> {
     await this.#write('The run was not kept', [
       [infoKey(run.id), runInfo(run)],
@@ -81,7 +81,7 @@ export class RunStore {
     ]);
   }
 
-  /** Newest first. */
+  /** Entries of all kept runs, newest first. */
   async list(): Promise<RunInfo[]> {
     const range = IDBKeyRange.bound(infoKey(''), infoKey('\uffff'));
     const infos = await this.#try('The kept runs cannot be listed', () =>
@@ -96,7 +96,7 @@ export class RunStore {
   }
 
   /**
-   * @throws FormatError where the run is of another version of the Lab
+   * @throws FormatError if the run is of another version of the Lab
    */
   async open(id: string): Promise<LabRun> {
     const run: unknown = await this.#try('The run cannot be read', () => get(runKey(id), this.#store));
@@ -104,12 +104,12 @@ export class RunStore {
     return readRun(run);
   }
 
-  /** @param name - 200 characters at most; more are cut */
+  /** @param name - cut to 200 characters */
   async rename(id: string, name: string): Promise<void> {
     await this.save({ ...(await this.open(id)), name: name.trim().slice(0, 200) });
   }
 
-  /** Deletes a run. @returns what puts it back */
+  /** Deletes a run. @returns a function that restores it */
   async remove(id: string): Promise<() => Promise<void>> {
     const keys = [infoKey(id), runKey(id)];
     const kept = await this.#try('The run was not deleted', async () => {
@@ -140,10 +140,10 @@ export class RunStore {
 
   #changed(): void {
     this.#channel?.postMessage(null);
-    this.#tell();
+    this.#notify();
   }
 
-  #tell(): void {
+  #notify(): void {
     for (const listener of this.#listeners) listener();
   }
 }

@@ -4,7 +4,7 @@ import { competitorLabel, valueText } from '../words/names';
 import { compareRuns } from './compareRuns';
 import type { LabRun } from './LabRun';
 
-/** A run of two builds as two runs of the same competitors, this build's first; null where there is one build alone. */
+/** Splits a run of two builds into a run of each, this build's first; null for a run of one build. */
 export function buildsOf(run: LabRun): [LabRun, LabRun] | null {
   const isOther = (name: string): boolean => name.endsWith(AGAINST);
   const others = run.plan.competitors.filter(isOther).map(nameOf);
@@ -20,7 +20,7 @@ export function buildsOf(run: LabRun): [LabRun, LabRun] | null {
   ];
 }
 
-/** Two builds of one run compared, as a table in Markdown; empty where there is one build alone. */
+/** Table in Markdown that compares the two builds of a run; empty for a run of one build. */
 export function againstMarkdown(run: LabRun): string {
   const builds = buildsOf(run);
   if (!builds) return '';

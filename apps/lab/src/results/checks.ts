@@ -1,19 +1,19 @@
-/** Reads a value of unknown origin: gives a copy of what is known of it, or throws a {@link FormatError}. */
+/** Checks a value of unknown origin. @returns a copy of its known parts @throws FormatError */
 export type Check<T> = (value: unknown, path: string) => T;
 
-/** What is wrong with a file, as a sentence that names the field and the mend. */
+/** An error in a file; the message is a sentence that names the field and the remedy. */
 export class FormatError extends Error {
   override name = 'FormatError';
 }
 
-/** @param mend - what the field must be, after "give" */
+/** @param mend - description of a valid value, which follows "give" */
 function refuse(path: string, value: unknown, mend: string): never {
   if (value === undefined) throw new FormatError(`${path} is missing: give ${mend}.`);
-  throw new FormatError(`${path} is ${shown(value)}: give ${mend}.`);
+  throw new FormatError(`${path} is ${quoted(value)}: give ${mend}.`);
 }
 
-/** A value in an error: short, on one line. */
-function shown(value: unknown): string {
+/** A value within a message: short, on one line. */
+function quoted(value: unknown): string {
   if (Array.isArray(value)) return `a list of ${value.length}`;
   if (typeof value === 'object' && value !== null) return 'an object';
   const text = typeof value === 'string' ? JSON.stringify(value) : String(value);
@@ -30,24 +30,24 @@ export function text(most = 1000): Check<string> {
       : refuse(path, value, `a text of ${most} characters at most`);
 }
 
-/** @param what - in words, with the pattern's own examples */
+/** @param what - description of a valid text */
 export function textLike(pattern: RegExp, most: number, what: string): Check<string> {
   return (value, path) =>
     typeof value === 'string' && value.length <= most && pattern.test(value) ? value : refuse(path, value, what);
 }
 
-export function number(least: number, most: number, unit = ''): Check<number> {
+export function number(min: number, max: number, unit = ''): Check<number> {
   return (value, path) =>
-    typeof value === 'number' && value >= least && value <= most
+    typeof value === 'number' && value >= min && value <= max
       ? value
-      : refuse(path, value, `a number from ${least} to ${most}${unit && ` (${unit})`}`);
+      : refuse(path, value, `a number from ${min} to ${max}${unit && ` (${unit})`}`);
 }
 
-export function whole(least: number, most: number): Check<number> {
+export function whole(min: number, max: number): Check<number> {
   return (value, path) =>
-    typeof value === 'number' && Number.isInteger(value) && value >= least && value <= most
+    typeof value === 'number' && Number.isInteger(value) && value >= min && value <= max
       ? value
-      : refuse(path, value, `a whole number from ${least} to ${most}`);
+      : refuse(path, value, `a whole number from ${min} to ${max}`);
 }
 
 export const yesOrNo: Check<boolean> = (value, path) =>
@@ -63,21 +63,21 @@ export function orNull<T>(check: Check<T>): Check<T | null> {
   return (value, path) => (value === null ? null : check(value, path));
 }
 
-/** @param fallback - stands in for a field that older files lack */
+/** @param fallback - value for files without the field */
 export function orMissing<T>(check: Check<T>, fallback: T): Check<T> {
   return (value, path) => (value === undefined ? fallback : check(value, path));
 }
 
-export function listOf<T>(check: Check<T>, most: number, least = 0): Check<T[]> {
+export function listOf<T>(check: Check<T>, most: number, fewest = 0): Check<T[]> {
   return (value, path) => {
     if (!Array.isArray(value)) return refuse(path, value, 'a list');
     if (value.length > most) throw new FormatError(`${path} has ${value.length} entries: ${most} are the most.`);
-    if (value.length < least) throw new FormatError(`${path} has ${value.length} entries: ${least} are the least.`);
+    if (value.length < fewest) throw new FormatError(`${path} has ${value.length} entries: give at least ${fewest}.`);
     return value.map((each, i) => check(each, `${path}[${i}]`));
   };
 }
 
-/** An object with names of the file's own. */
+/** An object with arbitrary names. */
 export function record<T>(check: Check<T>, most: number): Check<Record<string, T>> {
   return (value, path) => {
     if (!isObject(value)) return refuse(path, value, 'an object');
@@ -85,13 +85,14 @@ export function record<T>(check: Check<T>, most: number): Check<Record<string, T
     if (names.length > most) throw new FormatError(`${path} has ${names.length} entries: ${most} are the most.`);
     for (const name of names) {
       const allowed = /^[@\w][\w@./-]{0,99}$/.test(name) && !(name in Object.prototype);
-      if (!allowed) throw new FormatError(`${path} has an entry ${shown(name)}: give it a name of letters and digits.`);
+      if (!allowed)
+        throw new FormatError(`${path} has an entry ${quoted(name)}: give it a name of letters and digits.`);
     }
     return Object.fromEntries(names.map((name) => [name, check(value[name], `${path}.${name}`)]));
   };
 }
 
-/** An object with these fields; what else it holds is left out. */
+/** An object with these fields; others are dropped. */
 export function fields<T extends object>(checks: { readonly [Key in keyof T]-?: Check<T[Key]> }): Check<T> {
   const entries = Object.entries(checks) as [string, Check<unknown>][];
   return (value, path) => {

@@ -1,21 +1,25 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
-import type { LabRow, LabRun, Metric } from './LabRun';
+import { timeOf } from '../words/compareSpreads';
+import type { LabRow, LabRun, Metric, Spread } from './LabRun';
 import { caseKey } from './mergeRuns';
 
-/** A competitor in a case that both runs have. */
+/** Times of a competitor in a case of both runs. */
 export interface ComparedRow {
   readonly competitor: string;
   readonly series: LabSeries;
   readonly labCase: LabCase;
+  readonly index: number;
   readonly value: number;
-  /** Medians (ms); null where a run has no figure. */
+  /** Times of both runs; null unless both have a figure. */
+  readonly times: readonly [a: Spread, b: Spread] | null;
+  /** Medians (ms); null without a figure. */
   readonly a: number | null;
   readonly b: number | null;
-  /** a / b: over 1 where the second run is faster. Null unless both have a figure. */
+  /** a / b: over 1 if the second run is faster; null unless both have a figure. */
   readonly ratio: number | null;
 }
 
-/** A mean over all cases in which both runs have a figure. */
+/** Mean of a competitor over all cases in which both runs have a figure. */
 export interface ComparedCompetitor {
   readonly competitor: string;
   /** Geometric mean of the ratios; null without any. */
@@ -25,15 +29,15 @@ export interface ComparedCompetitor {
 
 /** Two runs side by side. */
 export interface ComparedRuns {
-  /** What was compared: GPU time where every row of both that has a figure has it too, else throughput. */
+  /** Compared time: by default that of the GPU if all rows with figures have it, otherwise that of frames. */
   readonly metric: Metric;
   readonly rows: readonly ComparedRow[];
   readonly competitors: readonly ComparedCompetitor[];
-  /** What the runs differ in beside their device, as sentences. */
+  /** Differences of the runs other than their device, each a sentence. */
   readonly differences: readonly string[];
 }
 
-/** Two runs row by row: cases are the same when they draw the same picture, whatever series they stand in. */
+/** Compares two runs row by row. Cases that draw the same picture are matched, whatever their series. */
 export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(a, b)): ComparedRuns {
   const theirs = new Map<string, LabRow>();
   for (const row of b.rows) {
@@ -49,9 +53,13 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
         );
         const their = theirs.get(`${competitor} ${caseKey(labCase)}`);
         if (!ours || !their) continue;
-        const [first, second] = [ours[metric]?.median ?? null, their[metric]?.median ?? null];
-        const ratio = first !== null && second !== null && second > 0 && first > 0 ? first / second : null;
-        rows.push({ competitor, series, labCase, value: series.values[index], a: first, b: second, ratio });
+        const [first, second] = [timeOf(ours, metric), timeOf(their, metric)];
+        rows.push({
+          ...{ competitor, series, labCase, index, value: series.values[index] },
+          times: first && second ? [first, second] : null,
+          ...{ a: first?.median ?? null, b: second?.median ?? null },
+          ratio: first && second ? first.median / second.median : null,
+        });
       }
     });
   }
@@ -61,7 +69,7 @@ export function compareRuns(a: LabRun, b: LabRun, metric: Metric = commonMetric(
   return { metric, rows, competitors, differences: differencesOf(a, b, rows.length) };
 }
 
-/** GPU time where all that drew have it in both runs, else the throughput of frames. */
+/** GPU time if all rows with figures of both runs have it, otherwise frame time. */
 function commonMetric(a: LabRun, b: LabRun): Metric {
   const drew = [...a.rows, ...b.rows].filter(({ frame }) => frame !== null);
   return drew.length > 0 && drew.every(({ gpu }) => gpu !== null) ? 'gpu' : 'frame';
@@ -117,7 +125,7 @@ function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
   return found;
 }
 
-/** Whether the runs have cases in common, but for the size of the picture. */
+/** Whether the runs have cases that differ in the size of the picture alone. */
 function differInSize(a: LabRun, b: LabRun): boolean {
   const cases = ({ plan }: LabRun): LabCase[] => plan.series.flatMap((each) => each.cases);
   const [ours, theirs] = [cases(a), cases(b)].map(

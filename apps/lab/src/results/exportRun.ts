@@ -9,10 +9,10 @@ export interface RunFile {
   readonly content: Blob;
 }
 
-/** A form in which a run can be taken away. */
+/** A file format for runs. */
 export interface ExportFormat {
   readonly label: string;
-  /** What it is good for, a sentence. */
+  /** Purpose, one sentence. */
   readonly help: string;
   make(run: LabRun): Promise<RunFile>;
 }
@@ -46,7 +46,7 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
   };
 }
 
-/** The forms, by key. */
+/** File formats by key. */
 export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   json: textFormat('JSON', 'Everything, pictures included: the Lab opens it again, on any machine.', {
     ...{ extension: 'json', type: 'application/json' },
@@ -66,7 +66,7 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   png: chartsFormat('PNG', 'Every chart as a picture, in an archive.', 'png'),
 };
 
-/** The run's name, or its preset, with date and device: letters, digits and hyphens. */
+/** File name of letters, digits and hyphens: the run's name with the date, or preset, date and device. */
 export function fileName({ name, plan, surroundings }: LabRun): string {
   const parts = [
     'farol-lab',

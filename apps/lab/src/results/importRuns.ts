@@ -3,14 +3,14 @@ import { messageOf } from '../run/messageOf';
 import { LONGEST_RUN, parseRun } from './parseRun';
 import type { RunStore } from './RunStore';
 
-/** What came of files that were chosen or dropped. */
+/** Results of an import. */
 export interface Imported {
   readonly runs: readonly LabRun[];
-  /** What was refused, each a sentence with the file's name. */
+  /** Reasons of refused files, each a sentence with the file's name. */
   readonly problems: readonly string[];
 }
 
-/** Reads runs of files, and keeps those that are not kept yet. A run that cannot be kept is given all the same. */
+/** Reads runs of files and keeps new ones. A run that cannot be kept is returned all the same. */
 export async function importRuns(files: Iterable<File>, store: RunStore): Promise<Imported> {
   const runs: LabRun[] = [];
   const problems: string[] = [];

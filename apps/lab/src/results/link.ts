@@ -5,27 +5,27 @@ import { type LightKind, lightKindNames, type Shading, shadingNames } from '../p
 import { planOf } from '../plan/planOf';
 import { presets } from '../plan/presets';
 
-/** A configuration as read from an address, and what could not be read of it, as sentences. */
+/** A configuration read from an address, and its errors, each a sentence. */
 export interface Linked {
   configuration: Configuration;
   problems: string[];
 }
 
-/** What a configuration of one's own starts with: the series stand in the address. */
+/** Base of a configuration without a preset: its series come from the address. */
 const custom = (): Configuration => ({ ...presets.lights.configuration, preset: 'custom' });
 
 const baseOf = (preset: string): Configuration =>
   Object.hasOwn(presets, preset) ? presets[preset].configuration : custom();
 
 /**
- * The fragment of an address that restores a configuration, with its `#`. It holds the preset, and of the rest what
- * differs from it: `#preset=lights&size=1920x1080`, `#preset=custom&series=sponza:lights:10,100`.
+ * Fragment of an address, with its `#`, that restores a configuration: the preset, and settings that differ from it, as in
+ * `#preset=lights&size=1920x1080` or `#preset=custom&series=sponza:lights:10,100`.
  */
 export function linkOf(configuration: Configuration): string {
   const base = baseOf(configuration.preset);
   const parts = [`preset=${encodeURIComponent(configuration.preset)}`];
-  const add = (name: string, own: string, default_: string): void => {
-    if (own !== default_) parts.push(`${name}=${own}`);
+  const add = (name: string, value: string, default_: string): void => {
+    if (value !== default_) parts.push(`${name}=${value}`);
   };
   const series = configuration.series.map(seriesText);
   const isCustom = configuration.preset === 'custom';
@@ -40,30 +40,31 @@ export function linkOf(configuration: Configuration): string {
   return `#${parts.join('&')}`;
 }
 
-/** How `techniques` is read too; the address of the command line's `--techniques`. */
+/** Names of all settings of the address. */
 export const linkNames = ['preset', 'series', 'size', 'techniques', 'rounds', 'turn', 'changes', 'longest', 'seconds'];
 
-/** Letters of a name or a value that are told, unknown names and series that are told one by one. */
+/** Letters of a name or a value in a problem; longer ones are cut. */
 const MOST_LETTERS = 60;
-const MOST_TOLD = 3;
+/** Problems of one kind; further ones are counted. */
+const MOST_PROBLEMS = 3;
 
-/** Series of a plan, and values of a series, as many as a run may have. */
+/** Limits of a run: series of a plan, and values of a series. */
 const MOST_SERIES = 50;
 const MOST_VALUES = 200;
 
-const shown = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
+const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
-/** A few problems of many. @param others - what the others are, with their number before it */
-function tellFew(problems: string[], all: readonly string[], others: string): void {
-  problems.push(...all.slice(0, MOST_TOLD));
-  if (all.length > MOST_TOLD) problems.push(`So ${others.replace('#', String(all.length - MOST_TOLD))}.`);
+/** Adds the first problems of a kind and the number of the others. @param others - end of that sentence, `#` for the number */
+function addProblems(problems: string[], all: readonly string[], others: string): void {
+  problems.push(...all.slice(0, MOST_PROBLEMS));
+  if (all.length > MOST_PROBLEMS) problems.push(`So ${others.replace('#', String(all.length - MOST_PROBLEMS))}.`);
 }
 
 /**
- * The configuration of an address's fragment. What is wrong in it is named, and its default stands in its place.
+ * Reads a configuration from an address's fragment. Each error is reported, and replaced by the default.
  *
  * @param fragment - with or without `#`
- * @returns null where the address names no preset and no series
+ * @returns null if the fragment has neither a preset nor series
  */
 export function configurationOf(fragment: string): Linked | null {
   const values = new URLSearchParams(fragment.replace(/^#/, ''));
@@ -74,7 +75,7 @@ export function configurationOf(fragment: string): Linked | null {
   const asked = values.getAll('series');
   const broken: string[] = [];
   const series = asked.slice(0, MOST_SERIES).flatMap((text) => readSeries(text, base, broken));
-  tellFew(problems, broken, 'are # other series');
+  addProblems(problems, broken, 'are # other series');
   if (asked.length > MOST_SERIES) {
     problems.push(`The address has ${asked.length} series, and ${MOST_SERIES} is the limit: the others are left out.`);
   }
@@ -85,7 +86,7 @@ export function configurationOf(fragment: string): Linked | null {
   for (const [name, field] of Object.entries(effortFields)) {
     const text = values.get(name);
     if (text !== null && !field.read(text, effort))
-      problems.push(`${name}=${shown(text)} is none: give ${field.mend}.`);
+      problems.push(`${name}=${shortened(text)} is none: give ${field.mend}.`);
   }
   const configuration: Configuration = {
     preset,
@@ -95,19 +96,21 @@ export function configurationOf(fragment: string): Linked | null {
     effort,
   };
   const unknown = [...new Set(values.keys())].filter((name) => !linkNames.includes(name));
-  const told = unknown.map((name) => `The address has a setting ${shown(name)}, which the Lab does not know.`);
-  tellFew(problems, told, 'are # other settings');
+  const told = unknown.map((name) => `The address has a setting ${shortened(name)}, which the Lab does not know.`);
+  addProblems(problems, told, 'are # other settings');
   return { configuration, problems };
 }
 
 function presetOf(values: URLSearchParams, problems: string[]): string {
   const name = values.get('preset') ?? 'custom';
   if (name === 'custom' || Object.hasOwn(presets, name)) return name;
-  problems.push(`There is no preset ${shown(name)}: Quick stands in. Known are ${Object.keys(presets).join(', ')}.`);
+  problems.push(
+    `There is no preset ${shortened(name)}: Quick stands in. Known are ${Object.keys(presets).join(', ')}.`,
+  );
   return 'quick';
 }
 
-/** `scene:axis:values`, then `n=`, `lights=`, `kind=`, `range=` and `shading=` where they say anything. */
+/** `scene:axis:values`, then `n=`, `lights=`, `kind=`, `range=` and `shading=` if they differ from their defaults. */
 function seriesText({ scene, axis, values, n, lights, lightKind, lightRange, shading }: SeriesChoice): string {
   const planes = scene === 'benchmarkLights' && axis !== 'objects' ? [`n=${n}`] : [];
   const lit = axis === 'lights' || scene === 'own' ? [] : [`lights=${lights}`];
@@ -142,7 +145,7 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     else if (name === 'kind') choice.lightKind = value as LightKind;
     else if (name === 'range') choice.lightRange = number;
     else if (name === 'shading') choice.shading = value as Shading;
-    else problem ??= `${shown(setting)} is unknown`;
+    else problem ??= `${shortened(setting)} is unknown`;
   }
   try {
     if (problem === null) planOf({ ...base, series: [choice] });
@@ -150,15 +153,15 @@ function readSeries(text: string, base: Configuration, problems: string[]): Seri
     problem = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
   }
   if (problem === null) return [choice];
-  // a plan quotes names as they are
+  // the messages of a plan quote names in full
   const reason = problem.length > 400 ? `${problem.slice(0, 400)}…` : problem;
   problems.push(
-    `series=${shown(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,
+    `series=${shortened(text)} is left out: ${reason}. A series is scene:axis:values, as in sponza:lights:10,100.`,
   );
   return [];
 }
 
-/** A value of an axis as a number: that of a name is its place, and none for an unknown one. */
+/** Value along an axis as a number, the index of a name; NaN for an unknown one. */
 function valueOf(axis: Axis, text: string): number {
   if (!isNamed(axis)) return numberOf(text);
   const at = namesOf(axis).indexOf(text);
@@ -176,7 +179,7 @@ function readSize(text: string | null, { width, height }: Configuration, problem
   const [, ...sides] = /^(\d{1,5})[x×](\d{1,5})$/.exec(text) ?? [];
   const [w, h] = sides.map(Number);
   if (sides.length === 2 && Math.min(w, h) >= 16 && Math.max(w, h) <= 8192) return { width: w, height: h };
-  problems.push(`size=${shown(text)} is none: give width x height from 16x16 to 8192x8192, as in 1280x720.`);
+  problems.push(`size=${shortened(text)} is none: give width x height from 16x16 to 8192x8192, as in 1280x720.`);
   return { width, height };
 }
 
@@ -187,7 +190,7 @@ function readCompetitors(text: string | null, base: Configuration, problems: str
   const unknown = asked.filter((name) => !known.includes(name));
   if (unknown.length > 0) {
     const names = Object.keys(competitorNames).join(', ');
-    problems.push(`techniques=${shown(unknown.join(','))}: there is none of that name. Known are ${names}.`);
+    problems.push(`techniques=${shortened(unknown.join(','))}: there is none of that name. Known are ${names}.`);
   }
   if (known.length > 0) return known;
   if (unknown.length === 0) problems.push('techniques= names none: those of the preset stand in.');
@@ -199,40 +202,40 @@ type Effort = Writable<Configuration['effort']>;
 
 interface EffortField {
   write(effort: Configuration['effort']): string;
-  /** @returns whether the text says a value */
+  /** Sets the value. @returns whether the text is valid */
   read(text: string, effort: Effort): boolean;
-  /** What a text must be. */
+  /** Description of a valid text. */
   mend: string;
 }
 
 function numeric(
-  { least, most, isWhole = false }: { least: number; most: number; isWhole?: boolean },
+  { min, max, isWhole = false }: { min: number; max: number; isWhole?: boolean },
   what: string,
   get: (effort: Configuration['effort']) => number,
   set: (effort: Effort, value: number) => void,
 ): EffortField {
   return {
-    mend: `${what} from ${least} to ${most}`,
+    mend: `${what} from ${min} to ${max}`,
     write: (effort) => String(get(effort)),
     read(text, effort) {
       const value = numberOf(text);
-      if (!(value >= least && value <= most) || (isWhole && !Number.isInteger(value))) return false;
+      if (!(value >= min && value <= max) || (isWhole && !Number.isInteger(value))) return false;
       set(effort, value);
       return true;
     },
   };
 }
 
-/** Settings of the effort by their names in the address. */
+/** Settings of the effort by name in the address. */
 const effortFields: Readonly<Record<string, EffortField>> = {
   rounds: numeric(
-    { least: 1, most: 100, isWhole: true },
+    { min: 1, max: 100, isWhole: true },
     'a whole number of turns',
     ({ rounds }) => rounds,
     (effort, value) => (effort.rounds = value),
   ),
   turn: numeric(
-    { least: 10, most: 60_000 },
+    { min: 10, max: 60_000 },
     'milliseconds a turn',
     ({ turn }) => turn,
     (effort, value) => (effort.turn = value),
@@ -246,13 +249,13 @@ const effortFields: Readonly<Record<string, EffortField>> = {
     },
   },
   longest: numeric(
-    { least: 10, most: 600_000 },
+    { min: 10, max: 600_000 },
     'milliseconds of the longest frame',
     ({ longestFrame }) => longestFrame,
     (effort, value) => (effort.longestFrame = value),
   ),
   seconds: numeric(
-    { least: 0, most: 86_400 },
+    { min: 0, max: 86_400 },
     'seconds for the whole run, 0 for no limit,',
     ({ limit }) => (limit ?? 0) / 1000,
     (effort, value) => (effort.limit = value === 0 ? null : value * 1000),

@@ -10,7 +10,7 @@ import { testRow, testRun } from './testRun';
 
 const whole = testRun();
 
-/** What the Lab gives for the atrium under 10 and 100 lights by two competitors, in a stage without frames. */
+/** Runs the atrium under 10 and 100 lights by two competitors, in a stage without frames. */
 function measured(effort: Partial<Effort>, onProgress: (progress: Progress) => unknown, signal: AbortSignal) {
   const { configuration } = presets.lights;
   const series = [{ ...configuration.series[0], values: [10, 100] }];

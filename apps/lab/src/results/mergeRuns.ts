@@ -1,7 +1,7 @@
 import type { LabCase, LabPlan } from '../plan/LabPlan';
 import type { LabRow, LabRun } from './LabRun';
 
-/** The same for cases that draw the same picture. */
+/** Key of a case, equal for cases that draw the same picture. */
 export function caseKey(labCase: LabCase): string {
   const { scene, lights, shadows, lightKind, lightRange, shading, overdraw, width, height } = labCase;
   const parameters = Object.entries(scene.parameters).sort(([a], [b]) => (a < b ? -1 : 1));
@@ -9,15 +9,15 @@ export function caseKey(labCase: LabCase): string {
   return JSON.stringify([scene.name, parameters, lights, shadows, matter, overdraw, width, height]);
 }
 
-/** Problems of rows that a run gives when it is cancelled or its time is over: the case is to be measured yet. */
+/** Problems of rows that a cancelled or late run did not measure. */
 const unfinished = /^(Cancelled|Not measured)/;
 
 /**
- * What is left to measure of a run: cases of which a competitor has no row or one that was cut off, and the case that was
- * at work when the run ended early. Each has all competitors, so that they are measured in turns.
+ * Plan of the cases left to measure: those in which a competitor has no row or an unfinished one, and the last case of a run
+ * that ended early. Each case has all competitors again, since they are measured in turns.
  */
 export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'rows' | 'complete'>): LabPlan {
-  const there = new Set(
+  const finished = new Set(
     rows
       .filter(({ problem }) => !unfinished.test(problem ?? ''))
       .map((row) => placeOf(row.series, row.index, row.competitor)),
@@ -30,7 +30,7 @@ export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'r
     const isOpen = each.cases.map(
       (_, index) =>
         (!complete && last === `${each.name} ${index}`) ||
-        plan.competitors.some((competitor) => !there.has(placeOf(each.name, index, competitor))),
+        plan.competitors.some((competitor) => !finished.has(placeOf(each.name, index, competitor))),
     );
     return {
       ...each,
@@ -44,12 +44,12 @@ export function remainingPlan({ plan, rows, complete }: Pick<LabRun, 'plan' | 'r
 const placeOf = (series: string, index: number, competitor: string): string => `${series} ${index} ${competitor}`;
 
 /**
- * Parts of one run as one: rows of later parts stand in place of those of earlier ones. Cases are found by series and
- * what they draw, wherever they stand in their part.
+ * Merges parts of one run: rows of later parts replace those of earlier ones. Cases are matched by series and picture,
+ * whatever their index in the part.
  *
  * @param plan - of the whole run
  * @param parts - at least one, of one device
- * @throws Error that names what the parts differ in, where they are no parts of one run
+ * @throws Error that names the difference if they are not parts of one run
  */
 export function mergeRuns(plan: LabPlan, parts: readonly LabRun[]): LabRun {
   const last = parts.at(-1);

@@ -27,10 +27,10 @@ import {
   type Spread,
 } from './LabRun';
 
-/** Longest text of a run that is read (characters): ten times what the longest preset writes with its thumbnails. */
+/** Longest JSON of a run (characters): ten times that of the longest preset with its thumbnails. */
 export const LONGEST_RUN = 32e6;
 
-/** Most rows of a run, cases of a series and series of a plan. */
+/** Limits of the lists of a run. */
 const MOST = { rows: 20_000, cases: 200, series: 50, competitors: 50, passes: 100 };
 
 const key = textLike(/^[a-z0-9][\w.@/:-]*$/i, 100, 'a key of letters, digits and hyphens');
@@ -49,7 +49,7 @@ const labCase = fields<LabCase>({
   scene: fields({ name: key, parameters: record(parameter, 50) }),
   lights: orNull(whole(0, 1e7)),
   shadows: whole(0, 1e6),
-  // runs that are older have none of the three
+  // older runs lack these three
   lightKind: orMissing(oneOf(...lightKindNames), plainCase.lightKind),
   lightRange: orMissing(orNull(number(0.1, 100, 'm')), plainCase.lightRange),
   shading: orMissing(oneOf(...shadingNames), plainCase.shading),
@@ -99,7 +99,7 @@ const passes = fields<PassTimes>({
 const likeness = fields<Likeness>({
   reference: key,
   psnr: orNull(number(-1000, 1000, 'dB')),
-  // a picture within the file alone: an address would tell its host who opens the file
+  // only pictures within the file: fetching an address would tell its host who opens the file
   thumbnail: textLike(
     /^(data:image\/(webp|png|jpeg);base64,[A-Za-z0-9+/]*={0,2})?$/,
     400_000,
@@ -156,10 +156,10 @@ const run = fields<LabRun>({
 });
 
 /**
- * Reads the JSON of a run that somebody else may have written. Fields that are not known are left out.
+ * Reads the JSON of a run, which may come from anybody. Unknown fields are dropped.
  *
  * @param source - the JSON, {@link LONGEST_RUN} characters at most
- * @throws FormatError that names the field, its value and what is needed in its place
+ * @throws FormatError that names the field, its value and a valid one
  */
 export function parseRun(source: string): LabRun {
   if (source.length > LONGEST_RUN) {
@@ -177,7 +177,7 @@ export function parseRun(source: string): LabRun {
 }
 
 /**
- * The same of a value that was read already, as from the store.
+ * Checks a run that is parsed already, such as one of the store.
  *
  * @throws FormatError
  */
@@ -188,7 +188,7 @@ export function readRun(value: unknown): LabRun {
   return read;
 }
 
-/** Says what else the file is, before its fields are looked at. */
+/** Reports a file of another kind before its fields are checked. */
 function checkFormat(value: unknown): void {
   const { format, version, builds } = (typeof value === 'object' && value !== null ? value : {}) as Partial<
     Record<'format' | 'version' | 'builds', unknown>
@@ -207,7 +207,7 @@ function checkFormat(value: unknown): void {
   }
 }
 
-/** Rows must lie within the plan, once each. */
+/** Checks that each row is of a case and competitor of the plan, and that none is twice. */
 function checkReferences({ plan, rows }: LabRun): void {
   const lengths = new Map<string, number>();
   plan.series.forEach(({ name, cases, values }, i) => {

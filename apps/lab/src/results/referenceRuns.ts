@@ -2,21 +2,21 @@ import type { LabRun } from './LabRun';
 import { parseRun } from './parseRun';
 import type { RunInfo } from './RunStore';
 
-/** A run that lies in the repository: what it is, and how it is read. */
+/** A reference run of the repository. */
 export interface ReferenceRun {
   readonly info: RunInfo;
   /**
    * Fetches the run, once.
    *
-   * @throws Error (as a rejection) that says what failed
+   * @throws Error (as a rejection) with the remedy
    */
   read(): Promise<LabRun>;
 }
 
-/** Addresses of `apps/lab/reference/*.json`; the files are fetched, and no part of the script. */
+/** Addresses of `apps/lab/reference/*.json`; the files are not part of the script. */
 const urls = import.meta.glob<string>('../../reference/*.json', { query: '?url', import: 'default', eager: true });
 
-/** What the list shows of each, so that it need not fetch them. */
+/** Entries of the list, part of the script, so that the files are fetched only when opened. */
 const infos = import.meta.glob<RunInfo>('../../reference/*.json', {
   query: '?run-info',
   import: 'default',
@@ -29,7 +29,7 @@ async function fetchRun(url: string, name: string): Promise<LabRun> {
   return parseRun(await response.text());
 }
 
-/** Runs of the repository, the newest first. */
+/** Reference runs, newest first. */
 export const referenceRuns: readonly ReferenceRun[] = Object.keys(urls)
   .map((path) => {
     let run: Promise<LabRun> | null = null;

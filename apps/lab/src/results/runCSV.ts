@@ -46,26 +46,22 @@ export const csvColumns: readonly Column[] = [
   column('preset', 'preset, or custom', ({ run }) => run.plan.preset),
   column('series', 'name of the series', ({ series }) => series.name),
   column('case', 'index of the case in its series, from 0', ({ row }) => row.index),
-  column('axis', 'what grows along the series', ({ series }) => series.axis),
+  column('axis', 'property that varies along the series', ({ series }) => series.axis),
   column('value', 'value of the case along the axis', ({ series, row }) => series.values[row.index]),
   column('scene', 'scene', ({ labCase }) => labCase.scene.name),
   column('parameters', 'parameters of the scene, name=value', ({ labCase }) => parametersText(labCase.scene)),
-  column('lights', 'moving lights; empty where the scene fixes them', ({ labCase }) => labCase.lights),
-  column('shadowed_lights', 'of them, how many cast shadows', ({ labCase }) => labCase.shadows),
-  column('light_kind', 'what the moving lights are', ({ labCase }) => labCase.lightKind),
-  column(
-    'light_range_m',
-    'how far each reaches; empty for what the scene gives so many',
-    ({ labCase }) => labCase.lightRange,
-  ),
-  column('shading', 'how materials are shaded', ({ labCase }) => labCase.shading),
+  column('lights', 'moving lights; empty for a scene with its own', ({ labCase }) => labCase.lights),
+  column('shadowed_lights', 'moving lights that cast shadows', ({ labCase }) => labCase.shadows),
+  column('light_kind', 'kind of the moving lights', ({ labCase }) => labCase.lightKind),
+  column('light_range_m', 'range of the moving lights; empty for the scene’s own', ({ labCase }) => labCase.lightRange),
+  column('shading', 'shading of the materials', ({ labCase }) => labCase.shading),
   column('overdraw_layers', 'layers of quads over the picture', ({ labCase }) => labCase.overdraw),
   column('width_px', 'width of the picture', ({ labCase }) => labCase.width),
   column('height_px', 'height of the picture', ({ labCase }) => labCase.height),
-  column('competitor', 'who drew', ({ row }) => row.competitor),
-  column('technique', 'technique that drew, where the competitor picks one', ({ row }) => row.technique),
+  column('competitor', 'key of the competitor', ({ row }) => row.competitor),
+  column('technique', 'technique chosen by the competitor', ({ row }) => row.technique),
   ...spreadColumns('frame', 'wall time of a frame in a batch'),
-  ...spreadColumns('cpu', 'time in the call that draws'),
+  ...spreadColumns('cpu', 'duration of the drawing call'),
   ...spreadColumns('gpu', 'GPU time by timer query'),
   column('first_ms', 'first frame, programs and uploads included', ({ row }) => row.firstMs),
   column('ten_lights_more_ms', 'frame after ten lights more', ({ row }) => row.added?.ms ?? null),
@@ -77,30 +73,30 @@ export const csvColumns: readonly Column[] = [
   column('programs', 'programs linked for the case', ({ row }) => row.counts?.programs ?? null),
   column('target_bytes', 'render targets and light data', ({ row }) => row.counts?.targetBytes ?? null),
   column('upload_bytes', 'sent to the device in a frame', ({ row }) => row.counts?.uploadBytes ?? null),
-  column('reference', 'who drew the picture that is compared with', ({ row }) => row.likeness?.reference ?? null),
+  column('reference', 'competitor that drew the reference picture', ({ row }) => row.likeness?.reference ?? null),
   column(
     'psnr_db',
-    'likeness of the picture; inf for an equal one',
+    'PSNR to the reference picture; inf for an equal one',
     ({ row }) => row.likeness && (row.likeness.psnr ?? 'inf'),
   ),
   column('dropped_lights', 'lights that the competitor leaves out', ({ row }) => row.dropped),
-  column('problem', 'why there is no figure', ({ row }) => row.problem),
-  column('warnings', 'what spoils the figure', ({ run, row }) =>
+  column('problem', 'reason why there is no figure', ({ row }) => row.problem),
+  column('warnings', 'reasons why the figures are doubtful', ({ run, row }) =>
     [...run.surroundings.warnings, ...row.warnings].join(' '),
   ),
 ];
 
 /**
- * A run as CSV by RFC 4180, UTF-8 without a byte order mark: a row for each case and competitor, an empty cell for no
- * figure. A text that a spreadsheet would take for a formula gets an apostrophe before it.
+ * A run as CSV by RFC 4180, UTF-8 without a byte order mark: a row for each case and competitor, an empty cell without a
+ * figure. A text that a spreadsheet would read as a formula gets an apostrophe in front.
  */
 export function runCSV(run: LabRun): string {
   const series = new Map(run.plan.series.map((each) => [each.name, each]));
   const lines = [csvColumns.map(({ name }) => name)];
   for (const row of run.rows) {
-    const own = series.get(row.series);
-    if (!own) throw new Error(`Row of ${row.competitor}: the plan has no series "${row.series}".`);
-    const place = { run, series: own, labCase: own.cases[row.index], row };
+    const planned = series.get(row.series);
+    if (!planned) throw new Error(`Row of ${row.competitor}: the plan has no series "${row.series}".`);
+    const place = { run, series: planned, labCase: planned.cases[row.index], row };
     lines.push(csvColumns.map(({ cell }) => cellText(cell(place))));
   }
   return lines.map((cells) => `${cells.join(',')}\r\n`).join('');

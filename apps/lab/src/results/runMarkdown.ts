@@ -4,11 +4,11 @@ import { formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
 import type { LabRow, LabRun } from './LabRun';
 
-/** A table of a series: what its cells say of a row, and which of them are numbers that compete. */
+/** A table of a series, with a cell for each row of the run. */
 interface Quantity {
   readonly title: string;
   readonly cell: (row: LabRow) => string | null;
-  /** The number of which the lowest is set in bold. */
+  /** Number of a row; the lowest of a case is set in bold. */
   readonly lowest?: (row: LabRow) => number | null;
 }
 
@@ -49,11 +49,11 @@ export function runMarkdown(run: LabRun): string {
   const { plan, surroundings, rows } = run;
   const lines = [`# ${escaped(run.name || plan.label)}`, '', ...surroundingsLines(run)];
   for (const series of plan.series) {
-    const own = rows.filter((row) => row.series === series.name);
+    const seriesRows = rows.filter((row) => row.series === series.name);
     lines.push('', `## ${escaped(series.label)}`);
-    if (own.length === 0) lines.push('', 'Nothing was measured.');
-    for (const quantity of quantities) lines.push(...table(series, plan.competitors, own, quantity));
-    lines.push(...remarks(series, own));
+    if (seriesRows.length === 0) lines.push('', 'Nothing was measured.');
+    for (const quantity of quantities) lines.push(...table(series, plan.competitors, seriesRows, quantity));
+    lines.push(...remarks(series, seriesRows));
   }
   if (surroundings.warnings.length > 0) {
     lines.push('', '## Warnings', '', ...surroundings.warnings.map((each) => `- ${escaped(each)}`));
@@ -77,29 +77,29 @@ function surroundingsLines({ surroundings, complete, duration, plan }: LabRun): 
 
 function table(series: LabSeries, competitors: readonly string[], rows: LabRow[], quantity: Quantity): string[] {
   const { title, cell, lowest } = quantity;
-  const shown = competitors.filter((name) => rows.some((row) => row.competitor === name && cell(row) !== null));
-  if (shown.length === 0) return [];
+  const columns = competitors.filter((name) => rows.some((row) => row.competitor === name && cell(row) !== null));
+  if (columns.length === 0) return [];
   const heads = headings(series);
   const lines = [
     ...['', `${title}.`, ''],
-    line([...heads.map(({ title }) => title), ...shown.map((name) => escaped(competitorLabel(name)))]),
-    line([...heads, ...shown].map(() => '--:')),
+    line([...heads.map(({ title }) => title), ...columns.map((name) => escaped(competitorLabel(name)))]),
+    line([...heads, ...columns].map(() => '--:')),
   ];
   series.cases.forEach((labCase, index) => {
-    const of = shown.map((name) => rows.find((row) => row.index === index && row.competitor === name));
+    const of = columns.map((name) => rows.find((row) => row.index === index && row.competitor === name));
     const numbers = of.flatMap((row) => (row && lowest ? (lowest(row) ?? []) : []));
-    const least = numbers.length > 1 ? Math.min(...numbers) : null;
+    const lowestNumber = numbers.length > 1 ? Math.min(...numbers) : null;
     const cells = of.map((row) => {
       const text = row ? cell(row) : null;
       if (!row || text === null) return '–';
-      return least !== null && lowest?.(row) === least ? `**${escaped(text)}**` : escaped(text);
+      return lowestNumber !== null && lowest?.(row) === lowestNumber ? `**${escaped(text)}**` : escaped(text);
     });
     lines.push(line([...heads.map(({ of }) => of(labCase, series.values[index])), ...cells]));
   });
   return lines;
 }
 
-/** What stands before the figures of a case: N and M for planes, as in the thesis; else its value along the axis. */
+/** Columns before the figures of a case: N and M for planes, as in the thesis, otherwise the value along the axis. */
 function headings(series: LabSeries): { title: string; of: (labCase: LabCase, value: number) => string }[] {
   const { axis, cases } = series;
   const squares = cases.every(
@@ -141,7 +141,7 @@ const megabytes = (bytes: number | null): number | null => (bytes === null ? nul
 
 const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
 
-/** A text that may come from another's file: one line, no markup, one cell. */
+/** Escapes a text, which may come from a foreign file: one line without markup or cell borders. */
 function escaped(text: string): string {
   return text.replaceAll(/\s+/g, ' ').replaceAll(/[\\`*_|<>[\]]/g, '\\$&');
 }

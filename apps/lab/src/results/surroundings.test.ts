@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import { surroundingsOf, type Teller } from './surroundings';
+import { surroundingsOf, type NavigatorInfo } from './surroundings';
 
 const device = { renderer: 'ANGLE (NVIDIA, H200)', software: false };
-const windows: Teller = {
+const windows: NavigatorInfo = {
   userAgent: 'Mozilla/5.0 (Windows NT 10.0; Win64; x64) Chrome/142.0.0.0 Safari/537.36',
   hardwareConcurrency: 16,
   userAgentData: {

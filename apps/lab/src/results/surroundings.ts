@@ -17,8 +17,8 @@ interface UserAgentData {
   getHighEntropyValues(hints: string[]): Promise<{ fullVersionList?: readonly Brand[]; platformVersion?: string }>;
 }
 
-/** What a browser tells of itself: `navigator`, or as much of it as is read. */
-export interface Teller {
+/** The part of `navigator` that is read. */
+export interface NavigatorInfo {
   readonly userAgent: string;
   readonly hardwareConcurrency?: number;
   readonly userAgentData?: UserAgentData;
@@ -27,18 +27,18 @@ export interface Teller {
 const words: Readonly<Record<string, { kind: string }>> = competitorNames;
 
 /**
- * Where a run that begins now is made.
+ * Surroundings of a run that begins now.
  *
- * @param device - what the stage's `device` gave
- * @param competitors - keys of those that are measured: versions of other engines are asked for where one is among them
- * @param teller - default `navigator`
+ * @param device - result of the stage's `device`
+ * @param competitors - keys of the measured ones: versions of other engines are queried if one is among them
+ * @param info - default `navigator`
  */
 export async function surroundingsOf(
   device: { readonly renderer: string; readonly software: boolean },
   competitors: readonly string[] = [],
-  teller: Teller = navigator,
+  info: NavigatorInfo = navigator,
 ): Promise<LabSurroundings> {
-  const { browser, system } = await browserOf(teller);
+  const { browser, system } = await browserOf(info);
   const hasRival = competitors.some((name) => words[name]?.kind === 'rival');
   const rivals = hasRival ? (await installedRivals()).versions : {};
   return {
@@ -46,7 +46,7 @@ export async function surroundingsOf(
     device: device.renderer || 'unknown',
     browser,
     system,
-    cores: teller.hardwareConcurrency || null,
+    cores: info.hardwareConcurrency || null,
     build: typeof __FAROL_BUILD__ === 'undefined' ? 'unknown' : __FAROL_BUILD__,
     versions: { ...(typeof __FAROL_VERSIONS__ === 'undefined' ? {} : __FAROL_VERSIONS__), ...rivals },
     command: null,
@@ -57,28 +57,28 @@ export async function surroundingsOf(
 }
 
 /** Name and version of the browser and of the operating system. */
-async function browserOf({ userAgent, userAgentData }: Teller): Promise<{ browser: string; system: string }> {
+async function browserOf({ userAgent, userAgentData }: NavigatorInfo): Promise<{ browser: string; system: string }> {
   if (!userAgentData) return { browser: browserIn(userAgent), system: systemIn(userAgent) };
   const { platform, brands } = userAgentData;
   const { fullVersionList = brands, platformVersion = '' } = await userAgentData
     .getHighEntropyValues(['fullVersionList', 'platformVersion'])
     .catch(() => ({}) as { fullVersionList?: readonly Brand[]; platformVersion?: string });
-  // browsers put in a brand that is none, so that nobody relies on the list
+  // browsers add a fake brand, so that nobody relies on the list
   const real = fullVersionList.filter(({ brand }) => !/not.*brand/i.test(brand));
-  const own = real.find(({ brand }) => brand !== 'Chromium') ?? real[0];
+  const product = real.find(({ brand }) => brand !== 'Chromium') ?? real[0];
   return {
-    browser: own ? `${own.brand} ${own.version}` : browserIn(userAgent),
+    browser: product ? `${product.brand} ${product.version}` : browserIn(userAgent),
     system: `${platform} ${platform === 'Windows' ? windowsVersion(platformVersion) : platformVersion}`.trim(),
   };
 }
 
-/** Windows 11 tells 13 or more. */
+/** Version of Windows by its platform version: 13 or more for Windows 11. */
 function windowsVersion(platformVersion: string): string {
   const major = Number.parseInt(platformVersion, 10);
   return major >= 13 ? '11' : major >= 1 ? '10' : platformVersion;
 }
 
-/** The first that matches: Edge and Opera name Chrome too, Chrome names Safari. */
+/** Patterns in order of priority: Edge and Opera name Chrome too, Chrome names Safari. */
 const browsers: readonly [string, RegExp][] = [
   ['Edge', /Edg\w*\/([\d.]+)/],
   ['Opera', /OPR\/([\d.]+)/],

@@ -3,7 +3,7 @@ import type { LabRow, LabRun } from './LabRun';
 
 const spread = (median: number) => ({ median, low: median * 0.9, high: median * 1.2, samples: 30 });
 
-/** A row with every field filled. */
+/** A row with a value in every field, for tests. */
 export function testRow(competitor: string, series: string, index: number, median: number): LabRow {
   return {
     ...{ competitor, series, index },
@@ -18,7 +18,7 @@ export function testRow(competitor: string, series: string, index: number, media
   };
 }
 
-/** A run of two series, planes over lights and the atrium over pixels, by two competitors. */
+/** A run of two series, planes over lights and the atrium over pixels, by two competitors; for tests. */
 export function testRun(changes: Partial<LabRun> = {}): LabRun {
   const size = { ...plainCase, shadows: 0, overdraw: 0, width: 1280, height: 720 };
   const planes = { name: 'benchmarkLights', parameters: { n: 1 } };

@@ -1,9 +1,9 @@
 import { useEffect, useState } from 'preact/hooks';
 
 /**
- * Files dropped anywhere on the window.
+ * Accepts files dropped anywhere on the window.
  *
- * @returns whether files are held over the window
+ * @returns whether files are dragged over the window
  */
 export function useFileDrop(onFiles: (files: File[]) => void): boolean {
   const [isOver, setOver] = useState(false);
@@ -14,7 +14,7 @@ export function useFileDrop(onFiles: (files: File[]) => void): boolean {
       event.preventDefault();
       setOver(true);
     };
-    // also told of every element that is left on the way: outside of the window there is none to go to
+    // fires for each element left; without a related target the pointer left the window
     const leave = ({ relatedTarget }: DragEvent): void => void (relatedTarget === null && setOver(false));
     const drop = (event: DragEvent): void => {
       if (!hasFiles(event)) return;

@@ -2,14 +2,15 @@ import { useCallback, useEffect, useState } from 'preact/hooks';
 import { messageOf } from '../run/messageOf';
 import type { RunInfo, RunStore } from './RunStore';
 
-/** The kept runs as they are, in this tab and others. */
+/** Entries of the kept runs. */
 export interface KeptRuns {
-  /** Newest first; null until they are read. */
+  /** Newest first; null while they are read. */
   readonly runs: readonly RunInfo[] | null;
-  /** Why they cannot be read, as a sentence. */
+  /** Reason, a sentence, why they cannot be read. */
   readonly problem: string | null;
 }
 
+/** The kept runs, updated by changes in any tab. */
 export function useRuns(store: RunStore): KeptRuns {
   const [kept, setKept] = useState<KeptRuns>({ runs: null, problem: null });
   const read = useCallback(async () => {

@@ -8,34 +8,34 @@ import { spoiled } from './spoiled';
 import type { StageFrames } from './StageFrames';
 import { messageOf } from './messageOf';
 
-/** Who draws the reference of a case: the first of them that can. */
+/** Competitors that may draw the reference picture of a case: the first one that can does. */
 const references = ['stock', 'forward', 'multipass'];
 
-/** A turn that takes so much longer than it was given is a competitor's last in the case. */
+/** Factor by which a turn must exceed its length to be the competitor's last one in the case. */
 const OVERLONG = 8;
 
-/** What one case needs of its run. */
+/** The run as seen by one of its cases. */
 export interface CaseWorld {
   readonly plan: LabPlan;
   readonly series: LabSeries;
   readonly labCase: LabCase;
   readonly index: number;
   readonly frames: Pick<StageFrames, 'stageOf'>;
-  /** Rows of the run, which the case adds to. */
+  /** Rows of the run; the case appends its own. */
   readonly rows: LabRow[];
   readonly forecast: Forecast;
   /** Length of a turn (ms). */
   readonly turn: number;
   readonly signal: AbortSignal;
   readonly now: () => number;
-  /** Whether the run's time is up: no more competitors are opened, and turns end. */
+  /** Whether the run's time is up: no further competitor is opened, and no further turn begins. */
   isLate(): boolean;
   step(competitor: string | null, picture?: ImageData): void;
   /** A picture as a data URL. */
   thumbnailOf(picture: ImageData): string;
 }
 
-/** A competitor that is open, and its samples (ms) by turn. */
+/** An open competitor and its samples (ms) by turn. */
 interface Open {
   readonly name: string;
   readonly stage: Stage;
@@ -43,14 +43,15 @@ interface Open {
   readonly frame: number[][];
   readonly cpu: number[][];
   readonly gpu: number[][];
-  /** No more turns. */
+  /** Whether it gets no more turns. */
   over: boolean;
 }
 
 /** One case: every competitor opened, measured in turns, compared, closed. */
 export class CaseRun {
   private readonly pictures = new Map<string, ImageData>();
-  private readonly own: LabRow[] = [];
+  /** Rows of this case. */
+  private readonly caseRows: LabRow[] = [];
 
   constructor(private readonly world: CaseWorld) {}
 
@@ -72,8 +73,8 @@ export class CaseRun {
         for (const each of open) {
           if (signal.aborted) break;
           this.world.step(each.name);
-          // however short the time is, a run has a turn of its first case
-          const isFirst = round === 0 && this.own.length === this.world.rows.length;
+          // even the shortest run measures a turn of its first case
+          const isFirst = round === 0 && this.caseRows.length === this.world.rows.length;
           if (!isFirst && this.world.isLate()) this.endEarly(each);
           if (!each.over) await attempt(each, () => this.takeTurn(each, turn));
         }
@@ -91,18 +92,18 @@ export class CaseRun {
     }
   }
 
-  /** Adds a row for each competitor that says that the run's time is up. */
+  /** Adds a row for each competitor with the problem that the run's time is up. */
   leaveOut(): void {
     for (const name of this.world.plan.competitors) this.addRow(name).problem = this.late();
   }
 
-  /** Compares the pictures, once all competitors have been measured. */
+  /** Compares the pictures after all competitors were measured. */
   async end(): Promise<void> {
     if (this.pictures.size === 0) return;
     const reference = references.find((name) => this.pictures.has(name)) ?? (await this.drawReference());
     const picture = reference === null ? undefined : this.pictures.get(reference);
     if (reference === null || !picture) return;
-    for (const row of this.own) {
+    for (const row of this.caseRows) {
       const drawn = this.pictures.get(row.competitor);
       if (drawn) row.likeness = { reference, psnr: psnr(drawn, picture), thumbnail: this.world.thumbnailOf(drawn) };
     }
@@ -113,7 +114,7 @@ export class CaseRun {
     const { series, index, rows } = this.world;
     const row = emptyRow(name, series.name, index);
     rows.push(row);
-    this.own.push(row);
+    this.caseRows.push(row);
     return row;
   }
 
@@ -121,7 +122,7 @@ export class CaseRun {
     return `Not measured: the run may take ${Math.round((this.world.plan.effort.limit ?? 0) / 1000)} s, and they were over.`;
   }
 
-  /** A competitor gets no more turns, since the run's time is up. */
+  /** Ends a competitor's turns because the run's time is up. */
   private endEarly(each: Open): void {
     const { rounds } = this.world.plan.effort;
     if (!each.row.frame) each.row.problem ??= this.late();
@@ -129,7 +130,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Cases among which times are foretold by growth: none along an axis of names. */
+  /** Key of the cases whose times grow along a line; along an axis of names each case is its own. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
@@ -195,12 +196,12 @@ export class CaseRun {
     const { changes, limit } = plan.effort;
     if (!changes || (limit !== null && index > 0) || this.world.isLate()) return;
     const { lights, lightKind } = this.world.labCase;
-    // another number of particles begins them anew
+    // another number of particles restarts all of them
     if (lights !== null && lightKind !== 'particles') row.added = await stage.addLights(name);
     row.changed = await stage.changeTechnique(name);
   }
 
-  /** Draws the reference by a competitor that is not in the plan. Gives its key, or null when none can. */
+  /** Draws the reference by a competitor that is not in the plan. @returns its key; null when none can */
   private async drawReference(): Promise<string | null> {
     const { frames, labCase, signal, plan } = this.world;
     for (const name of references) {
@@ -213,17 +214,17 @@ export class CaseRun {
         stage.close(name);
         return name;
       } catch {
-        // the next one may be able to
+        // try the next one
       }
     }
     return null;
   }
 }
 
-/** A turn taken while the tab is seen: browsers slow what is hidden. A turn that was disturbed is taken again, once. */
+/** Takes a turn while the tab is visible, since browsers throttle hidden ones; repeats it once if it was hidden meanwhile. */
 async function visibleTurn(stage: Stage, name: string, length: number, warnings: string[]): Promise<Turn> {
   for (let tried = 0; ; tried++) {
-    await seen();
+    await visible();
     let hidden = false;
     const onChange = (): void => void (hidden ||= document.hidden);
     globalThis.document?.addEventListener('visibilitychange', onChange);
@@ -237,8 +238,8 @@ async function visibleTurn(stage: Stage, name: string, length: number, warnings:
   }
 }
 
-/** Waits until the tab is in front. */
-function seen(): Promise<void> {
+/** Waits until the tab is visible. */
+function visible(): Promise<void> {
   if (!globalThis.document?.hidden) return Promise.resolve();
   return new Promise((resolve) => {
     const onChange = (): void => {
@@ -250,7 +251,7 @@ function seen(): Promise<void> {
   });
 }
 
-/** What fails becomes the row's problem; its figures so far stay. */
+/** Turns an error into the row's problem, or into a warning if it has figures already. */
 async function attempt(open: Open, work: () => Promise<void>): Promise<void> {
   try {
     await work();

@@ -1,19 +1,20 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRow } from '../results/LabRun';
 
-/** What a run is doing, told before each step. The same object each time: read, do not keep. */
+/** State of a run before each step. One object for the whole run: read it, do not keep it. */
 export interface Progress {
-  /** Steps done, and in all. */
+  /** Steps done. */
   done: number;
+  /** Steps of the whole run. */
   total: number;
-  /** Time left (ms), from how long the steps so far took; null in the first of them. */
+  /** Time left (ms), extrapolated from the steps so far; null during the first three. */
   remaining: number | null;
-  /** Key of the competitor at work, or null between cases. */
+  /** Key of the current competitor; null between cases. */
   competitor: string | null;
   series: LabSeries;
   labCase: LabCase;
-  /** Rows so far; those of the case at work grow with its turns. */
+  /** Rows so far; those of the current case change with each turn. */
   rows: readonly LabRow[];
-  /** The picture that was drawn last, or null. */
+  /** Last picture; null before the first one. */
   picture: ImageData | null;
 }

@@ -1,32 +1,32 @@
 import type { CompetitorName } from '../competitors/competitorNames';
 import type { Stage } from '../stage/Stage';
 
-/** Competitors whose code is a realm of its own; the others share one. */
-const own: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] satisfies CompetitorName[];
+/** Competitors with a frame each; the others share one. */
+const isolated: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] satisfies CompetitorName[];
 
-/** How long `stage.html` may take until it offers its stage (ms). */
+/** Time until `stage.html` must offer its stage (ms). */
 const LONGEST_LOAD = 30_000;
 
-/** Frames of `stage.html`, made when a competitor is first asked for. */
+/** Frames of `stage.html`, each made with its first competitor. */
 export interface StageFrames {
   /**
-   * The stage that draws a competitor.
+   * Stage of a competitor.
    *
-   * @throws Error (as a rejection) when the frame does not load
+   * @throws Error (as a rejection) when its frame does not load
    */
   stageOf(competitor: string): Promise<Stage>;
   /**
-   * Hands the scene `own` to the frames that there are and to those that come.
+   * Hands the scene `own` to all frames, present and future.
    *
    * @param file - a scene file of the engine with its assets
    */
   setOwnScene(file: Uint8Array): Promise<void>;
-  /** Takes all frames out of the page, with all they hold. */
+  /** Removes all frames from the page. */
   close(): void;
 }
 
 /**
- * Frames inside a page.
+ * Makes frames within a page.
  *
  * @param parent - element that holds the frames; they have no size on the page
  * @param url - of `stage.html`
@@ -36,14 +36,14 @@ export function createStageFrames(parent: HTMLElement, url = './stage.html'): St
   const frames = new Map<string, { element: HTMLIFrameElement; stage: Promise<Stage> }>();
   return {
     stageOf(competitor) {
-      const realm = own.includes(competitor) ? competitor : 'webgl';
-      const there = frames.get(realm);
-      if (there) return there.stage;
+      const realm = isolated.includes(competitor) ? competitor : 'webgl';
+      const existing = frames.get(realm);
+      if (existing) return existing.stage;
       const element = document.createElement('iframe');
       element.title = 'Competitors that are measured';
       element.tabIndex = -1;
       element.setAttribute('aria-hidden', 'true');
-      // not display: none, in which some browsers do not lay out or draw
+      // not display: none: some browsers do not draw in it
       element.style.cssText = 'position:fixed;left:-64px;top:0;width:32px;height:32px;border:0;visibility:hidden';
       const stage = loadStage(element, new URL(url, location.href).href).then(async (loaded) => {
         if (ownScene) await loaded.setOwnScene(ownScene);
@@ -87,7 +87,7 @@ function loadStage(element: HTMLIFrameElement, url: string): Promise<Stage> {
   });
 }
 
-/** The stage of a frame; undefined too where the browser shows a page of its own there, since the frame cannot be fetched. */
+/** Stage of a frame; undefined if the browser shows its error page there, which is of another origin. */
 function stageIn({ contentWindow }: HTMLIFrameElement): Stage | undefined {
   try {
     return contentWindow?.stage;

@@ -3,7 +3,7 @@ import { caseKey } from '../results/mergeRuns';
 import type { Stage } from '../stage/Stage';
 import { createStageFrames, type StageFrames } from './StageFrames';
 
-/** The end of a competitor's key that names another build of the Lab, beside the page under this name. */
+/** Ending of a competitor's key that stands for another build of the Lab, served under `against/`. */
 export const AGAINST = '@against';
 
 /** A competitor in a case with which the browser crashed or hung. */
@@ -15,19 +15,19 @@ export interface Crash {
 /**
  * Frames of this build and, for competitors whose key ends in {@link AGAINST}, of the one under `against/`.
  *
- * @param crashes - what is not opened again
+ * @param crashes - cases in which a competitor is not opened again
  */
 export function framesOfBuilds(
   parent: HTMLElement,
   crashes: readonly Crash[] = [],
   make: (parent: HTMLElement, url?: string) => StageFrames = createStageFrames,
 ): StageFrames {
-  const own = make(parent);
+  const current = make(parent);
   let other: StageFrames | null = null;
   let ownScene: Uint8Array | null = null;
   return {
     async stageOf(competitor) {
-      if (!competitor.endsWith(AGAINST)) return watched(await own.stageOf(competitor), crashes);
+      if (!competitor.endsWith(AGAINST)) return watched(await current.stageOf(competitor), crashes);
       if (!other) {
         other = make(parent, './against/stage.html');
         if (ownScene) await other.setOwnScene(ownScene);
@@ -36,20 +36,20 @@ export function framesOfBuilds(
     },
     async setOwnScene(file) {
       ownScene = file;
-      await Promise.all([own.setOwnScene(file), other?.setOwnScene(file)]);
+      await Promise.all([current.setOwnScene(file), other?.setOwnScene(file)]);
     },
     close() {
-      own.close();
+      current.close();
       other?.close();
     },
   };
 }
 
-/** A competitor's key without the end that names the other build. */
+/** Key of a competitor without {@link AGAINST}. */
 export const nameOf = (competitor: string): string =>
   competitor.endsWith(AGAINST) ? competitor.slice(0, -AGAINST.length) : competitor;
 
-/** A stage that knows competitors of both builds by their whole keys, and opens none that crashed. */
+/** A stage by full keys, with {@link AGAINST}, which opens no competitor in a case where it crashed. */
 function watched(stage: Stage, crashes: readonly Crash[]): Stage {
   return {
     async open(competitor, labCase, options) {

@@ -7,17 +7,17 @@ import { Forecast } from './Forecast';
 import type { Progress } from './Progress';
 import { thumbnailOf } from '../measure/readPicture';
 
-/** What a run needs besides its plan. */
+/** Surroundings and handlers of a run. */
 export interface RunOptions {
   readonly frames: Pick<StageFrames, 'stageOf'>;
   readonly surroundings: LabSurroundings;
   /** Called before each step. */
   onProgress?(progress: Progress): void;
-  /** Called after each case and waited for, so that what the page draws then disturbs no measurement. */
+  /** Called after each case and awaited: the page may draw then without disturbing a measurement. */
   onCase?(progress: Progress): void | Promise<void>;
-  /** Cancels the run: what was measured stays, in a run that is not `complete`. */
+  /** Cancels the run, which then resolves with the rows so far and without `complete`. */
   readonly signal: AbortSignal;
-  /** Contexts that may be alive at once; default as for a desktop. */
+  /** WebGL contexts to keep at once; default as for a desktop. */
   readonly mostContexts?: number;
   /** Clock (ms); default `performance.now`. */
   readonly now?: () => number;
@@ -28,7 +28,7 @@ export interface RunOptions {
 /**
  * Measures every competitor in every case, in turns (A B C A B C), and compares their pictures.
  *
- * A competitor that cannot draw a case, or fails, is a row with a `problem`; the others go on.
+ * A competitor that cannot draw a case, or fails, gets a row with a `problem`; the others go on.
  */
 export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRun> {
   const { signal, surroundings, mostContexts = MOST_CONTEXTS.desktop, now = () => performance.now() } = options;
@@ -82,14 +82,14 @@ export async function runPlan(plan: LabPlan, options: RunOptions): Promise<LabRu
   };
 }
 
-/** Competitors that are alive at the same time. One context is left for the reference picture. */
+/** Groups of competitors that are open at once; one context is left for the reference picture. */
 function groupsOf(competitors: readonly string[], mostContexts: number): string[][] {
   const size = Math.max(1, mostContexts - 1);
   const count = Math.ceil(competitors.length / size);
   return Array.from({ length: count }, (_, group) => competitors.filter((_name, index) => index % count === group));
 }
 
-/** Length of a turn (ms) in a case: shorter where the time so far, carried on, would pass the plan's limit. */
+/** Length of a turn in a case (ms): shorter if the run at its pace so far would exceed the plan's limit. */
 function turnLength({ effort }: LabPlan, begin: number, now: number, done: number): number {
   if (effort.limit === null || done === 0) return effort.turn;
   const left = effort.limit - (now - begin);

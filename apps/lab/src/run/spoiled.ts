@@ -1,12 +1,13 @@
 import { median } from '../measure/spread';
 
-/** A competitor's turns drift when the last one differs from the first by more than this. */
+/** Relative difference between the first and the last turn from which on a drift is reported. */
 const DRIFT = 0.15;
-/** Rates of displays (Hz), and how near a frame's time must be to count as waiting for one. */
+/** Refresh rates of displays (Hz). */
 const DISPLAYS = [60, 72, 75, 90, 120, 144, 165, 240];
+/** Relative distance from a display's period within which a frame seems to wait for it. */
 const NEAR = 0.01;
 
-/** What spoils the figures of one competitor in one case. */
+/** Samples of one competitor in one case. */
 export interface Turns {
   /** Samples of each turn (ms). */
   readonly frame: readonly (readonly number[])[];
@@ -14,7 +15,7 @@ export interface Turns {
   readonly gpu: readonly (readonly number[])[];
 }
 
-/** Sentences on what spoils a competitor's figures in a case: a drift from turn to turn, a wait for the display. */
+/** Warnings, each a sentence: a drift from turn to turn, a wait for the display. */
 export function spoiled({ frame, cpu, gpu }: Turns): string[] {
   const found: string[] = [];
   const turns = frame.filter((turn) => turn.length > 0).map(median);

@@ -13,10 +13,10 @@ import type { Opened, Stage, Turn } from './Stage';
 import { StageScenes, type StageScenesOptions } from './StageScenes';
 import { webgpuName } from './webgpuName';
 
-/** Competitors of one realm, each with a canvas outside of the document. */
+/** The stage of one frame: open competitors, each with a canvas outside of the document. */
 export class LabStage implements Stage {
   private readonly scenes: StageScenes;
-  private readonly entered = new Map<string, OpenCompetitor>();
+  private readonly competitors = new Map<string, OpenCompetitor>();
   private readonly counters: Counters;
   private isWarm = false;
 
@@ -28,18 +28,18 @@ export class LabStage implements Stage {
 
   async open(
     name: string,
-    asked: LabCase,
+    given: LabCase,
     { signal, longestFrame }: { signal: AbortSignal; longestFrame: number },
   ): Promise<Opened> {
-    // an older build's page, with which this one is compared, does not say what its lights are
-    const labCase = { ...plainCase, ...asked };
+    // the page of an older build, to compare with, does not name the kind of lights
+    const labCase = { ...plainCase, ...given };
     this.close(name);
     const competitor = await loadCompetitor(name);
     const problem = await competitor.unavailable();
     if (problem !== null) throw new Error(problem);
     signal.throwIfAborted();
     if (!this.isWarm) {
-      // else whoever is first pays for the browser's first shader and for code that never ran
+      // otherwise the first competitor pays for the browser's first shader and for cold code
       if (webglProblem() === null) smallFirstFrame(1);
       this.isWarm = true;
     }
@@ -61,7 +61,7 @@ export class LabStage implements Stage {
       const drawing = await competitor.open(canvas, scene, signal, longestFrame);
       opened = new OpenCompetitor(competitor, canvas, scene, drawing, this.counters);
       const result = await opened.drawFirst(signal);
-      this.entered.set(name, opened);
+      this.competitors.set(name, opened);
       return result;
     } catch (error) {
       if (opened) opened.close();
@@ -95,8 +95,8 @@ export class LabStage implements Stage {
   }
 
   close(name: string): void {
-    const open = this.entered.get(name);
-    this.entered.delete(name);
+    const open = this.competitors.get(name);
+    this.competitors.delete(name);
     open?.close();
   }
 
@@ -119,7 +119,7 @@ export class LabStage implements Stage {
   }
 
   private get(name: string): OpenCompetitor {
-    const open = this.entered.get(name);
+    const open = this.competitors.get(name);
     if (!open) throw new Error(`The competitor ‘${name}’ is not open: open it for a case first.`);
     return open;
   }

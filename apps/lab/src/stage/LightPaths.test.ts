@@ -4,7 +4,7 @@ import { type LightPath, LightPaths } from './LightPaths';
 
 const path: LightPath = { place: [1, 2, 3], extent: [2, 0.5, 0], speed: 1.5, seed: 7 };
 
-/** Where light 1 of two is at a time. */
+/** Position of the second of two lights at a time (s). */
 function at(seconds: number, changes: Partial<LightPath> = {}): Vector3 {
   const position = new Vector3();
   new LightPaths([

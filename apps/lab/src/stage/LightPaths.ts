@@ -1,24 +1,24 @@
 import { createRandom } from '@farol/engine';
 import type { Vector3 } from 'three';
 
-/** Where a light is put, and how it moves from there. */
+/** Place and movement of a light. */
 export interface LightPath {
   /** World position at time 0 (m). */
   readonly place: readonly [number, number, number];
-  /** How far it goes from its place along each axis (m); 0 for none. */
+  /** Greatest distance from the place along each axis (m). */
   readonly extent: readonly [number, number, number];
   /** Greatest speed along an axis (m/s). */
   readonly speed: number;
-  /** Another number, another path. */
+  /** Seed of the path. */
   readonly seed: number;
 }
 
-/** Numbers that are kept of each axis: place, two amplitudes (m), two angular speeds (rad/s). */
+/** Numbers per axis: place (m), then amplitude (m) and angular speed (rad/s) of two waves. */
 const STRIDE = 5;
-/** Shares of the two waves; together 1, so that a light stays within its extent. */
+/** Shares of the two waves in the extent; their sum is 1, so that a light stays within it. */
 const SHARES = [0.65, 0.35];
 
-/** Places of lights at any time in closed form: along each axis the sum of two sines. */
+/** Places of lights at any time, in closed form: the sum of two sines along each axis. */
 export class LightPaths {
   /** Shape [lights, 3 axes, STRIDE]. */
   private readonly numbers: Float64Array;
@@ -36,7 +36,7 @@ export class LightPaths {
     });
   }
 
-  /** Writes where light `index` is at a time (s). */
+  /** Writes the world position of light `index` at a time (s). */
   place(index: number, seconds: number, position: Vector3): void {
     const at = index * 3 * STRIDE;
     position.set(this.along(at, seconds), this.along(at + STRIDE, seconds), this.along(at + 2 * STRIDE, seconds));

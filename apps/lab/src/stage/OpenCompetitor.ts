@@ -17,15 +17,16 @@ import type { OwnedScene } from './StageScenes';
 const STEP = 1 / 60;
 /** Time at which pictures are compared (s). */
 const PICTURE_TIME = 1;
-/** How long a competitor that prepares programs meanwhile may draw by something else (ms). */
+/** Longest wait for a competitor that draws by another technique until its programs are compiled (ms). */
 const SETTLING = 500;
-/** Frames whose passes are timed, and those before the first times come. */
+/** Frames whose passes are timed. */
 const TIMED = 9;
+/** Frames before the first times of passes arrive. */
 const BEFORE_TIMES = 12;
-/** Lights that are added to see what that costs. */
+/** Lights added for the frame after a change of the lights. */
 const ADDED = 10;
 
-/** A competitor that draws a case, with its canvas and its scene. */
+/** A competitor open for a case, with its canvas and its scene. */
 export class OpenCompetitor {
   private drawn = 0;
   private timer: GpuTimer | null | undefined;
@@ -38,7 +39,7 @@ export class OpenCompetitor {
     private readonly counters: Counters,
   ) {}
 
-  /** Draws the first frame, which is timed, and the picture that is compared. */
+  /** Draws the first frame, timed, and the picture to be compared. */
   async drawFirst(signal: AbortSignal): Promise<Opened> {
     const { drawing, scene } = this;
     scene.setTime(0);
@@ -55,7 +56,7 @@ export class OpenCompetitor {
     scene.setTime(PICTURE_TIME);
     drawing.lightsMoved?.();
     drawing.render();
-    // in the same task: a canvas of WebGPU is empty in the next one
+    // in the same task: in the next one a WebGPU canvas is empty
     const picture = readPicture((await drawing.readPicture?.()) ?? this.canvas);
     await this.finish();
     this.check();
@@ -66,7 +67,7 @@ export class OpenCompetitor {
   /** Samples of about `ms` (ms). */
   async turn(ms: number): Promise<Turn> {
     const { drawing } = this;
-    // there is no GPU to time: queries of a rasteriser on the processor count what other threads do meanwhile
+    // no timer on a software rasteriser: its queries count the work of other threads too
     if (this.timer === undefined) {
       this.timer = drawing.gl && !isSoftware(deviceLimits().renderer) ? GpuTimer.of(drawing.gl) : null;
     }
@@ -89,7 +90,7 @@ export class OpenCompetitor {
     return { ...counted, programs: counters.programsOf(gl) };
   }
 
-  /** Medians of the passes' times over some frames; null where the competitor does not tell them. */
+  /** Medians of the passes' times over some frames; null if the competitor has none. */
   async passes(): Promise<PassTimes | null> {
     const { drawing } = this;
     if (!drawing.passes || !drawing.setPassTimes) return null;
@@ -99,11 +100,11 @@ export class OpenCompetitor {
       this.frame();
       await this.finish();
       await nextTask();
-      const seen = i < BEFORE_TIMES ? null : drawing.passes();
-      for (const { name, ms } of seen?.passes ?? []) {
+      const timed = i < BEFORE_TIMES ? null : drawing.passes();
+      for (const { name, ms } of timed?.passes ?? []) {
         const list = times.get(name) ?? { gpu: [], cpu: [] };
         times.set(name, list);
-        if (seen) list[seen.kind].push(ms);
+        if (timed) list[timed.kind].push(ms);
       }
     }
     drawing.setPassTimes(false);
@@ -129,7 +130,7 @@ export class OpenCompetitor {
     }
   }
 
-  /** The frame after another technique was chosen and this one again; null where there is none. */
+  /** Measures the frame after a change to another technique and back; null if there is no other one. */
   async changeTechnique(): Promise<Change | null> {
     const { drawing } = this;
     if (!drawing.leaveTechnique) return null;
@@ -153,7 +154,7 @@ export class OpenCompetitor {
     this.canvas.width = this.canvas.height = 1;
   }
 
-  /** Moves the lights by a step and draws. @returns time inside the call that draws (ms) */
+  /** Moves the lights by a step and draws. @returns duration of the drawing call (ms) */
   private readonly frame = (): number => {
     const { drawing } = this;
     this.scene.setTime(++this.drawn * STEP);
@@ -169,7 +170,7 @@ export class OpenCompetitor {
     if (drawing.gl) waitForPixel(drawing.gl);
   };
 
-  /** Draws until a competitor that prepares programs meanwhile draws by the technique that it chose. */
+  /** Draws until the competitor draws by the technique of its choice. */
   private async settle(signal: AbortSignal): Promise<void> {
     const { drawing } = this;
     if (!drawing.isSettled) return;
@@ -182,21 +183,21 @@ export class OpenCompetitor {
     }
   }
 
-  /** A frame after a change, waited for. */
+  /** Measures the frame after a change. */
   private async change(change: () => void): Promise<Change> {
     const { gl } = this.drawing;
     const { counters } = this;
     this.frame();
     await this.finish();
     await nextTask();
-    const before = gl && counters.programsOf(gl);
+    const programs = gl && counters.programsOf(gl);
     const begin = performance.now();
     change();
     this.frame();
     await this.finish();
     const ms = performance.now() - begin;
     this.check();
-    return { ms, programs: gl && before !== null ? counters.programsOf(gl) - before : null };
+    return { ms, programs: gl && programs !== null ? counters.programsOf(gl) - programs : null };
   }
 
   /** @throws Error when the context is lost, a shader does not compile or WebGL has an error */

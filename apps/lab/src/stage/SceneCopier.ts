@@ -12,8 +12,8 @@ import {
 } from 'three';
 
 /**
- * Copies meshes so that each competitor's renderer has geometries, materials and textures of its own, and can let go of
- * them; arrays and images are shared.
+ * Copies meshes with geometries, materials and textures, so that each competitor's renderer can free its own; arrays and
+ * images are shared.
  */
 export class SceneCopier {
   private readonly geometries = new Map<BufferGeometry, BufferGeometry>();
@@ -21,7 +21,7 @@ export class SceneCopier {
   private readonly textures = new Map<Texture, Texture>();
   private readonly instanced: InstancedMesh[] = [];
 
-  /** A copy that stands in the world by itself, where `source` is now. */
+  /** Copies an object without its parent, at its current place in the world. */
   object(source: Object3D): Object3D {
     const copy = source.clone(false);
     copy.matrixAutoUpdate = false;
@@ -44,13 +44,13 @@ export class SceneCopier {
     return copy;
   }
 
-  /** A background or an environment. */
+  /** Copies a background. */
   background(source: Color | Texture | null): Color | Texture | null {
     if (source instanceof Texture) return this.texture(source);
     return source ? source.clone() : null;
   }
 
-  /** Shades all materials that were copied: for Farol by name, for three's own renderers flat or not. */
+  /** Sets the shading of all copied materials: any for Farol, flat or smooth for three's own renderers. */
   shade(shading: ShadingName): void {
     for (const material of this.materials.values()) {
       setShading(material, shading);
@@ -58,7 +58,7 @@ export class SceneCopier {
     }
   }
 
-  /** Gives back what the copies hold on the GPU. */
+  /** Frees the GPU resources of the copies. */
   dispose(): void {
     for (const each of [...this.geometries.values(), ...this.materials.values(), ...this.textures.values()])
       each.dispose();

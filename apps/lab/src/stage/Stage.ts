@@ -2,61 +2,63 @@ import type { NormalsPicture, NormalsWay } from '../normals/NormalsPicture';
 import type { LabCase } from '../plan/LabPlan';
 import type { Change, Counts, PassTimes } from '../results/LabRun';
 
-/** What a competitor's first frame of a case was. */
+/** First frame of a competitor in a case. */
 export interface Opened {
-  /** Time of the first frame, programs and uploads included, waited for (ms). */
+  /** Time of the first frame, with compiling, uploads and the wait for the device (ms). */
   firstMs: number;
-  /** Lights that the competitor says it leaves out. */
+  /** Lights that the competitor leaves out, by its own count. */
   dropped: number;
-  /** Technique that drew, where the competitor picks one, and why. */
+  /** Technique chosen by the competitor, and its reason; null if it has none to choose. */
   technique: string | null;
   reason: string | null;
   /** The picture at t = 1 s: 8-bit sRGB, RGBA, top row first, 320 pixels wide at most. */
   picture: ImageData;
 }
 
-/** Samples of one turn, in ms; null where the device or the competitor cannot tell. */
+/** Samples of one turn (ms). */
 export interface Turn {
-  /** Wall time of a frame: batches of frames with one wait each, the wait's own cost taken off. */
+  /** Wall time of a frame, by batches of frames with one wait each; the cost of the wait is subtracted. */
   frame: number[];
-  /** Time inside the competitor's call that draws. */
+  /** Duration of the competitor's drawing call. */
   cpu: number[];
-  /** GPU time of a frame by timer query; null where there is no GPU, but a software rasteriser. */
+  /** GPU time of a frame by timer query; null without timer queries and on a software rasteriser. */
   gpu: number[] | null;
 }
 
 /**
- * What the page `stage.html` offers as `window.stage`: competitors of one realm, each with a canvas and a context of its
- * own, outside of the document, so that nothing is presented and no display is waited for.
+ * Interface of the page `stage.html`, its `window.stage`: competitors of one frame, each with a context on a canvas outside
+ * of the document, so that nothing is presented and no frame waits for the display.
  */
 export interface Stage {
   /**
-   * Makes a competitor ready for a case and draws its first frame. Several competitors may be open at once.
+   * Opens a competitor for a case and draws its first frame. Several competitors may be open at once.
    *
    * @param competitor - key in `competitors`
    * @throws Error (as a rejection) that names what the device, the browser or the competitor cannot do
    */
   open(competitor: string, labCase: LabCase, options: { signal: AbortSignal; longestFrame: number }): Promise<Opened>;
-  /** Draws frames whose lights move, for about `ms` (ms), 3 of each kind at least. */
+  /** Draws frames with moving lights for about `ms` milliseconds; at least 3 samples of each kind. */
   turn(competitor: string, ms: number): Promise<Turn>;
-  /** Draws, programs and bytes of one frame, once the turns are over. */
+  /** Counts draws, programs and bytes of one frame; called after the turns. */
   count(competitor: string): Promise<Counts>;
-  /** Times of the passes, where the competitor tells them (Farol alone). */
+  /** Times of the passes; null for competitors other than Farol. */
   passes(competitor: string): Promise<PassTimes | null>;
-  /** The frame after ten lights more, waited for; the lights go again. */
+  /** Measures the frame after ten lights more; removes them again. */
   addLights(competitor: string): Promise<Change>;
-  /** The frame after another technique was chosen and the competitor's own again, waited for; null where it has none. */
+  /** Measures the frame after a change to another technique and back; null for competitors of one technique. */
   changeTechnique(competitor: string): Promise<Change | null>;
   /** Frees the competitor's context and memory. */
   close(competitor: string): void;
-  /** Whether the browser and the device have what the competitor needs; a sentence when not. */
+  /** Reason, a sentence, why the competitor cannot draw on this browser or device; null if it can. */
   unavailable(competitor: string): Promise<string | null>;
-  /** Hands over the scene `own`: a scene file of the engine with its assets (`serializeScene`), as bytes. */
+  /** Sets the scene `own`: bytes of a scene file of the engine with its assets. */
   setOwnScene(file: Uint8Array): Promise<void>;
-  /** Name of the graphics device, by WEBGL_debug_renderer_info, and whether timer queries are there. */
+  /** Graphics device by WEBGL_debug_renderer_info, its abilities, and the name of the WebGPU adapter. */
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
   /**
-   * Draws one of the two pictures of figure 4.3 of the thesis, of this size (pixels). Only a page's own build has it.
+   * Draws one of the two pictures of figure 4.3 of the thesis. Missing in older builds.
+   *
+   * @param size - of the picture (pixels)
    *
    * @throws Error (as a rejection) that names what the device or the browser cannot do
    */

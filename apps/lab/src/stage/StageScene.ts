@@ -2,30 +2,30 @@ import type { ParticleEmitter } from '@farol/renderer/particles';
 import type { Camera, Light, PointLight, RectAreaLight, Scene, SpotLight } from 'three';
 import type { LightKind, Shading } from '../plan/lightKinds';
 
-/** A light that moves and is an object of its own. */
+/** A moving light with an object of its own. */
 export type MovingLight = PointLight | SpotLight | RectAreaLight;
 
-/** A case's scene as plain three objects: what every competitor gets. Rivals convert it. */
+/** Scene of a case in plain three objects, one for each competitor. Other engines convert it. */
 export interface StageScene {
   readonly three: Scene;
   readonly camera: Camera;
-  /** What the moving lights are. */
+  /** Kind of the moving lights. */
   readonly kind: LightKind;
   readonly shading: Shading;
   /**
-   * The moving lights, as many as the case asks for; ten more while `addLights` is measured. None where they are a
-   * LightField's or particles.
+   * The moving lights: the number of the case, and ten more while `addLights` is measured. Empty if they are a LightField
+   * or particles.
    */
   readonly lights: readonly MovingLight[];
-  /** Whose particles are the lights; null for other kinds. */
+  /** Emitter of the particles that are the lights; null for other kinds. */
   readonly emitter: ParticleEmitter | null;
-  /** Lights that stand still: ambient, hemisphere, directional, spot. */
+  /** Lights that do not move: ambient, hemisphere, directional, spot. */
   readonly still: readonly Light[];
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
-  /** Moves the lights to where they are at a time (s): closed form, without allocation. */
+  /** Moves the lights to their places at a time (s), in closed form; allocates nothing. */
   setTime(seconds: number): void;
-  /** Adds `count` lights beside those that are there. @returns what takes them away again */
+  /** Adds `count` lights beside existing ones. @returns a function that removes them */
   addLights(count: number): () => void;
 }

@@ -9,37 +9,37 @@ import { loseContext } from './loseContext';
 import type { StageScene } from './StageScene';
 import { type StageTemplate, takeApart } from './StageTemplate';
 
-/** A competitor's scene, which holds memory of the GPU until it is disposed. */
+/** A competitor's scene with its GPU resources, until it is disposed. */
 export type OwnedScene = StageScene & { dispose(): void };
 
 export interface StageScenesOptions {
-  /** Address of a mesh in place of the dragon that is made in code; null for none. */
+  /** Address of a mesh that replaces the dragon made in code; null for none. */
   readonly dragon?: string | null;
-  /** Renderer whose device says which compressed textures `own` is read to; null for none. Default one of its own. */
+  /** Makes the renderer by whose device compressed textures of `own` are decoded; null for none. Default a new one. */
   readonly makeRenderer?: () => WebGLRenderer | null;
 }
 
-/** Makes the scenes of cases. Meshes and textures are made once, and the scene of the last case is kept. */
+/** Makes the scenes of cases. Meshes and textures are shared, and the template of the last case is kept. */
 export class StageScenes {
   private readonly assets: AssetLibrary;
-  private own: Uint8Array | null = null;
+  private ownFile: Uint8Array | null = null;
   private last: { readonly key: string; readonly template: Promise<StageTemplate> } | null = null;
 
   private readonly makeRenderer: () => WebGLRenderer | null;
 
-  constructor({ dragon = null, makeRenderer = rendererOfItsOwn }: StageScenesOptions = {}) {
+  constructor({ dragon = null, makeRenderer = makeOwnRenderer }: StageScenesOptions = {}) {
     this.makeRenderer = makeRenderer;
     this.assets = new AssetLibrary(dragon === null ? {} : { urls: { dragon } });
   }
 
-  /** Takes the scene `own`: a scene file of the engine, as bytes. */
+  /** Sets the scene `own`: bytes of a scene file of the engine. */
   setOwn(file: Uint8Array): void {
-    this.own = file;
+    this.ownFile = file;
     if (this.last?.key.startsWith('own ')) this.last = null;
   }
 
   /**
-   * A competitor's own scene of a case, the same for all of them.
+   * Makes a competitor's scene of a case; equal for all competitors.
    *
    * @throws Error (as a rejection) that names an unknown scene, a parameter out of range, or what is wrong with `own`
    */
@@ -60,7 +60,7 @@ export class StageScenes {
 
   private templateOf(labCase: LabCase): Promise<StageTemplate> {
     const { scene, lights, width, height } = labCase;
-    // the kind of the lights and the shading are the copies'
+    // kind of lights and shading are set on the copies
     const key = `${scene.name} ${JSON.stringify([scene.parameters, lights, width, height])}`;
     if (this.last?.key === key) return this.last.template;
     const template = this.makeTemplate(labCase);
@@ -87,13 +87,13 @@ export class StageScenes {
   }
 
   private async ownScene(): Promise<Scene> {
-    if (!this.own) {
+    if (!this.ownFile) {
       throw new Error('No scene was handed over: choose “Measure this scene” in the editor or the viewer.');
     }
-    const { text, fileOf } = await readSceneFile(this.own, () => true);
-    // components of an editor's plugin stay data; nothing is fetched from elsewhere
+    const { text, fileOf } = await readSceneFile(this.ownFile, () => true);
+    // components of editor plugins stay data; nothing is fetched from other addresses
     const registry = new ComponentRegistry(builtinComponents.types.values(), { keepUnknown: true });
-    // compressed textures are read as the device takes them
+    // compressed textures are decoded to a format of the device
     const renderer = this.makeRenderer();
     try {
       return await deserialize(text, {
@@ -111,4 +111,4 @@ export class StageScenes {
   }
 }
 
-const rendererOfItsOwn = (): WebGLRenderer => new WebGLRenderer({ canvas: document.createElement('canvas') });
+const makeOwnRenderer = (): WebGLRenderer => new WebGLRenderer({ canvas: document.createElement('canvas') });

@@ -2,24 +2,24 @@ import { Light as LightComponent, ObjectRenderer, RandomMovement, type Scene } f
 import { type Camera, Light, type Object3D, PointLight } from 'three';
 import type { LightPath } from './LightPaths';
 
-/** A scene of the engine, taken apart: what the scenes of all competitors are copied from. */
+/** Parts of a scene of the engine, of which the scenes of all competitors are copied. */
 export interface StageTemplate {
   readonly scene: Scene;
-  /** What is drawn: meshes, lines, points. */
+  /** Visible meshes, lines, points and sprites. */
   readonly drawn: readonly Object3D[];
   readonly camera: Camera;
-  /** Lights that move by paths of our own: the light at time 0, and its path. */
+  /** Lights that the Lab moves: the light at time 0, and its path. */
   readonly moving: readonly { readonly light: PointLight; readonly path: LightPath }[];
   /** The other lights. */
   readonly others: readonly Light[];
 }
 
 /**
- * Takes a scene apart. The balls that show where lamps are go for good: they are no part of what is measured.
+ * Takes a scene apart. Removes the balls that mark the lights: they are not measured.
  *
- * @param scene - stays alive as long as the template is in use
+ * @param scene - to be kept as long as the template is used
  * @param size - of the picture (pixels)
- * @param moves - whether lights that move by the engine's RandomMovement get paths of our own
+ * @param moves - whether the Lab moves the lights that have the engine's RandomMovement
  * @throws Error when the scene has no camera
  */
 export function takeApart(

@@ -22,23 +22,23 @@ import { SceneCopier } from './SceneCopier';
 import type { MovingLight, StageScene } from './StageScene';
 import type { StageTemplate } from './StageTemplate';
 
-/** How far beside another light an added one is put, along x and z (m). */
+/** Distance of an added light from an existing one, along x and along z (m). */
 const BESIDE = 0.3;
 
-/** A light of the engine's scene and its copy, which goes where the engine moves it. */
+/** An object of the engine's scene and its copy, which follows it. */
 interface Follower<T extends Object3D> {
   readonly source: T;
   readonly copy: T;
 }
 
-/** Times at which a scene that was handed over is looked at, to see what of it moves (s). */
-const LOOKS = [0.37, 1.9, 7.3, 23.1, 61.7];
+/** Times at which the poses of a handed-over scene are compared with those at time 0, to find what moves (s). */
+const SAMPLE_TIMES = [0.37, 1.9, 7.3, 23.1, 61.7];
 
 /**
- * A competitor's own scene of a case: the same numbers for every competitor and in every run.
+ * Makes a competitor's scene of a case: equal for every competitor and in every run.
  *
  * @param template - of the case's scene, made with at least as many lights
- * @param profiles - of points with light profiles: the scene has copies of them
+ * @param profiles - light profiles, of which the scene gets copies
  */
 export function buildStageScene(
   labCase: LabCase,
@@ -59,7 +59,7 @@ export function buildStageScene(
   const still: Light[] = [];
   const lights: MovingLight[] = [];
   const lightFollowers: Follower<Light>[] = [];
-  // the engine moves a scene that was handed over; of our own scenes only lights move
+  // the engine moves a handed-over scene; in the demo scenes only the lights move
   const follows = labCase.lights === null;
   for (const other of template.others) {
     const copy = copyLight(other);
@@ -89,9 +89,9 @@ export function buildStageScene(
   const particles = kind === 'particles' ? movingParticles(sources, paths) : null;
   if (field) three.add(field.field);
   else if (particles) three.add(particles.emitter);
-  else for (const source of sources) take(make(source, lights.length));
+  else for (const source of sources) addLight(make(source, lights.length));
 
-  function take(light: MovingLight): void {
+  function addLight(light: MovingLight): void {
     lights.push(light);
     three.add(light);
   }
@@ -107,8 +107,8 @@ export function buildStageScene(
     const lit = [...lights, ...sources].map(({ position }) => position.clone());
     for (const layer of overdrawLayers(labCase.overdraw, camera, lit)) three.add(copier.object(fixed(layer)));
   }
-  const moved = follows ? thatMove(followers, template) : [];
-  const movedLights = follows ? thatMove(lightFollowers, template) : [];
+  const moved = follows ? movingOf(followers, template) : [];
+  const movedLights = follows ? movingOf(lightFollowers, template) : [];
   let seconds = 0;
 
   function setTime(time: number): void {
@@ -132,14 +132,12 @@ export function buildStageScene(
   }
 
   function addLights(count: number): () => void {
-    const pathsBefore = paths;
-    const placesBefore = places;
-    const before = lights.length;
-    const there = follows ? (lights as PointLight[]) : sources;
-    const known = there.length;
+    const [oldPaths, oldPlaces, oldCount] = [paths, places, lights.length];
+    const existing = follows ? (lights as PointLight[]) : sources;
+    const known = existing.length;
     for (let i = 0; i < count; i++) {
       const beside = known > 0 ? Math.floor((i * known) / count) : -1;
-      const light = beside < 0 ? lightBefore(camera) : there[beside].clone(false);
+      const light = beside < 0 ? lightBefore(camera) : existing[beside].clone(false);
       light.castShadow = false;
       light.position.x += BESIDE;
       light.position.z += BESIDE;
@@ -149,17 +147,17 @@ export function buildStageScene(
         paths = [...paths, { ...path, place: [x + BESIDE, y, z + BESIDE] }];
       }
       if (field) field.add(light);
-      else take(make(light, lights.length));
+      else addLight(make(light, lights.length));
     }
     places = new LightPaths(paths);
     return () => {
       field?.remove(count);
-      for (const light of lights.splice(before)) {
+      for (const light of lights.splice(oldCount)) {
         light.removeFromParent();
         light.dispose();
       }
-      paths = pathsBefore;
-      places = placesBefore;
+      paths = oldPaths;
+      places = oldPlaces;
     };
   }
 
@@ -179,8 +177,8 @@ export function buildStageScene(
   };
 }
 
-/** What of a scene that was handed over is ever elsewhere than at time 0. */
-function thatMove<T extends Object3D>(followers: readonly Follower<T>[], { scene }: StageTemplate): Follower<T>[] {
+/** Objects of a handed-over scene that are elsewhere than at time 0 in any of the samples. */
+function movingOf<T extends Object3D>(followers: readonly Follower<T>[], { scene }: StageTemplate): Follower<T>[] {
   const matricesAt = (seconds: number): Matrix4[] => {
     scene.setTime(seconds);
     scene.three.updateMatrixWorld();
@@ -189,20 +187,20 @@ function thatMove<T extends Object3D>(followers: readonly Follower<T>[], { scene
       ((source as unknown as Partial<SpotLight>).target ?? source).matrixWorld.clone(),
     ]);
   };
-  const looks = LOOKS.map(matricesAt);
+  const samples = SAMPLE_TIMES.map(matricesAt);
   const begin = matricesAt(0);
-  const differs = (at: number): boolean => looks.some((matrices) => !matrices[at].equals(begin[at]));
+  const differs = (at: number): boolean => samples.some((matrices) => !matrices[at].equals(begin[at]));
   return followers.filter((_, i) => differs(2 * i) || differs(2 * i + 1));
 }
 
-/** Brings a light where the one of the engine's scene is. */
+/** Moves the copy of a light to its source. */
 function follow({ source, copy }: Follower<Light>): void {
   copy.position.setFromMatrixPosition(source.matrixWorld);
   const { target } = copy as SpotLight;
   if (target) target.position.setFromMatrixPosition((source as SpotLight).target.matrixWorld);
 }
 
-/** A camera without a parent, where the engine's camera is. */
+/** Copies the engine's camera, without a parent, at its world pose. */
 function copyCamera(source: Camera): Camera {
   const camera = (source as Object3D).clone(false) as Camera;
   camera.position.setFromMatrixPosition(source.matrixWorld);
@@ -212,14 +210,14 @@ function copyCamera(source: Camera): Camera {
   return camera;
 }
 
-/** A light in front of the camera, for a scene that has none. */
+/** A light in front of the camera, for a scene without lights. */
 function lightBefore(camera: Camera): PointLight {
   const light = new PointLight(0xffffff, 5, 10);
   light.position.set(0, 0, -5).applyMatrix4(camera.matrixWorld);
   return light;
 }
 
-/** A mesh whose world matrix is its own matrix. */
+/** Sets the world matrix of a mesh without a parent. */
 function fixed(mesh: Mesh): Mesh {
   mesh.matrixWorld.copy(mesh.matrix);
   return mesh;

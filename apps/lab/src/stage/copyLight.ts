@@ -11,12 +11,14 @@ import {
 
 const world = new Vector3();
 
-/** Texels of a shadow map along a side, in cases that ask for shadows. */
+/** Side of a shadow map in cases with shadows (texels). */
 export const SHADOW_SIZE = 512;
 
 /**
- * A plain three light in world space, the same as `source` but for what stock three does not know (`userData.farol`): all
- * competitors get what all can draw. Null for a kind of light that is not measured.
+ * Copies a light as a plain three light in world space, without Farol's options (`userData.farol`), which other competitors
+ * cannot draw.
+ *
+ * @returns null for a kind of light that is not measured
  */
 export function copyLight(source: Light): Light | null {
   const copy = make(source);
@@ -45,7 +47,7 @@ function make(source: Light): Light | null {
   return null;
 }
 
-/** Has a point light cast shadows as the engine's lights do. */
+/** Makes a point light cast shadows, with the biases of the engine's lights. */
 export function castShadow(light: PointLight): void {
   light.castShadow = true;
   light.shadow.mapSize.setScalar(SHADOW_SIZE);

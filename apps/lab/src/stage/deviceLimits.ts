@@ -1,23 +1,23 @@
 import { loseContext } from './loseContext';
 
-/** What a graphics device is and can. */
+/** Name and abilities of a graphics device. */
 export interface DeviceLimits {
   /** Name by WEBGL_debug_renderer_info. */
   readonly renderer: string;
-  /** Whether GPU times can be asked for. */
+  /** Whether it has timer queries. */
   readonly timer: boolean;
-  /** Uniform vectors of a fragment shader. */
+  /** Most uniform vectors of a fragment shader. */
   readonly fragmentUniforms: number;
-  /** Textures of a fragment shader. */
+  /** Most textures of a fragment shader. */
   readonly textures: number;
-  /** Whether programs compile while the page goes on (KHR_parallel_shader_compile). */
+  /** Whether programs compile in parallel with the page (KHR_parallel_shader_compile). */
   readonly compilesBeside: boolean;
 }
 
 let known: DeviceLimits | null = null;
 
 /**
- * Asks the device once, by a context that is given back.
+ * Abilities of the device, queried once by a context that is lost again.
  *
  * @throws Error when the browser gives no WebGL 2
  */
@@ -40,7 +40,7 @@ export function deviceLimits(): DeviceLimits {
   return known;
 }
 
-/** Why nothing is drawn by WebGL 2 here, as a sentence; null when it is there. */
+/** Reason, a sentence, why WebGL 2 is missing; null if it is there. */
 export function webglProblem(): string | null {
   try {
     deviceLimits();

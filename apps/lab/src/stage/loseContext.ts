@@ -1,4 +1,4 @@
-/** Gives a context and its memory back. Nobody is told of the loss: it is meant. */
+/** Frees a context and its memory. Listeners are not called: the loss is intended. */
 export function loseContext(gl: WebGL2RenderingContext): void {
   gl.canvas.addEventListener('webglcontextlost', (event) => event.stopImmediatePropagation(), {
     capture: true,

@@ -2,23 +2,23 @@ import { LightField } from '@farol/renderer/light-field';
 import { type PointLight, Vector3 } from 'three';
 import type { LightPaths } from './LightPaths';
 
-/** Lights that may come while the scene is measured. */
+/** Capacity for lights that are added while the scene is measured. */
 const SPARE = 10;
 
 /** The lights of a case as one LightField. */
 export interface MovingField {
   readonly field: LightField;
-  /** Brings all lights where they are at a time (s). */
+  /** Moves all lights to their places at a time (s). */
   place(paths: LightPaths, seconds: number): void;
-  /** Takes one light more; 10 at most. */
+  /** Adds a light; 10 at most. */
   add(light: PointLight): void;
-  /** Takes the last lights away. */
+  /** Removes the last lights. */
   remove(count: number): void;
 }
 
 const position = new Vector3();
 
-/** @param lights - as many point lights, of which colour, intensity, reach and decay are taken */
+/** @param lights - point lights whose colour, intensity, range and decay the field gets */
 export function movingField(lights: readonly PointLight[]): MovingField {
   const field = new LightField(lights.length + SPARE);
   field.count = 0;

@@ -2,25 +2,25 @@ import { ParticleEmitter } from '@farol/renderer/particles';
 import { Box3, type PointLight, Vector3 } from 'three';
 import type { LightPath } from './LightPaths';
 
-/** Life of a particle (s), after which another one takes its place; so many live at any time. */
+/** Lifetime of a particle (s); another one follows it, so that their number is constant. */
 const LIFE = 4;
-/** Speeds at which they rise (m/s). */
+/** Lowest and highest speed upwards (m/s). */
 const SPEED = [0.1, 0.6] as const;
-/** Diameters (m). */
+/** Smallest and largest diameter (m). */
 const SIZE = [0.02, 0.05] as const;
 
 /** The lights of a case as particles that the GPU moves. */
 export interface MovingParticles {
   readonly emitter: ParticleEmitter;
-  /** Lets the time go by that passed since the last call; none where the clock was put back. */
+  /** Advances the particles to a time (s); an earlier time than that of the last call leaves them. */
   setTime(seconds: number): void;
 }
 
 /**
- * As many particles as lights, in the space in which these move; no more and no fewer live at any time. Their motion is
- * exact whatever the steps, so that all competitors have the same at the same time.
+ * Makes a particle for each light, in the box in which the lights move; their number is constant. Their motion does not
+ * depend on the time steps, so that all competitors draw equal pictures at a time.
  *
- * @param lights - of which the mean colour and intensity, and the reach are taken
+ * @param lights - whose mean colour and intensity, and whose range the particles get
  */
 export function movingParticles(lights: readonly PointLight[], paths: readonly LightPath[]): MovingParticles {
   const count = lights.length;

@@ -1,13 +1,13 @@
 import { type Camera, Matrix4, Mesh, MeshStandardMaterial, PlaneGeometry, Vector3 } from 'three';
 
-/** How far beyond the edges of the picture a layer reaches. */
+/** Size of a layer relative to the picture. */
 const MARGIN = 1.05;
 
 /**
- * Lit quads that cover the picture one behind the other. They are drawn before all else and from back to front, so that
- * each one is drawn whole. They stand in the farther half of the lights' depths, where lights shine on their fronts.
+ * Lit quads that cover the picture one behind the other. They are drawn first and from back to front, so that none hides
+ * another before it is drawn. They stand in the farther half of the lights' depths, where lights shine on their fronts.
  *
- * @param count - of layers
+ * @param count - number of layers
  * @param places - world positions of the lights
  */
 export function overdrawLayers(count: number, camera: Camera, places: readonly Vector3[]): Mesh[] {
@@ -35,6 +35,6 @@ export function overdrawLayers(count: number, camera: Camera, places: readonly V
   });
 }
 
-/** Depth in normalised device coordinates of a distance along the view (m). */
+/** Depth in normalised device coordinates at a distance along the view direction (m). */
 const depthOf = (camera: Camera, distance: number): number =>
   new Vector3(0, 0, -distance).applyMatrix4(camera.projectionMatrix).z;

@@ -1,14 +1,14 @@
-/** As much of WebGPU as is used here; TypeScript's library does not know it. */
+/** The part of WebGPU used here; TypeScript's library lacks it. */
 interface Gpu {
   requestAdapter(): Promise<{ readonly info?: Readonly<Record<string, string>> } | null>;
 }
 
-let asked: Promise<string | null> | null = null;
+let name: Promise<string | null> | null = null;
 
-/** Name of the adapter that WebGPU draws with; null where there is none. It is asked for once: browsers remark on each. */
+/** Name of the WebGPU adapter; null without one. Requested once, since browsers log each request that fails. */
 export function webgpuName(): Promise<string | null> {
-  asked ??= ask((navigator as { gpu?: Gpu }).gpu);
-  return asked;
+  name ??= ask((navigator as { gpu?: Gpu }).gpu);
+  return name;
 }
 
 async function ask(gpu: Gpu | undefined): Promise<string | null> {

@@ -9,9 +9,9 @@ import { thesis2015, type ThesisRow } from './thesis2015';
 export interface ThesisPair {
   readonly thesis: ThesisRow;
   readonly label: string;
-  /** The case of the run; null where the run has none. */
+  /** Case of the run; null if it has none. */
   readonly of: SeriesCase | null;
-  /** Everybody's times in the case, shortest first. */
+  /** Times of all competitors in the case, shortest first. */
   readonly entries: readonly Entry[];
 }
 
@@ -43,7 +43,7 @@ function labelOf({ planes, lights }: ThesisRow): string {
   return planes === 0 ? light : `${formatNumber(planes)} ${planes === 1 ? 'plane' : 'planes'}, ${light}`;
 }
 
-/** A competitor's time in a row; undefined where it has none. */
+/** A competitor's time in a row; undefined without one. */
 export function timeIn({ entries }: ThesisPair, competitor: string): Entry['time'] | undefined {
   return entries.find((entry) => entry.competitor === competitor)?.time;
 }

@@ -1,11 +1,11 @@
-/** Least and most frames a second that the thesis saw; null where its counter could not follow. */
+/** Lowest and highest frame rate of the thesis (Hz); null if its counter could not follow. */
 export type Frames = readonly [low: number, high: number] | null;
 
 /** A row of a table of the thesis. */
 export interface ThesisRow {
-  /** Planes: N × N of them under M × M lights; the others: a mesh under so many lights. */
+  /** `planes`: N × N planes under M × M lights; the others: a mesh under N lights. */
   readonly table: 'planes' | 'sponza' | 'temple';
-  /** Planes, M × M lights in all; 0 planes for the meshes. */
+  /** Number of planes, N × N; 0 for the meshes. */
   readonly planes: number;
   readonly lights: number;
   readonly forward: Frames;
@@ -22,7 +22,7 @@ const temple = (lights: number, forward: Frames, deferred: Frames): ThesisRow =>
   ...{ table: 'temple', planes: 0, lights, forward, deferred },
 });
 
-/** The three tables of section 4.2.2 of the thesis (2015), in frames a second; browsers drew 60 at most. */
+/** The three tables of section 4.2.2 of the thesis (2015), in frames per second; browsers drew 60 at most. */
 export const thesis2015: readonly ThesisRow[] = [
   planes(1, 1, [60, 60], [25, 30]),
   planes(1, 2, [60, 60], [25, 29]),

@@ -80,20 +80,20 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
 
 function barOf(frames: Frames, competitor: string, lane: number, tip: ChartTip): RowBar[] {
   if (frames === null) return [];
-  // wide enough to be seen where both bounds are equal
+  // visible even if both bounds are equal
   const [from, to] = [frames[0] * 0.97, frames[1] * 1.03];
   return [{ from, to, lane, opacity: 0.4, fill: (paint) => paint.competitor(competitor), tip }];
 }
 
 function tipOf(pair: ThesisPair, forward: string): ChartTip {
   const { thesis } = pair;
-  const ours = [forward, 'deferred', 'auto'].flatMap((name) => {
+  const figures = [forward, 'deferred', 'auto'].flatMap((name) => {
     const time = timeIn(pair, name);
     return time ? [`${competitorLabel(name)}: ${rateText(time.median)}`] : [];
   });
   return {
     title: `${headings[thesis.table]}: ${pair.label}`,
-    lines: [`2015: forward ${framesText(thesis.forward)}, deferred ${framesText(thesis.deferred)}`, ...ours],
+    lines: [`2015: forward ${framesText(thesis.forward)}, deferred ${framesText(thesis.deferred)}`, ...figures],
   };
 }
 

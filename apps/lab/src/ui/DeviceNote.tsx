@@ -1,7 +1,7 @@
 import { deviceName } from '../words/device';
 import type { StageState } from './support/useStage';
 
-/** What the figures will be about: the device, the browser, and what spoils both. */
+/** The device and the browser of a run, with warnings. */
 export function DeviceNote({ device, problem, unavailable }: StageState) {
   const waiting = problem ? 'unknown' : '…';
   const webgpu = unavailable['three-webgpu'];

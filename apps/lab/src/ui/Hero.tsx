@@ -7,7 +7,7 @@ interface HeroProps {
   onMeasure(): void;
 }
 
-/** What the Lab is, and the button that does it. */
+/** Introduction of the Lab, and the button of the quick run. */
 export function Hero({ stage, isBusy, onMeasure }: HeroProps) {
   return (
     <section class="hero" aria-labelledby="title">
@@ -15,7 +15,7 @@ export function Hero({ stage, isBusy, onMeasure }: HeroProps) {
         <h1 id="title">Which way of lighting is fastest on your machine?</h1>
         <p>
           The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
-          shows which is fastest where, and why.
+          shows which is fastest where.
         </p>
         <button type="button" class="primary large" disabled={isBusy || stage.device === null} onClick={onMeasure}>
           Measure this machine (90&nbsp;s)

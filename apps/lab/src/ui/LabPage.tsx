@@ -32,8 +32,8 @@ const store = new RunStore();
 /** The whole page. */
 export function LabPage() {
   const { configuration, problems, setConfiguration } = useConfiguration();
-  const shown = useShownRun();
-  const showRun = shown.show;
+  const displayed = useShownRun();
+  const showRun = displayed.show;
   const [pair, setPair] = useState<readonly [LabRun, LabRun] | null>(null);
   const [complaint, setComplaint] = useState<string | null>(null);
   const stage = useStage();
@@ -62,16 +62,16 @@ export function LabPage() {
       setComplaint(messageOf(error));
     }
   };
-  const measure = async (wanted: Configuration): Promise<void> => {
-    setConfiguration(wanted);
-    const made = planned(wanted, handed.scene !== null);
+  const measure = async (next: Configuration): Promise<void> => {
+    setConfiguration(next);
+    const made = planned(next, handed.scene !== null);
     if (!made.plan) return;
     setPair(null);
     const run = await start(made.plan, async () => {
       const frames = stage.frames();
       if (handed.scene) await frames.setOwnScene(handed.scene.file);
       const device = await (await frames.stageOf('forward')).device();
-      return { frames, surroundings: await surroundingsOf(device, wanted.competitors), mostContexts: mostContexts() };
+      return { frames, surroundings: await surroundingsOf(device, next.competitors), mostContexts: mostContexts() };
     });
     stage.close();
     if (!run) return;
@@ -81,11 +81,11 @@ export function LabPage() {
   };
   const rename = (run: LabRun, name: string): void => {
     const renamed = { ...run, name };
-    shown.show(renamed);
+    displayed.show(renamed);
     void keep(renamed);
   };
 
-  const run = running?.run ?? shown.run;
+  const run = running?.run ?? displayed.run;
   return (
     <>
       <header class="bar">
@@ -98,10 +98,10 @@ export function LabPage() {
           isBusy={isRunning || isStarting}
           onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}
         />
-        {handed.isComing && <p role="status">The scene is on its way from the page that handed it over …</p>}
+        {handed.isComing && <p role="status">Waiting for the scene of the page that opened the Lab …</p>}
         {isStarting && <p role="status">Opening the frames that are measured …</p>}
         {running && <RunPanel running={running} onCancel={cancel} />}
-        {[...problems, problem, complaint, shown.problem, handed.problem].map(
+        {[...problems, problem, complaint, displayed.problem, handed.problem].map(
           (each) =>
             each && (
               <p key={each} class="problem" role="alert">
@@ -132,14 +132,14 @@ export function LabPage() {
                 {run ? (
                   <Results
                     run={run}
-                    isReference={!isRunning && shown.isReference}
+                    isReference={!isRunning && displayed.isReference}
                     isRunning={isRunning}
                     title={focus}
                     actions={
                       !isRunning && (
                         <RunActions
                           run={run}
-                          isReference={shown.isReference}
+                          isReference={displayed.isReference}
                           hasOwnScene={handed.scene !== null}
                           onRename={(name) => rename(run, name)}
                           onMeasure={(again) => void measure(again)}
@@ -159,10 +159,10 @@ export function LabPage() {
               <RunLibrary
                 store={store}
                 references={referenceRuns}
-                current={shown.run?.id ?? null}
+                current={displayed.run?.id ?? null}
                 onOpen={show}
                 onCompare={(a, b) => setPair([a, b])}
-                onRename={(id, name) => shown.run?.id === id && shown.show({ ...shown.run, name })}
+                onRename={(id, name) => displayed.run?.id === id && displayed.show({ ...displayed.run, name })}
               />
             </section>
             <ThesisConclusions />
@@ -174,7 +174,7 @@ export function LabPage() {
   );
 }
 
-/** Shows runs and moves the focus to their title: what had it may be gone or far away. */
+/** Displays runs and moves the focus to their title, since the focused element may be gone or far away. */
 function useFocusedRun(showRun: (run: LabRun) => void) {
   const focus = useRef<HTMLHeadingElement>(null);
   const [count, setCount] = useState(0);
@@ -195,7 +195,7 @@ function useFocusedRun(showRun: (run: LabRun) => void) {
   return { focus, show };
 }
 
-/** Contexts that the browser keeps alive at once. */
+/** WebGL contexts that the browser keeps at once. */
 function mostContexts(): number {
   return matchMedia('(pointer: coarse) and (width < 900px)').matches ? MOST_CONTEXTS.phone : MOST_CONTEXTS.desktop;
 }

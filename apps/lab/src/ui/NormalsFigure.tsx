@@ -4,28 +4,28 @@ import { pictureSize, useNormalsPictures } from '../normals/useNormalsPictures';
 import './NormalsFigure.css';
 import { PixelCanvas } from './PixelCanvas';
 
-/** What each picture shows, and how its normals came about. */
-const words: Readonly<Record<NormalsWay, { title: string; shows: string; sees: (share: string) => string }>> = {
+/** Texts of each picture. */
+const words: Readonly<Record<NormalsWay, { title: string; alt: string; text: (share: string) => string }>> = {
   faces: {
     title: 'By faces',
-    shows: 'Arcade whose blocks and medallions look soft, like cushions',
-    sees: (share) =>
+    alt: 'Arcade whose blocks and medallions look soft, like cushions',
+    text: (share) =>
       `Each point takes the mean of all triangles that meet there, so edges are shaded as if they were round: the blocks under the gallery look like cushions, and the diagonals of triangles show as stripes. The normal leans from its triangle by more than 30° at ${share} of the corners.`,
   },
   crease: {
     title: 'By crease angle',
-    shows: 'The same arcade, whose blocks and medallions have sharp edges',
-    sees: (share) =>
+    alt: 'The same arcade, whose blocks and medallions have sharp edges',
+    text: (share) =>
       `Only triangles that meet at less than 30° share a normal: blocks and mouldings keep their edges, and columns and arches stay round. It leans by more at ${share} of the corners.`,
   },
 };
 
 interface NormalsFigureProps {
-  /** Others are measured: the pictures wait. */
+  /** Whether a run is in progress: the pictures wait. */
   isMeasuring: boolean;
 }
 
-/** Figure 4.3 of the thesis: what a mesh without normals looks like once they are computed. Drawn when it is scrolled to. */
+/** Figure 4.3 of the thesis: a mesh with normals computed in two ways. Drawn when it is scrolled to. */
 export function NormalsFigure({ isMeasuring }: NormalsFigureProps) {
   const pair = useRef<HTMLDivElement>(null);
   const [isSeen, setSeen] = useState(false);
@@ -62,18 +62,18 @@ export function NormalsFigure({ isMeasuring }: NormalsFigureProps) {
 }
 
 function Picture({ way, drawn }: { way: NormalsWay; drawn: NormalsPicture | undefined }) {
-  const { title, shows, sees } = words[way];
+  const { title, alt, text } = words[way];
   return (
     <figure>
-      <PixelCanvas pixels={drawn?.picture ?? null} label={drawn ? shows : 'Not drawn yet'} {...pictureSize} />
+      <PixelCanvas pixels={drawn?.picture ?? null} label={drawn ? alt : 'Not drawn yet'} {...pictureSize} />
       <figcaption>
-        <strong>{title}.</strong> {drawn ? sees(percent(drawn.leaning)) : 'It is drawn in a moment.'}
+        <strong>{title}.</strong> {drawn ? text(percent(drawn.leaning)) : 'Drawing …'}
       </figcaption>
     </figure>
   );
 }
 
-/** A share as a percentage, for sentences. */
+/** A share as a percentage. */
 function percent(share: number): string {
   if (share === 0) return 'none';
   return share < 0.005 ? 'less than 1%' : `${Math.round(share * 100)}%`;

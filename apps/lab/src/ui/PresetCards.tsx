@@ -6,12 +6,12 @@ import { roughDuration } from './support/formatDuration';
 
 interface PresetCardsProps {
   presets: Readonly<Record<string, Preset>>;
-  /** Key of the chosen one; another word for none. */
+  /** Key of the chosen one; any other text for none. */
   chosen: string;
   onChoose(configuration: Configuration): void;
 }
 
-/** What can be measured without choosing more. A card puts its choices into the builder. */
+/** Cards of the presets; a click sets the builder. */
 export function PresetCards({ presets, chosen, onChoose }: PresetCardsProps) {
   return (
     <ul class="presets">

@@ -4,10 +4,10 @@ import { PixelCanvas } from './PixelCanvas';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
 
-/** How often a screen reader hears of the progress (ms). */
-const TOLD = 15_000;
+/** Time between two announcements of the progress by a screen reader (ms). */
+const ANNOUNCED = 15_000;
 
-/** What is measured now, how long it takes yet, and the button that ends it. */
+/** Progress of a run, the time left, and the button that cancels it. */
 export function RunPanel({ running, onCancel }: { running: Running; onCancel(): void }) {
   const { done, total, remaining, competitor, series, labCase, plan, isCancelled } = running;
   const part = Math.min(1, done / total);
@@ -15,10 +15,10 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const index = series.cases.indexOf(labCase);
   const value = valueText(series.axis, series.values[index]);
   const left = remaining === null ? 'working out how long' : `about ${formatDuration(remaining)} left`;
-  const told = useTold(`${percent}% measured, ${left}.`);
+  const announced = useAnnounced(`${percent}% measured, ${left}.`);
   const isHidden = useHidden();
   const title = useRef<HTMLHeadingElement>(null);
-  // the button that began the run is disabled now, and on a phone far above
+  // the button that started the run lost the focus by being disabled, and is far above on a phone
   useEffect(() => {
     title.current?.focus({ preventScroll: true });
     title.current?.closest('section')?.scrollIntoView({ block: 'nearest' });
@@ -42,7 +42,7 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
         </p>
         {isHidden && (
           <p class="warning" role="alert">
-            The tab is hidden, so the run waits: browsers slow down what nobody sees.
+            The tab is hidden, so the run waits: browsers throttle hidden tabs.
           </p>
         )}
         <p class="dim">Keep this tab in front, and let the machine do nothing else.</p>
@@ -52,30 +52,30 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
         <span class="visually-hidden"> and keep what was measured</span>
       </button>
       <p class="visually-hidden" role="status">
-        {told}
+        {announced}
       </p>
     </section>
   );
 }
 
-/** Text that changes seldom, so that a screen reader does not talk all the time. */
-function useTold(text: string): string {
-  const [told, setTold] = useState(text);
+/** A text that changes every 15 s at most, so that a screen reader is not constantly speaking. */
+function useAnnounced(text: string): string {
+  const [announced, setAnnounced] = useState(text);
   const now = useRef(text);
   now.current = text;
   useEffect(() => {
-    const timer = setInterval(() => setTold(now.current), TOLD);
+    const timer = setInterval(() => setAnnounced(now.current), ANNOUNCED);
     return () => clearInterval(timer);
   }, []);
-  return told;
+  return announced;
 }
 
 function useHidden(): boolean {
   const [isHidden, setHidden] = useState(document.hidden);
   useEffect(() => {
-    const look = (): void => setHidden(document.hidden);
-    document.addEventListener('visibilitychange', look);
-    return () => document.removeEventListener('visibilitychange', look);
+    const update = (): void => setHidden(document.hidden);
+    document.addEventListener('visibilitychange', update);
+    return () => document.removeEventListener('visibilitychange', update);
   }, []);
   return isHidden;
 }

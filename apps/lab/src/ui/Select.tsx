@@ -3,7 +3,7 @@ import { useId } from 'preact/hooks';
 interface SelectProps {
   label: string;
   value: string;
-  /** Values and what the list says for them. */
+  /** Values and their labels. */
   options: readonly (readonly [value: string, label: string])[];
   onChange(value: string): void;
 }

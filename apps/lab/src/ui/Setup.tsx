@@ -9,14 +9,14 @@ interface SetupProps {
   configuration: Configuration;
   planned: Planned;
   unavailable: Readonly<Record<string, string | null>>;
-  /** Name of the scene that was handed over; null for none. */
+  /** Name of the handed-over scene; null for none. */
   ownScene: string | null;
   isBusy: boolean;
   onChange(configuration: Configuration): void;
   onMeasure(): void;
 }
 
-/** What is to be measured: presets, every choice, and the button that begins. */
+/** Presets, the builder, and the button that starts the run. */
 export function Setup({ configuration, planned, unavailable, ownScene, isBusy, onChange, onMeasure }: SetupProps) {
   const offered = ownScene === null ? presets : { own: ownPreset(ownScene), ...presets };
   const isOwn = ownScene !== null && usesOwnScene(configuration);

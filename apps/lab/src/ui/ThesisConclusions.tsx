@@ -41,7 +41,8 @@ const conclusions: readonly Conclusion[] = [
   {
     claim: 'With 500 lights, deferred falls below 15 frames per second.',
     verdict: 'Refuted',
-    figures: '155 frames per second in the atrium and 172 in the temple: the GPU is eleven years younger.',
+    figures:
+      '155 frames per second in the atrium and 172 in the temple, since this GPU is far faster than those of 2015.',
   },
   {
     claim: 'Deferred draws many lights fluently where forward cannot.',
@@ -71,9 +72,9 @@ export function ThesisConclusions() {
         ))}
       </ul>
       <p>
-        Farol’s own forward technique, which draws each light only over the objects that it reaches, is slower than that
-        with a single light (0.776 ms) and far faster with many: 97.4 ms with 500 lights in the atrium, where naive
-        multipass takes 549 ms and deferred 6.46 ms.
+        Farol’s own forward technique draws each light over the objects within its range alone. With a single light over
+        a plane it is slower than naive multipass (0.776 against 0.525 ms), with 500 lights in the atrium far faster:
+        97.4 against 549 ms, where deferred takes 6.46 ms.
       </p>
     </section>
   );

@@ -1,21 +1,21 @@
 import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
 import { isSoftware } from './device';
 
-/** Medians this close to each other count as equal: two runs of one case differ by as much. */
+/** Relative difference of medians that counts as equal: two runs of one case differ by as much. */
 export const SAME = 0.03;
 
-/** Whether a time is there and can be compared. */
+/** Whether a time exists and is positive. */
 export function isUsable(spread: Spread | null | undefined): spread is Spread {
   return spread !== null && spread !== undefined && Number.isFinite(spread.median) && spread.median > 0;
 }
 
-/** A row's time by a metric; null where there is none that can be compared. */
+/** A row's time by a metric; null without a usable one. */
 export function timeOf(row: LabRow | undefined, metric: Metric): Spread | null {
   const spread = row?.[metric];
   return row && row.problem === null && isUsable(spread) ? spread : null;
 }
 
-/** Bounds of a spread: the median itself where a bound is no number. */
+/** Bounds of a spread; the median in place of an unusable bound. */
 export function boundsOf({ median, low, high }: Spread): { low: number; high: number } {
   return {
     low: Number.isFinite(low) && low > 0 ? Math.min(low, median) : median,
@@ -24,10 +24,10 @@ export function boundsOf({ median, low, high }: Spread): { low: number; high: nu
 }
 
 /**
- * Which of two times is shorter. They tie when they lie within 3% of each other, or when the median of one lies within the
- * spread (10th to 90th percentile) of the other.
+ * Compares two times. They tie if they differ by 3% at most, or if the median of one lies within the spread (10th to 90th
+ * percentile) of the other.
  *
- * @returns -1 where `a` is shorter, 1 where `b` is, 0 for a tie
+ * @returns -1 if `a` is shorter, 1 if `b` is, 0 for a tie
  */
 export function compareSpreads(a: Spread, b: Spread): -1 | 0 | 1 {
   const [shorter, longer] = a.median <= b.median ? [a, b] : [b, a];

@@ -1,20 +1,20 @@
 const plain = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 
-/** A number with three significant digits at most, thousands apart: `0.123`, `1.2`, `12,300`. */
+/** A number with `digits` significant digits at most and thousands separated: `0.123`, `1.2`, `12,300`. */
 export function formatNumber(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return '–';
   if (Math.abs(value) >= Math.min(1000, 10 ** (digits - 1))) return plain.format(value);
   return String(Number(value.toPrecision(digits)));
 }
 
-/** A time, as `0.12 ms`, `12.3 ms`, or `12.3 s` from ten seconds on. */
+/** A time as `0.12 ms` or `12.3 ms`, from ten seconds on as `12.3 s`. */
 export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
 
 const dates = new Intl.DateTimeFormat('en', { dateStyle: 'medium', timeStyle: 'short' });
 
-/** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; what is no date as it is. */
+/** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; a text that is no date unchanged. */
 export function formatDate(text: string): string {
   const date = new Date(text);
   return Number.isNaN(date.getTime()) ? text : dates.format(date);
@@ -27,7 +27,7 @@ export function formatBytes(bytes: number): string {
   return bytes < 1e9 ? `${formatNumber(bytes / 1e6)} MB` : `${formatNumber(bytes / 1e9)} GB`;
 }
 
-/** A factor in words: `4.1 times`, `1.15 times`. */
+/** A factor as `4.1 times`, `1.15 times`. */
 export function formatFactor(factor: number): string {
   return `${formatNumber(factor, factor < 2 ? 3 : 2)} times`;
 }

@@ -5,7 +5,7 @@ import type { LabRow, LabRun, Spread } from '../results/LabRun';
 /** A time without spread. */
 export const exactly = (median: number): Spread => ({ median, low: median, high: median, samples: 9 });
 
-/** A row without figures but a frame time, or with the reason why there is none. */
+/** A row with a frame time alone, or with a problem; for tests. */
 export function madeUpRow(competitor: string, index: number, time: number | Spread | string | null): LabRow {
   return {
     ...{ competitor, series: 'made-up', index },
@@ -29,7 +29,7 @@ export function madeUpSeries(values: readonly number[], axis: Axis = 'lights'): 
   return { name: 'made-up', label: 'Made up', axis, cases, values };
 }
 
-/** A run of one series for tests: by competitor a time, a reason why there is none, or null for no row at all. */
+/** A run of one series, for tests: for each competitor and case a time, a problem, or null for no row. */
 export function madeUpRun(
   values: readonly number[],
   times: Readonly<Record<string, readonly (number | Spread | string | null)[]>>,

@@ -56,8 +56,8 @@ export function namedValue(axis: 'kind' | 'shading', value: number): string {
 }
 
 /**
- * A value with its unit: `1 light`, `2,500 objects`; for pixels `1280 × 720` where the case is known, along an axis of names
- * the name.
+ * A value with its unit: `1 light`, `2,500 objects`; pixels of a known case as `1280 × 720`; the name along an axis of
+ * names.
  */
 export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;

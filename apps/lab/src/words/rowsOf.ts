@@ -2,7 +2,7 @@ import type { LabSeries } from '../plan/LabPlan';
 import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
 import { timeOf } from './compareSpreads';
 
-/** Rows of a series by competitor, one place for each case: undefined where it was not measured. */
+/** Rows of a series by competitor, a list with an entry per case: undefined for unmeasured ones. */
 export function rowsOf(run: LabRun, series: LabSeries): ReadonlyMap<string, readonly (LabRow | undefined)[]> {
   const rows = new Map<string, (LabRow | undefined)[]>();
   const listOf = (competitor: string) => {
@@ -26,7 +26,7 @@ export interface Entry {
   readonly row: LabRow;
 }
 
-/** Everybody's times in a case of a series, shortest first. */
+/** Times of all competitors in a case of a series, shortest first. */
 export function entriesOf(run: LabRun, series: LabSeries, index: number, metric: Metric): Entry[] {
   return [...rowsOf(run, series)]
     .flatMap(([competitor, rows]) => {

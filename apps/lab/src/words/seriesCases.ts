@@ -2,7 +2,7 @@ import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
 import { valueText } from './names';
 
-/** A case of a run and its place in it. */
+/** A case of a run and its place in the plan. */
 export interface SeriesCase {
   readonly series: LabSeries;
   readonly index: number;
@@ -11,17 +11,22 @@ export interface SeriesCase {
   readonly label: string;
 }
 
-/** All cases of a run in the order of its plan. */
+/** All cases of a run, in the order of its plan. */
 export function casesOf(run: LabRun): SeriesCase[] {
   return run.plan.series.flatMap((series) =>
     series.cases.map((labCase, index) => ({
       ...{ series, index, labCase },
-      label: `${seriesWord(series)}, ${valueText(series.axis, series.values[index], labCase)}`,
+      label: caseLabel(series, index),
     })),
   );
 }
 
-/** A series without its axis: `Atrium over point lights` is `Atrium`. */
+/** Scene and value of a case: `Atrium, 100 lights`. */
+export function caseLabel(series: LabSeries, index: number): string {
+  return `${seriesWord(series)}, ${valueText(series.axis, series.values[index], series.cases[index])}`;
+}
+
+/** Label of a series without its axis: `Atrium` for `Atrium over point lights`. */
 export function seriesWord({ label }: Pick<LabSeries, 'label'>): string {
   return label.replace(/ over [^,]*/, '');
 }

@@ -2,8 +2,8 @@ import { ShaderStore } from '@babylonjs/core/Engines/shaderStore.js';
 import '@babylonjs/core/Shaders/ShadersInclude/pbrDirectLightingFalloffFunctions.js';
 
 /**
- * What Babylon's shaders do otherwise than three's, put right in its store of shader parts: the same work for each light.
- * @throws Error when a part is not as it was in 9.34
+ * Replaces formulas in Babylon's store of shader includes that differ from three's, with the same work per light.
+ * @throws Error when an include differs from that of 9.34
  */
 export function agreeWithThree(): void {
   const store = ShaderStore.IncludesShadersStore;
@@ -14,7 +14,7 @@ export function agreeWithThree(): void {
     store[name] = store[name].replace(from, to);
   };
   const name = 'pbrDirectLightingFalloffFunctions';
-  // the least distance is 0.1 m
+  // distances are 0.1 m at least
   replace(
     name,
     'float lightDistanceFalloff=1.0/maxEps(lightDistanceSquared);float factor',

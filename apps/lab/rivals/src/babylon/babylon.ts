@@ -40,20 +40,20 @@ function makeGeometry(scene: Scene, from: RivalGeometry, name: string): Geometry
   return new Geometry(name, scene, data);
 }
 
-/** Colours with opacity, as Babylon's instances take them. */
+/** Colours of instances with opacity 1, as Babylon needs them. */
 function withOpacity(colours: Float32Array): Float32Array {
   const result = new Float32Array((colours.length / 3) * 4).fill(1);
   for (let i = 0; i < colours.length / 3; i++) result.set(colours.subarray(i * 3, i * 3 + 3), i * 4);
   return result;
 }
 
-/** Puts an object that has no parent where it belongs. */
+/** Sets the world placement of an object without a parent. */
 function place(object: { position: Vector3; rotationQuaternion: Nullable<Quaternion> }, p: RivalPlacement): void {
   object.position.set(p[0], p[1], p[2]);
   object.rotationQuaternion?.set(p[3], p[4], p[5], p[6]);
 }
 
-/** Puts a mesh where it belongs, for good as far as Babylon knows. */
+/** Sets the world placement of a mesh and freezes it. */
 function placeMesh(mesh: Mesh, placement: RivalPlacement): void {
   mesh.unfreezeWorldMatrix();
   mesh.rotationQuaternion ??= new Quaternion();
@@ -76,7 +76,7 @@ class BabylonDrawing implements RivalDrawing {
     private readonly from: RivalScene,
     private readonly signal: AbortSignal,
   ) {
-    // it greets in the console
+    // no banner in the console
     Logger.LogLevels = Logger.WarningLogLevel | Logger.ErrorLogLevel;
     this.engine = new Engine(
       canvas,
@@ -105,7 +105,7 @@ class BabylonDrawing implements RivalDrawing {
     this.meshes = this.addMeshes();
     this.addStillLights();
     this.setLights(this.from.points);
-    // it compiles in the background
+    // Babylon compiles in the background
     while (!this.scene.isReady(true)) {
       await new Promise((resolve) => setTimeout(resolve));
       this.signal.throwIfAborted();
@@ -156,7 +156,7 @@ class BabylonDrawing implements RivalDrawing {
   }
 
   dropped(): number {
-    // its masks have a bit for each light
+    // the container's masks have a bit per light
     return 0;
   }
 
@@ -184,7 +184,7 @@ class BabylonDrawing implements RivalDrawing {
     const geometries = from.geometries.map((geometry, i) => makeGeometry(scene, geometry, `geometry ${i}`));
     return from.meshes.map(({ geometry, material, placement, instances }, i) => {
       const mesh = new Mesh(`mesh ${i}`, scene);
-      // buffers of instances belong to a geometry
+      // instance buffers belong to a geometry
       const own = instances ? makeGeometry(scene, from.geometries[geometry], `geometry of mesh ${i}`) : null;
       (own ?? geometries[geometry]).applyToMesh(mesh);
       mesh.material = materials[material];

@@ -30,7 +30,7 @@ const samplings = {
   ],
 };
 
-/** The texture as one material uses it; the texels are sent once. */
+/** A material's view of a texture; the texels are uploaded once. */
 class Textures {
   private readonly sent: (RawTexture | undefined)[] = [];
 
@@ -124,7 +124,7 @@ function makeMaterial(scene: Scene, from: RivalMaterial, textures: Textures, lig
   return material;
 }
 
-/** Babylon's materials, by index in the scene. @param lights - that stand still and are in no cluster, and the cluster itself */
+/** Babylon's materials, by index in the scene. @param lights - lights outside of the clusters, and the light container */
 export function makeMaterials(scene: Scene, from: RivalScene, lights: number): PBRMaterial[] {
   const textures = new Textures(scene, from.textures);
   return from.materials.map((material) => makeMaterial(scene, material, textures, lights));

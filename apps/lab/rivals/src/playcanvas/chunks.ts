@@ -1,6 +1,6 @@
 /**
- * What PlayCanvas's shaders do otherwise than three's, put right by shader chunks (a documented way): the same work for
- * each light.
+ * Shader chunks (a documented interface) that replace parts of PlayCanvas's shaders whose formulas differ from three's, with
+ * the same work per light.
  */
 import {
   type GraphicsDevice,
@@ -13,7 +13,7 @@ import {
   ShaderChunks,
 } from 'playcanvas';
 
-/** 1 / d², windowed: as three's, and as KHR_lights_punctual's. */
+/** Falloff 1 / d², windowed like three's and that of KHR_lights_punctual. */
 const falloff = `
 float getFalloffWindow(float lightRadius, vec3 lightDir) {
   float squared = dot(lightDir, lightDir) / (lightRadius * lightRadius);
@@ -23,7 +23,7 @@ float getFalloffInvSquared(float lightRadius, vec3 lightDir) {
   return getFalloffWindow(lightRadius, lightDir) / max(dot(lightDir, lightDir), 0.01);
 }`;
 
-/** A normal map's x and y take a factor each; PlayCanvas's frame of derivatives points along -v. */
+/** Normal map with a factor for x and for y; PlayCanvas's tangent frame by derivatives points along -v. */
 const normalMap = `
 #ifdef STD_NORMAL_TEXTURE
   uniform vec2 farol_normalScale;
@@ -65,14 +65,14 @@ export const instanceColourChunks = {
   litUserDeclarationPS: 'varying vec3 vInstanceColour;',
 } as const;
 
-/** Chunks of PlayCanvas's own that take the instance's colour: the diffuse of lit materials, the emission of others. */
+/** PlayCanvas's chunks that get the instance's colour: diffuse of lit materials, emission of others. */
 export function multiplyByInstanceColour(device: GraphicsDevice, chunk: 'diffusePS' | 'emissivePS'): string {
   const source = ShaderChunks.get(device, SHADERLANGUAGE_GLSL).get(chunk);
   const [name, end] = [chunk === 'diffusePS' ? 'dAlbedo' : 'dEmission', source.lastIndexOf('}')];
   return `${source.slice(0, end)}  ${name} *= vInstanceColour;\n}`;
 }
 
-/** Puts three's falloff, highlights and sRGB curve into the chunks of a device. @throws Error when a chunk is not as it was in 2.23 */
+/** Replaces falloff, highlights and sRGB curve in the chunks of a device by three's. @throws Error when a chunk differs from that of 2.23 */
 export function agreeWithThree(device: GraphicsDevice): void {
   const chunks = ShaderChunks.get(device, SHADERLANGUAGE_GLSL);
   const replace = (name: string, from: string, to: string): void => {
@@ -82,11 +82,11 @@ export function agreeWithThree(device: GraphicsDevice): void {
   };
   chunks.set('falloffInvSquaredPS', falloff);
   chunks.set('normalMapPS', normalMap);
-  // light colours are divided by π, as PlayCanvas's diffuse term is not
+  // light colours are divided by π, since PlayCanvas's diffuse term is not
   replace('lightSpecularGGXPS', 'return D * G;', 'return D * G * PI;');
   // Smith's visibility with the square of alpha, not its fourth power
   replace('lightSpecularGGXPS', 'float alpha2 = alpha * alpha;', 'float alpha2 = alpha;');
-  // Schlick's term goes up to 1
+  // Schlick's Fresnel term reaches 1
   replace('fresnelSchlickPS', 'max(vec3(glossSq * specIntensity), specularity)', 'vec3(1.0)');
   replace(
     'gammaPS',

@@ -1,8 +1,8 @@
 import { type AppBase, Vec3 } from 'playcanvas';
 
-/** What PlayCanvas keeps of a frame's clusters; not of its documented interface. */
+/** PlayCanvas's private data of a frame's clusters. */
 interface Clusters {
-  /** The first is none. */
+  /** The first entry is empty. */
   readonly usedLights: readonly unknown[];
   readonly cells: Vec3;
   readonly maxCellLightCount: number;
@@ -13,7 +13,7 @@ interface Internals {
   readonly renderer: { readonly worldClustersAllocator: { readonly _allocated: readonly Clusters[] } };
 }
 
-/** Lights of the last frame that one cell at least had no room for, by the rule by which PlayCanvas fills cells. */
+/** Counts the lights of the last frame missing in some full cell, by PlayCanvas's rule. */
 export function countDropped(app: AppBase): number {
   const [clusters] = (app as unknown as Internals).renderer.worldClustersAllocator._allocated;
   if (!clusters) return 0;

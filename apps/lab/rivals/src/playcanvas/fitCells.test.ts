@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fitCells, lightBoxes, mostLightsPerCell } from './fitCells';
 
-/** `count` balls of radius 2 m at random places of a cube. */
+/** Boxes of `count` spheres of radius 2 m at random places in a cube. */
 function randomBoxes(count: number, side: number): Float32Array {
   let seed = 5;
   const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
@@ -10,7 +10,7 @@ function randomBoxes(count: number, side: number): Float32Array {
   return lightBoxes({ points, spots: [] });
 }
 
-/** Lights by cell, by PlayCanvas's rule, where the grid spans the lights' own bounds. */
+/** Number of lights of each cell, by PlayCanvas's rule, of a grid over the lights' bounds. */
 function fullest(boxes: Float32Array, size: readonly number[]): number {
   const bound = (k: number, pick: (...values: number[]) => number): number =>
     pick(...Array.from({ length: boxes.length / 6 }, (_, i) => boxes[i * 6 + k]));

@@ -1,21 +1,21 @@
 import type { RivalScene } from '../../../src/competitors/rivals/RivalScene';
 
-/** Boxes round lights: [n, 6], least then greatest x, y, z. */
+/** Bounding boxes of lights: [n, 6], minimum then maximum x, y, z. */
 export type LightBoxes = Float32Array;
 
 export interface Cells {
   /** Cells along x, y, z. */
   readonly size: readonly [x: number, y: number, z: number];
-  /** Lights in the fullest cell, by PlayCanvas's own rule. */
+  /** Lights in the fullest cell, by PlayCanvas's rule. */
   readonly fullest: number;
 }
 
-/** Most lights that a cell holds: PlayCanvas counts them in a byte. */
+/** Most lights of a cell: PlayCanvas counts them in a byte. */
 export const mostLightsPerCell = 255;
 /** Most entries of the lists of all cells: 64 MB of 16-bit indices. */
 const mostEntries = 2 ** 25;
 
-/** Boxes round the point and spot lights of a scene, where they are. */
+/** Bounding boxes of the point and spot lights of a scene, at their current places. */
 export function lightBoxes({ points, spots }: Pick<RivalScene, 'points' | 'spots'>): LightBoxes {
   const boxes = new Float32Array((points.count + spots.length) * 6);
   const put = (i: number, position: ArrayLike<number>, at: number, range: number): void => {
@@ -25,12 +25,12 @@ export function lightBoxes({ points, spots }: Pick<RivalScene, 'points' | 'spots
     }
   };
   for (let i = 0; i < points.count; i++) put(i, points.positions, i * 3, points.ranges[i]);
-  // round the ball of the range: never smaller than PlayCanvas's box round the cone's
+  // of the sphere of the range: never smaller than PlayCanvas's box of the cone
   spots.forEach(({ position, range }, i) => put(points.count + i, position, 0, range));
   return boxes;
 }
 
-/** How full the fullest cell is when cells have a certain width (m). */
+/** Lights of the fullest cell for a width of cells (m). */
 function cellsOf(boxes: LightBoxes, width: number): Cells {
   const [min, max] = [
     [Infinity, Infinity, Infinity],
@@ -60,21 +60,21 @@ function cellsOf(boxes: LightBoxes, width: number): Cells {
 }
 
 /**
- * A grid of cells a third as wide as the median light reaches; narrower as long as a cell would overflow, until the lists
- * of all cells take 64 MB.
- * @param boxes - of one light at least
+ * Finds a grid of cells a third of the median light's range wide; narrower while a cell would overflow, until the lists of
+ * all cells take 64 MB.
+ * @param boxes - of at least one light
  */
 export function fitCells(boxes: LightBoxes): Cells {
   const reaches = Array.from({ length: boxes.length / 6 }, (_, i) => (boxes[i * 6 + 3] - boxes[i * 6]) / 2);
   reaches.sort((a, b) => a - b);
   let width = reaches[reaches.length >> 1] / 3;
   let cells = cellsOf(boxes, width);
-  // room for lights that move on
+  // room for moving lights
   while (cells.fullest * 1.1 > mostLightsPerCell - 8) {
     width *= 0.8;
     const narrower = cellsOf(boxes, width);
     const isTooLarge = narrower.size[0] * narrower.size[1] * narrower.size[2] * mostLightsPerCell > mostEntries;
-    // lights all in one place are in every cell
+    // lights at one place are in one cell, however narrow
     if (isTooLarge || narrower.fullest === boxes.length / 6) break;
     cells = narrower;
   }

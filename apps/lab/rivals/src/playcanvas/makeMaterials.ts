@@ -8,7 +8,7 @@ import type {
 } from '../../../src/competitors/rivals/RivalScene';
 import { instanceAttributes, instanceColourChunks, multiplyByInstanceColour } from './chunks';
 
-/** PlayCanvas takes colours to the power of 2.2: this is what gives the linear colour. */
+/** Inverse of the power 2.2 that PlayCanvas applies to colours. */
 export const encode = ([r, g, b]: Rgb, scale = 1): pc.Color =>
   new pc.Color((r * scale) ** (1 / 2.2), (g * scale) ** (1 / 2.2), (b * scale) ** (1 / 2.2));
 
@@ -36,7 +36,7 @@ export const makeTexture = (device: pc.GraphicsDevice, from: RivalTexture): pc.T
 
 type MapName = 'diffuseMap' | 'normalMap' | 'glossMap' | 'metalnessMap' | 'emissiveMap' | 'opacityMap';
 
-/** One material of PlayCanvas's for each of the scene's that plain meshes use; another for meshes with instance colours. */
+/** PlayCanvas's materials: one per material of the scene for plain meshes, another for meshes with instance colours. */
 export class Materials {
   private readonly made = new Map<string, pc.StandardMaterial>();
   private readonly textures: pc.Texture[];
@@ -113,7 +113,7 @@ export class Materials {
     material.diffuseVertexColor = from.hasVertexColours;
     this.emit(material, from.emissive);
     this.map(material, 'emissiveMap', from.emissiveMap);
-    // there, but in no declaration
+    // undeclared property
     if (this.ambientSH) Object.assign(material, { ambientSH: this.ambientSH });
   }
 
@@ -127,7 +127,7 @@ export class Materials {
     if (!map) return;
     material[name] = this.textures[map.texture];
     material[`${name}Tiling`] = new pc.Vec2(...map.scale);
-    // PlayCanvas counts v from the picture's top
+    // PlayCanvas's v runs from the top of the picture
     material[`${name}Offset`] = new pc.Vec2(map.offset[0], 1 - map.scale[1] - map.offset[1]);
   }
 }

@@ -15,10 +15,10 @@ import { encode, Materials } from './makeMaterials';
 
 export const version = pc.version;
 
-/** Lights that may be added before PlayCanvas's buffers are made anew. */
+/** Capacity for added lights before PlayCanvas's buffers are reallocated. */
 const spareLights = 32;
 
-/** Irradiance along a normal: `ambient` everywhere, and hemispheres, which two bands of spherical harmonics hold exactly. */
+/** Ambient and hemisphere lights as irradiance in two bands of spherical harmonics, which represent them exactly. */
 function ambientHarmonics({ ambient, hemispheres }: RivalScene): Float32Array | null {
   if (hemispheres.length === 0) return null;
   const bands = new Float32Array(27);
@@ -45,11 +45,11 @@ function makeMesh(device: pc.GraphicsDevice, from: RivalGeometry): pc.Mesh {
 
 interface InstanceBuffer {
   readonly buffer: pc.VertexBuffer;
-  /** What `buffer` sends: [matrix, colour] of each instance. */
+  /** Contents of `buffer`: [matrix, colour] of each instance. */
   readonly floats: Float32Array;
 }
 
-/** Writes and sends the instances. */
+/** Writes and uploads the instances. */
 function writeInstances({ buffer, floats }: InstanceBuffer, { matrices, colours }: RivalInstances): void {
   const stride = colours ? 19 : 16;
   for (let i = 0; i < buffer.getNumVertices(); i++) {
@@ -68,7 +68,7 @@ function instanceBuffer(device: pc.GraphicsDevice, count: number, hasColours: bo
   return { buffer, floats: new Float32Array(buffer.lock() as ArrayBuffer) };
 }
 
-/** Puts an object that stands at the top of the world where it belongs. */
+/** Sets the world placement of an object without a parent. */
 function place(node: pc.Entity, p: RivalPlacement): void {
   node.setLocalPosition(p[0], p[1], p[2]);
   node.setLocalRotation(p[3], p[4], p[5], p[6]);
@@ -82,7 +82,7 @@ class PlayCanvasDrawing implements RivalDrawing {
   private readonly camera: pc.Entity;
   private readonly lights: pc.Entity[] = [];
   private readonly nodes: pc.Entity[] = [];
-  /** Lights that the grid of cells has room for. */
+  /** Number of lights for which the grid of cells was made. */
   private room = 0;
   private readonly instances = new Map<number, InstanceBuffer>();
 
@@ -109,7 +109,7 @@ class PlayCanvasDrawing implements RivalDrawing {
     lighting.areaLightsEnabled = false;
     this.app.scene.ambientLight = encode(scene.ambient, 1 / Math.PI);
     this.camera = this.addCamera();
-    // the grid is ours to find, not PlayCanvas's: no part of its first frame
+    // finding the grid is the Lab's work, not part of PlayCanvas's first frame
     this.fitLighting(scene.points);
   }
 
@@ -174,7 +174,7 @@ class PlayCanvasDrawing implements RivalDrawing {
     this.app.destroy();
   }
 
-  /** Sets the grid of cells for the lights; leaves it when there is room for them. */
+  /** Sets the grid of cells for the lights, unless it has room for them already. */
   private fitLighting(points: RivalPoints): void {
     const { lighting } = this.app.scene;
     const { spots } = this.scene;

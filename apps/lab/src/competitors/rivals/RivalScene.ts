@@ -1,12 +1,13 @@
 /**
- * A case as plain data: what another engine makes its own scene of. Lengths are metres, angles radians, colours linear RGB (sRGB's primaries); the world is right-handed with y up.
+ * A case as plain data, for another engine. Lengths are metres, angles radians, colours linear RGB with sRGB's primaries;
+ * the world is right-handed with y up.
  */
 export interface RivalScene {
   /** Size of the picture (pixels). */
   readonly width: number;
   readonly height: number;
   readonly camera: RivalCamera;
-  /** Colour of the picture before anything is drawn: sRGB, not linear; null for black without opacity. */
+  /** Clear colour: sRGB, not linear; null for transparent black. */
   readonly background: Rgb | null;
   /** Sum of the ambient lights (radiance times π, as three's irradiance). */
   readonly ambient: Rgb;
@@ -17,7 +18,7 @@ export interface RivalScene {
   readonly textures: readonly RivalTexture[];
   readonly materials: readonly RivalMaterial[];
   readonly geometries: readonly RivalGeometry[];
-  /** In the order in which they are drawn when `isOrdered`. */
+  /** In the order of drawing if `isOrdered`. */
   readonly meshes: readonly RivalMesh[];
   /** Whether the scene sets the order of its opaque meshes (three's `renderOrder`); engines sort by themselves otherwise. */
   readonly isOrdered: boolean;
@@ -34,7 +35,7 @@ export interface RivalCamera {
   readonly placement: RivalPlacement;
 }
 
-/** Where an object stands in the world: [10], position x y z, rotation as a unit quaternion x y z w, scale x y z. */
+/** World placement of an object: [10], position x y z, rotation as a unit quaternion x y z w, scale x y z. */
 export type RivalPlacement = Float32Array;
 
 /** Irradiance from `ground` to `sky` along `up`. */
@@ -58,22 +59,22 @@ export interface RivalSpot {
   readonly position: Xyz;
   /** Unit vector along which the light shines. */
   readonly direction: Xyz;
-  /** Where the light ends; more than 0. */
+  /** Range of the light; more than 0. */
   readonly range: number;
   /** Half the angle of the cone. */
   readonly angle: number;
-  /** Half the angle within which the light is at its full, `angle` at most. */
+  /** Half the angle of the cone of full intensity, `angle` at most. */
   readonly innerAngle: number;
 }
 
-/** Point lights: light `i` takes the i-th part of each array. Falloff 1 / d², windowed as in KHR_lights_punctual. */
+/** Point lights; the i-th part of each array is light `i`. Falloff 1 / d², windowed as in KHR_lights_punctual. */
 export interface RivalPoints {
   readonly count: number;
   /** [count, 3]: colour times intensity (candela). */
   readonly colours: Float32Array;
-  /** [count]: where the lights end; more than 0. */
+  /** [count]: ranges of the lights; more than 0. */
   readonly ranges: Float32Array;
-  /** [count, 3]: in the world; written anew before `RivalDrawing.moveLights`. */
+  /** [count, 3]: world positions; updated before each `RivalDrawing.moveLights`. */
   readonly positions: Float32Array;
 }
 
@@ -84,7 +85,7 @@ export interface RivalTexture {
   readonly height: number;
   /** [height, width, 4], the row at v = 0 first. */
   readonly pixels: Uint8Array;
-  /** Whether the colours are sRGB, to be made linear by the sampler. */
+  /** Whether the colours are sRGB, decoded by the sampler. */
   readonly isSrgb: boolean;
   readonly wrapU: RivalWrap;
   readonly wrapV: RivalWrap;
@@ -96,7 +97,7 @@ export interface RivalTexture {
   readonly anisotropy: number;
 }
 
-/** A texture as a material uses it: texture coordinates times `scale`, plus `offset`. */
+/** Use of a texture by a material: texture coordinates times `scale`, plus `offset`. */
 export interface RivalMap {
   /** Index in `RivalScene.textures`. */
   readonly texture: number;
@@ -106,7 +107,7 @@ export interface RivalMap {
 
 export interface RivalMaterial {
   readonly name: string;
-  /** Whether lights count; else the colour alone is shown. */
+  /** Whether it is lit; otherwise it has the colour alone. */
   readonly isLit: boolean;
   readonly colour: Rgb;
   readonly map: RivalMap | null;
@@ -123,7 +124,7 @@ export interface RivalMaterial {
   readonly emissiveMap: RivalMap | null;
   readonly isDoubleSided: boolean;
   readonly hasVertexColours: boolean;
-  /** Texels with less alpha are left out; 0 for none. */
+  /** Fragments with less alpha are discarded; 0 for none. */
   readonly alphaTest: number;
   readonly isTransparent: boolean;
   readonly opacity: number;
@@ -134,9 +135,9 @@ export interface RivalGeometry {
   readonly positions: Float32Array;
   /** [n, 3], unit vectors. */
   readonly normals: Float32Array;
-  /** [n, 2]; null when there are none. */
+  /** [n, 2]; null without texture coordinates. */
   readonly uvs: Float32Array | null;
-  /** [n, 4], linear; null when there are none. */
+  /** [n, 4], linear; null without vertex colours. */
   readonly colours: Float32Array | null;
   /** Three for each triangle, counter-clockwise from its front. */
   readonly indices: Uint16Array | Uint32Array;
@@ -153,37 +154,37 @@ export interface RivalInstances {
   readonly count: number;
   /** [count, 16]: instance to mesh, 4 × 4, column by column; the scene's own array, which may change between frames. */
   readonly matrices: Float32Array;
-  /** [count, 3]: factors of the material's colour; null when there are none. */
+  /** [count, 3]: factors of the material's colour; null for none. */
   readonly colours: Float32Array | null;
 }
 
-/** A case as another engine draws it. */
+/** Another engine, open for a case. */
 export interface RivalDrawing {
   readonly gl: WebGL2RenderingContext;
-  /** Makes the engine's scene, waits for its programs, and draws it: all that its first frame takes. */
+  /** Makes the engine's scene, waits for its programs and draws it: the whole first frame. */
   drawFirst(): Promise<void>;
   render(): void;
-  /** Takes the camera's placement from `RivalScene.camera`. */
+  /** Copies the placement of `RivalScene.camera`. */
   moveCamera(): void;
-  /** Takes a mesh's placement from `RivalScene.meshes`. */
+  /** Copies the placement of a mesh of `RivalScene.meshes`. */
   moveMesh(mesh: number): void;
-  /** Takes the lights' places from `points.positions`; nothing else of the lights has changed. */
+  /** Copies `points.positions`; the lights are unchanged otherwise. */
   moveLights(points: RivalPoints): void;
-  /** Takes other lights. */
+  /** Replaces the lights. */
   setLights(points: RivalPoints): void;
-  /** Takes the matrices of a mesh's instances from its array. */
+  /** Copies the matrices of a mesh's instances. */
   moveInstances(mesh: number): void;
-  /** Lights that the last frame left out somewhere because a cell was full. */
+  /** Lights missing in some full cell of the last frame. */
   dropped(): number;
   dispose(): void;
 }
 
-/** What `rivals/playcanvas.js` and `rivals/babylon.js` export. */
+/** Exports of `rivals/playcanvas.js` and `rivals/babylon.js`. */
 export interface RivalModule {
-  /** Of the engine's package. */
+  /** Version of the engine's package. */
   readonly version: string;
   /**
-   * Makes a context; `drawFirst` makes the rest.
+   * Makes the context; `drawFirst` makes everything else.
    * @throws Error that names what the engine cannot do
    */
   open(canvas: HTMLCanvasElement, scene: RivalScene, signal: AbortSignal): RivalDrawing;

@@ -5,14 +5,14 @@ import type { Described } from './describeScene';
 import { placementOf } from './placementOf';
 import type { RivalDrawing, RivalPlacement, RivalPoints } from './RivalScene';
 
-/** Tells another engine what moved in the case's scene since the last frame; allocates nothing. */
+/** Updates another engine's scene by movements in the case's scene since the last frame; allocates nothing. */
 export class SceneFollower {
   private points: RivalPoints;
-  /** Whether the engine has made its scene: until then it will take what stands in the data. */
+  /** Whether the engine has made its scene: until then it reads the data later anyway. */
   private hasStarted = false;
-  /** Versions of the instances' matrices that the engine has. */
+  /** Versions of the instance matrices last sent to the engine, by mesh. */
   private readonly versions: Int32Array;
-  /** Where the lights of other kinds stand: [n, 3]. */
+  /** Positions of the lights that must not move: [n, 3]. */
   private readonly places: Float32Array;
 
   constructor(
@@ -26,7 +26,7 @@ export class SceneFollower {
     this.versions = Int32Array.from(sources, (mesh) => versionOf(mesh));
   }
 
-  /** To be called when the engine has made its scene. */
+  /** Call it when the engine has made its scene. */
   start(): void {
     this.hasStarted = true;
   }
@@ -41,7 +41,7 @@ export class SceneFollower {
     this.checkStill();
     const { camera } = stageScene;
     camera.updateWorldMatrix(true, false);
-    if (take(camera, described.scene.camera.placement)) drawing.moveCamera();
+    if (updatePlacement(camera, described.scene.camera.placement)) drawing.moveCamera();
   }
 
   changeLights(): void {
@@ -54,11 +54,11 @@ export class SceneFollower {
     const { still } = this.stageScene;
     for (let i = 0; i < still.length; i++) {
       const { x, y, z } = still[i].position;
-      const isWhereItWas =
+      const isUnmoved =
         places[i * 3] === Math.fround(x) &&
         places[i * 3 + 1] === Math.fround(y) &&
         places[i * 3 + 2] === Math.fround(z);
-      if (isWhereItWas) continue;
+      if (isUnmoved) continue;
       throw new Error('A light that is no point light moves: the Lab cannot give its path to other engines.');
     }
   }
@@ -73,11 +73,11 @@ export class SceneFollower {
         versions[i] = version;
         drawing.moveInstances(i);
       }
-      // set by what moves a mesh, and taken back by three's renderers alone
+      // set by whoever moves a mesh; only three's renderers reset it
       if (!mesh.matrixWorldNeedsUpdate) continue;
       mesh.updateWorldMatrix(true, false);
       mesh.matrixWorldNeedsUpdate = false;
-      if (take(mesh, scene.meshes[i].placement)) drawing.moveMesh(i);
+      if (updatePlacement(mesh, scene.meshes[i].placement)) drawing.moveMesh(i);
     }
   }
 }
@@ -87,8 +87,8 @@ const versionOf = (mesh: Mesh): number =>
 
 const next: RivalPlacement = new Float32Array(10);
 
-/** Takes where an object is now. @returns whether that has changed */
-function take(object: Object3D, placement: RivalPlacement): boolean {
+/** Updates a placement by an object's world matrix. @returns whether it changed */
+function updatePlacement(object: Object3D, placement: RivalPlacement): boolean {
   placementOf(object, next);
   let isChanged = false;
   for (let k = 0; k < next.length; k++) {

@@ -3,7 +3,7 @@ import type { RivalGeometry } from './RivalScene';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** The attribute as floats, `size` for each vertex: its own array where it is that already. Missing parts are 1. */
+/** An attribute as floats, `size` per vertex, missing ones 1; its own array if that has this layout. */
 function floats(attribute: Attribute, size: number): Float32Array {
   const isPlain = !('isInterleavedBufferAttribute' in attribute) && attribute.array instanceof Float32Array;
   if (isPlain && attribute.itemSize === size) return attribute.array as Float32Array;
@@ -15,7 +15,7 @@ function floats(attribute: Attribute, size: number): Float32Array {
   return result;
 }
 
-/** Part of an index, or 0, 1, 2 … where there is none. */
+/** Part of an index; 0, 1, 2 … for a geometry without one. */
 function indicesOf({ index, attributes }: BufferGeometry, start: number, count: number): Uint16Array | Uint32Array {
   if (!index) return Uint32Array.from({ length: count }, (_, i) => start + i);
   const { array } = index;
@@ -28,9 +28,9 @@ function indicesOf({ index, attributes }: BufferGeometry, start: number, count: 
 }
 
 /**
- * A geometry of three's, or the part of it that one material shows.
- * @param part - first index and number of indices; all when absent
- * @param isFlat - one normal for each triangle, whatever the geometry has
+ * A geometry of three, or the part of it that has one material.
+ * @param part - first index and number of indices; default all
+ * @param isFlat - whether each triangle gets one normal, in place of the geometry's
  * @throws Error when it has no positions or no normals, or morph targets
  */
 export function describeGeometry(

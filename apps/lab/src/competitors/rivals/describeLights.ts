@@ -49,8 +49,8 @@ function describeSpot(light: SpotLight): RivalSpot {
 }
 
 /**
- * Lights that stand still.
- * @throws Error for kinds and falloffs that the Lab does not hand to other engines
+ * Lights that do not move.
+ * @throws Error for kinds and falloffs that the Lab does not convert
  */
 export function describeStillLights(lights: readonly Light[]): StillLights {
   const ambient: [number, number, number] = [0, 0, 0];
@@ -79,7 +79,7 @@ export function describeStillLights(lights: readonly Light[]): StillLights {
 }
 
 /**
- * Point lights, where they are.
+ * Point lights at their current places.
  * @throws Error for one without an end, of another decay than 2, or with shadows
  */
 export function describePoints(lights: readonly Light[]): RivalPoints {
@@ -105,11 +105,11 @@ export function describePoints(lights: readonly Light[]): RivalPoints {
   return points;
 }
 
-/** Writes the lights' places in the world, [n, 3]; allocates nothing. */
+/** Writes the lights' world positions, [n, 3]; allocates nothing. */
 export function writePositions(lights: readonly Light[], positions: Float32Array): void {
   for (let i = 0; i < lights.length; i++) {
     const light = lights[i];
-    // straight below the scene a light's position is its place in the world
+    // a child of the scene itself has its world position in `position`
     if (light.parent && light.parent.parent) {
       light.updateWorldMatrix(true, false);
       const { elements } = light.matrixWorld;

@@ -11,10 +11,10 @@ import {
 } from 'three';
 import type { Rgb, RivalMap, RivalMaterial } from './RivalScene';
 
-/** Maps of three's materials that are not handed to other engines. */
+/** Maps of three's materials that the Lab does not convert. */
 const otherMaps = ['aoMap', 'alphaMap', 'bumpMap', 'displacementMap', 'envMap', 'lightMap', 'specularMap'] as const;
 
-/** What a physical material may not have, with the value that does nothing. */
+/** Properties that a physical material must not use, with their neutral values. */
 const physicalDefaults = {
   clearcoat: 0,
   sheen: 0,
@@ -28,7 +28,7 @@ const physicalDefaults = {
 
 const scaled = (colour: Color, factor: number): Rgb => [colour.r * factor, colour.g * factor, colour.b * factor];
 
-/** Why a material cannot be handed over, as the end of a sentence; null when it can. */
+/** Reason why a material cannot be converted, the end of a sentence; null if it can. */
 function problemOf(material: Material): string | null {
   const of = material as MeshPhysicalMaterial;
   if (!['MeshStandardMaterial', 'MeshPhysicalMaterial', 'MeshBasicMaterial'].includes(material.type)) {
@@ -48,7 +48,7 @@ function problemOf(material: Material): string | null {
   if (of.roughnessMap && of.metalnessMap && of.roughnessMap !== of.metalnessMap) {
     return 'has roughness and metalness in two textures';
   }
-  // one map for both is what the engines have
+  // the engines have one map for both
   if (Boolean(of.roughnessMap) !== Boolean(of.metalnessMap) && (of.roughnessMap || of.metalness > 0)) {
     return 'has a texture for only one of roughness and metalness';
   }
@@ -64,9 +64,9 @@ function describeMap(texture: Texture, name: string, textures: (texture: Texture
 }
 
 /**
- * A material of three's as plain data.
- * @param textures - gives a texture's index in `RivalScene.textures`
- * @throws Error that names what the Lab does not hand to other engines
+ * A material of three as plain data.
+ * @param textures - returns a texture's index in `RivalScene.textures`
+ * @throws Error that names a property that the Lab does not convert
  */
 export function describeMaterial(material: Material, textures: (texture: Texture) => number): RivalMaterial {
   const name = material.name || 'without a name';

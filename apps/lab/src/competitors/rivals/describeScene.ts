@@ -20,7 +20,7 @@ import { describeTexture } from './describeTexture';
 import { placementOf } from './placementOf';
 import type { Rgb, RivalCamera, RivalInstances, RivalMaterial, RivalMesh, RivalScene } from './RivalScene';
 
-/** Values that are described once, by what they are made of. */
+/** A list of values, each made once for its key. */
 class Indexed<K, V> {
   readonly values: V[] = [];
   private readonly indices = new Map<K, number>();
@@ -56,7 +56,7 @@ function describeBackground(background: StageScene['three']['background']): Rgb 
   return [r, g, b];
 }
 
-/** Meshes of the scene, in the order in which three draws them where `renderOrder` says so. */
+/** Visible meshes of the scene, sorted by `renderOrder`. */
 function meshesOf({ three, camera }: StageScene): Mesh[] {
   const meshes: Mesh[] = [];
   three.traverseVisible((object: Object3D) => {
@@ -70,7 +70,7 @@ function meshesOf({ three, camera }: StageScene): Mesh[] {
   return meshes.sort((a, b) => a.renderOrder - b.renderOrder);
 }
 
-/** Every light that is seen must be among those that the stage names: nobody is measured with fewer. */
+/** Checks that every visible light is among the stage's: no engine is measured with fewer. */
 function checkLights({ three, lights, still }: StageScene): void {
   const named = new Set<Object3D>([...lights, ...still]);
   three.traverseVisible((object) => {
@@ -91,7 +91,7 @@ function describeInstances(mesh: Mesh): RivalInstances | null {
   };
 }
 
-/** A scene as plain data, and three's meshes that it was made of. */
+/** A scene as plain data, and the meshes of three that it was made of. */
 export interface Described {
   readonly scene: RivalScene;
   /** By index in `scene.meshes`. */
@@ -100,7 +100,7 @@ export interface Described {
 
 /**
  * A case's scene as plain data for another engine.
- * @throws Error that names what the Lab does not hand to other engines: nothing is left out in silence
+ * @throws Error that names a property that the Lab does not convert: nothing is left out silently
  */
 export function describeScene(stageScene: StageScene): Described {
   const { three, camera, lights, still, width, height } = stageScene;
@@ -132,10 +132,10 @@ export function describeScene(stageScene: StageScene): Described {
   const meshes: RivalMesh[] = [];
   const sources: Mesh[] = [];
   for (const mesh of meshesOf(stageScene)) {
-    const { material: own, geometry } = mesh as Mesh<BufferGeometry, Material | Material[]>;
-    const groups = Array.isArray(own)
-      ? geometry.groups.map((group) => ({ material: own[group.materialIndex ?? 0], part: group }))
-      : [{ material: own, part: null }];
+    const { material: materialOrList, geometry } = mesh as Mesh<BufferGeometry, Material | Material[]>;
+    const groups = Array.isArray(materialOrList)
+      ? geometry.groups.map((group) => ({ material: materialOrList[group.materialIndex ?? 0], part: group }))
+      : [{ material: materialOrList, part: null }];
     for (const { material, part } of groups) {
       if (!material?.visible) continue;
       const isFlat = (material as { flatShading?: boolean }).flatShading === true;

@@ -32,7 +32,7 @@ const hasTexels = (image: unknown): image is TexelImage =>
   'data' in image &&
   (image.data instanceof Uint8Array || image.data instanceof Uint8ClampedArray);
 
-/** The texels of a picture that the browser decoded. Those of a texture with alpha are rounded twice. */
+/** Texels of a picture decoded by the browser. Alpha is premultiplied meanwhile: colours of transparent texels lose bits. */
 function readPicture(image: TexImageSource, name: string): TexelImage {
   const { width, height } = image as { width: number; height: number };
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
@@ -49,7 +49,7 @@ function flipRows(data: Uint8Array, width: number, height: number): Uint8Array {
 }
 
 /**
- * A texture of three's as plain texels, as three would send them.
+ * A texture of three as the texels that three would upload.
  * @throws Error for compressed, floating-point and other textures that are not 8-bit RGBA
  */
 export function describeTexture(texture: Texture): RivalTexture {
@@ -60,7 +60,7 @@ export function describeTexture(texture: Texture): RivalTexture {
   if (image === null || image === undefined) throw new Error(`Texture ${name} has no picture yet: load it first.`);
   const { data, width, height } = hasTexels(image) ? image : readPicture(image as TexImageSource, name);
   const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-  // the browser turns no ImageBitmap upside down
+  // WebGL does not flip an ImageBitmap
   const isFlipped = texture.flipY && !(typeof ImageBitmap !== 'undefined' && image instanceof ImageBitmap);
   const { minFilter } = texture;
   return {

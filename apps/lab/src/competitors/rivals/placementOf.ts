@@ -7,9 +7,9 @@ const scale = new Vector3();
 const again = new Matrix4();
 
 /**
- * Where an object is in the world, by its `matrixWorld`.
- * @param target - written to; allocates nothing when it is given
- * @throws Error for an object that is sheared: engines have no place for that
+ * World placement of an object, by its `matrixWorld`.
+ * @param target - written and returned; a new array by default
+ * @throws Error for a sheared object, which no placement describes
  */
 export function placementOf(object: Object3D, target: RivalPlacement = new Float32Array(10)): RivalPlacement {
   object.matrixWorld.decompose(position, rotation, scale);

@@ -7,22 +7,22 @@ import { LinkedPrograms } from './LinkedPrograms';
 import type { RivalModule } from './RivalScene';
 import { SceneFollower } from './SceneFollower';
 
-/** Where a rival's module lies, beside the page. */
+/** Address of an engine's module, beside the page. */
 const moduleUrl = (name: string): string => new URL(`rivals/${name}.js`, document.baseURI).href;
 
-/** Names of the engines in sentences, by key. */
+/** Names of the engines within texts, by key. */
 const engines = { playcanvas: 'PlayCanvas', babylon: 'Babylon.js' } as const;
 
 export type RivalName = keyof typeof engines;
 
 interface RivalOptions {
-  /** Fetches the module: for tests. */
+  /** Fetches the module; replaced in tests. */
   readonly load?: () => Promise<RivalModule>;
-  /** What is installed: for tests. */
+  /** Installed engines; replaced in tests. */
   readonly installed?: () => Promise<InstalledRivals>;
 }
 
-/** Another engine as a competitor: its module is fetched when it is chosen. */
+/** Another engine as a competitor; its module is fetched when it first draws. */
 export function rivalCompetitor(
   name: RivalName,
   {

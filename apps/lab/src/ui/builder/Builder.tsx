@@ -4,7 +4,7 @@ import { EffortFields } from './EffortFields';
 import { SeriesFields } from './SeriesFields';
 import { SizeFields } from './SizeFields';
 
-/** Most charts that a run may have. */
+/** Most charts of a run. */
 const MOST_SERIES = 8;
 
 interface BuilderProps {
@@ -14,7 +14,7 @@ interface BuilderProps {
   onChange(configuration: Configuration): void;
 }
 
-/** Every choice of a run. What a preset measures stays that preset with another size or other competitors. */
+/** All settings of a run. Another size or other competitors keep the preset; other series make it `custom`. */
 export function Builder({ configuration, unavailable, ownScene, onChange }: BuilderProps) {
   const { series, width, height, competitors, effort } = configuration;
   const change = (changes: Partial<Configuration>): void => onChange({ ...configuration, ...changes });
@@ -24,7 +24,7 @@ export function Builder({ configuration, unavailable, ownScene, onChange }: Buil
       <legend class="visually-hidden">Choices</legend>
       {series.map((each, index) => (
         <SeriesFields
-          // oxlint-disable-next-line react/no-array-index-key -- a series has no name but its place
+          // oxlint-disable-next-line react/no-array-index-key -- series have no other key
           key={index}
           series={each}
           number={index + 1}

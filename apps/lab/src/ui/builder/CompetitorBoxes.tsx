@@ -11,12 +11,12 @@ const entries: [string, CompetitorWords][] = Object.entries(competitorNames);
 
 interface CompetitorBoxesProps {
   chosen: readonly string[];
-  /** Why a competitor cannot draw here, by key; absent while nobody knows, null when it can. */
+  /** Reason, by key, why a competitor cannot draw here; missing while unknown, null if it can. */
   unavailable: Readonly<Record<string, string | null>>;
   onChange(chosen: readonly string[]): void;
 }
 
-/** Who is measured. The order of the menu is the order of turns, whatever is chosen first. */
+/** Choice of the competitors; their order in the menu is that of the turns. */
 export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBoxesProps) {
   const id = useId();
   const choose = (names: readonly string[], isOn: boolean): void => {

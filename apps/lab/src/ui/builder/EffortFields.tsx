@@ -1,7 +1,7 @@
 import type { Effort } from '../../plan/LabPlan';
 import { NumberField } from './NumberField';
 
-/** How long and how often everybody is measured. */
+/** Duration and repetition of the measurements. */
 export function EffortFields({ effort, onChange }: { effort: Effort; onChange(effort: Effort): void }) {
   const change = (changes: Partial<Effort>): void => onChange({ ...effort, ...changes });
   return (

@@ -4,7 +4,7 @@ import { installedRivals, installRivals } from '../../competitors/installedRival
 
 type Step = 'unneeded' | 'offered' | 'installing' | 'installed';
 
-/** Offers to install the other engines, where the page came from `npm start` and they are missing. */
+/** Button that installs missing other engines, on a page served by `npm start`. */
 export function InstallRivals() {
   const [step, setStep] = useState<Step>('unneeded');
   const [problem, setProblem] = useState<string | null>(null);
@@ -39,7 +39,7 @@ export function InstallRivals() {
       <p class="hint" role="status">
         {step === 'offered' && 'npm fetches them for the Lab alone: 200 MB on disk.'}
         {step === 'installing' && 'npm fetches them: some seconds to minutes, by the network.'}
-        {step === 'installed' && 'They are installed: load the page anew to measure them.'}
+        {step === 'installed' && 'They are installed: reload the page to measure them.'}
       </p>
       {problem && (
         <p class="problem" role="alert">

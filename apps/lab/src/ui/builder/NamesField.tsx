@@ -2,31 +2,31 @@ import type { LightKindWords } from '../../plan/lightKinds';
 
 interface NamesFieldProps {
   label: string;
-  /** What can be chosen, in the order of their places. */
+  /** Texts of the options, by index. */
   words: readonly LightKindWords[];
-  /** Places of the chosen ones, ascending. */
+  /** Indices of the chosen ones, ascending. */
   values: readonly number[];
   onChange(values: readonly number[]): void;
 }
 
-/** Values of a series that are names: a box each. The last one stays. */
+/** A checkbox for each value of an axis of names. The last chosen one cannot be unchecked. */
 export function NamesField({ label, words, values, onChange }: NamesFieldProps) {
-  const choose = (place: number, isOn: boolean): void => {
-    const next = isOn ? [...values, place].sort((a, b) => a - b) : values.filter((value) => value !== place);
+  const choose = (index: number, isOn: boolean): void => {
+    const next = isOn ? [...values, index].sort((a, b) => a - b) : values.filter((value) => value !== index);
     if (next.length > 0) onChange(next);
   };
   return (
     <fieldset class="names wide">
       <legend>{label}</legend>
       <ul class="boxes">
-        {words.map(({ label: name, help }, place) => (
+        {words.map(({ label: name, help }, index) => (
           <li key={name}>
             <label class="check" title={help}>
               <input
                 type="checkbox"
-                checked={values.includes(place)}
-                disabled={values.length === 1 && values[0] === place}
-                onChange={({ currentTarget }) => choose(place, currentTarget.checked)}
+                checked={values.includes(index)}
+                disabled={values.length === 1 && values[0] === index}
+                onChange={({ currentTarget }) => choose(index, currentTarget.checked)}
               />
               {name}
             </label>

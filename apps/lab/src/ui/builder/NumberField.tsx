@@ -11,12 +11,12 @@ interface NumberFieldProps {
   onChange(value: number): void;
 }
 
-/** A number within bounds. One out of them stays in the field, marked, and is not taken. */
+/** Field of a number within bounds. A number outside of them is marked and not reported. */
 export function NumberField({ label, value, min, max, step = 1, unit, isDisabled, onChange }: NumberFieldProps) {
   const id = useId();
   const [text, setText] = useState(String(value));
   useEffect(() => setText((current) => (Number(current) === value ? current : String(value))), [value]);
-  const isFine = isWithin(text, min, max, step);
+  const isValid = isWithin(text, min, max, step);
   const read = (next: string): void => {
     setText(next);
     if (isWithin(next, min, max, step) && Number(next) !== value) onChange(Number(next));
@@ -35,11 +35,11 @@ export function NumberField({ label, value, min, max, step = 1, unit, isDisabled
         step={step}
         value={text}
         disabled={isDisabled}
-        aria-invalid={!isFine}
-        aria-describedby={isFine ? undefined : `${id}-problem`}
+        aria-invalid={!isValid}
+        aria-describedby={isValid ? undefined : `${id}-problem`}
         onInput={({ currentTarget }) => read(currentTarget.value)}
       />
-      {!isFine && (
+      {!isValid && (
         <p id={`${id}-problem`} class="problem">
           From {min.toLocaleString('en')} to {max.toLocaleString('en')}
           {step === 1 ? ', whole' : ''}.

@@ -18,10 +18,10 @@ interface SeriesFieldsProps {
   series: SeriesChoice;
   /** Position among the series, from 1. */
   number: number;
-  /** Name of the scene that was handed over; null for none. */
+  /** Name of the handed-over scene; null for none. */
   ownScene: string | null;
   onChange(series: SeriesChoice): void;
-  /** Takes the series away; absent for the only one. */
+  /** Removes the series; missing for the only one. */
   onRemove?(): void;
 }
 
@@ -33,16 +33,16 @@ const valueHints: Record<Exclude<Axis, 'kind' | 'shading'>, string> = {
   shadows: 'How many of the lights cast shadows, as in 0, 4, 16.',
 };
 
-/** One chart's cases: a scene, what changes, and its values. */
+/** Settings of a series: scene, axis and values. */
 export function SeriesFields({ series, number, ownScene, onChange, onRemove }: SeriesFieldsProps) {
   const words = sceneWords[series.scene];
   const isPlanes = series.scene === 'benchmarkLights';
   const change = (changes: Partial<SeriesChoice>): void => onChange({ ...series, ...changes });
   const chooseScene = (scene: string): void => {
     const { axes } = sceneWords[scene];
-    const own = scene === 'own' ? { lightKind: undefined, lightRange: undefined } : {};
-    if (axes.includes(series.axis)) change({ scene, ...own });
-    else change({ scene, ...own, ...startOf(axes[0]) });
+    const reset = scene === 'own' ? { lightKind: undefined, lightRange: undefined } : {};
+    if (axes.includes(series.axis)) change({ scene, ...reset });
+    else change({ scene, ...reset, ...startOf(axes[0]) });
   };
   const scenes = Object.entries(sceneWords).filter(([name]) => name !== 'own' || ownScene !== null);
   return (
@@ -107,10 +107,7 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
           <Select
             label="Reach of a light"
             value={String(series.lightRange ?? '')}
-            options={[
-              ['', 'The scene’s'],
-              ...reachesWith(series.lightRange).map((m) => [String(m), `${m} m`] as const),
-            ]}
+            options={[['', 'The scene’s'], ...rangesWith(series.lightRange).map((m) => [String(m), `${m} m`] as const)]}
             onChange={(metres) => change({ lightRange: metres === '' ? null : Number(metres) })}
           />
         )}
@@ -142,18 +139,18 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
   );
 }
 
-/** What the chosen kind of lights and shading are, where they are not the ordinary ones. */
+/** Explanations of the kind of lights and the shading, if not the ordinary ones. */
 function hintsOf({ axis, lightKind = 'points', shading = 'own' }: SeriesChoice): string[] {
   const kind = axis === 'kind' || lightKind === 'points' ? [] : [lightKinds[lightKind].help];
   return axis === 'shading' || shading === 'own' ? kind : [...kind, shadings[shading].help];
 }
 
-/** Reaches that are offered (m), and the one that an address gave. */
-function reachesWith(chosen: number | null | undefined): number[] {
+/** Ranges in the menu (m), with the chosen one. */
+function rangesWith(chosen: number | null | undefined): number[] {
   return [...new Set([0.5, 1, 2, 4, 8, ...(chosen == null ? [] : [chosen])])].sort((a, b) => a - b);
 }
 
-/** An axis with values to begin with. */
+/** An axis with its initial values. */
 function startOf(axis: Axis): Pick<SeriesChoice, 'axis' | 'values' | 'lights' | 'lightKind'> {
   const values: Record<Axis, number[]> = {
     lights: [10, 100, 1000],
@@ -164,6 +161,6 @@ function startOf(axis: Axis): Pick<SeriesChoice, 'axis' | 'values' | 'lights' | 
     kind: ['points', 'field'].map((name) => lightKindNames.indexOf(name as LightKind)),
     shading: ['flat', 'gouraud', 'phong'].map((name) => shadingNames.indexOf(name as Shading)),
   };
-  const own = axis === 'shadows' ? { lightKind: undefined } : {};
-  return { ...own, axis, values: values[axis], lights: axis === 'lights' ? 0 : axis === 'shadows' ? 64 : 100 };
+  const reset = axis === 'shadows' ? { lightKind: undefined } : {};
+  return { ...reset, axis, values: values[axis], lights: axis === 'lights' ? 0 : axis === 'shadows' ? 64 : 100 };
 }

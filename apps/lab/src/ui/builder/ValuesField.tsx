@@ -4,12 +4,12 @@ import { parseValues } from './parseValues';
 interface ValuesFieldProps {
   label: string;
   values: readonly number[];
-  /** What the values mean, below the field. */
+  /** Explanation of the values, below the field. */
   hint: string;
   onChange(values: readonly number[]): void;
 }
 
-/** Values of a series as text. What cannot be read stays in the field, with what is wrong; the values stay as they were. */
+/** Values of a series as text. An invalid text stays in the field, with the problem below, and is not reported. */
 export function ValuesField({ label, values, hint, onChange }: ValuesFieldProps) {
   const id = useId();
   const [text, setText] = useState(() => values.join(', '));
@@ -17,7 +17,7 @@ export function ValuesField({ label, values, hint, onChange }: ValuesFieldProps)
   const problem = 'problem' in parsed ? parsed.problem : null;
   const key = values.join();
   useEffect(() => {
-    // another preset was chosen, or the address changed
+    // after a change of the preset or the address
     setText((current) => (sameValues(current, key) ? current : key.replaceAll(',', ', ')));
   }, [key]);
   const read = (next: string): void => {

@@ -1,14 +1,14 @@
-/** Most values that a series may have: each is a case for every competitor. */
+/** Most values of a series: each is a case for every competitor. */
 export const MOST_VALUES = 20;
 
 /**
- * Reads values as they are typed: whole numbers, separated by commas, semicolons or spaces; `1k` is 1,000.
+ * Parses whole numbers, separated by commas, semicolons or spaces; `1k` is 1,000.
  *
- * @returns the values in ascending order, each once; or what is wrong, as a sentence
+ * @returns the values in ascending order, each once; or the problem, a sentence
  */
 export function parseValues(text: string): { values: number[] } | { problem: string } {
   const words = text.split(/[\s,;]+/).filter(Boolean);
-  if (words.length === 0) return { problem: 'Give a value at least, as in 10, 100, 1000.' };
+  if (words.length === 0) return { problem: 'Give at least one value, as in 10, 100, 1000.' };
   const values = new Set<number>();
   for (const word of words) {
     const [, digits, thousand] = /^(\d+(?:\.\d+)?)(k?)$/i.exec(word) ?? [];

@@ -3,7 +3,7 @@ import { RunCharts } from '../../charts/RunCharts';
 import { Comparison } from '../../results/Comparison';
 import type { LabRun } from '../../results/LabRun';
 
-/** Two runs: their figures side by side, and their curves over one another. */
+/** Comparison of two runs: tables side by side, and curves in common charts. */
 export function ComparedRuns({ runs, onClose }: { runs: readonly [LabRun, LabRun]; onClose(): void }) {
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => place.current?.focus(), [runs]);

@@ -9,17 +9,17 @@ import { psnrText, type TableRow } from './rowColumns';
 interface PictureDialogProps {
   plan: LabPlan;
   row: TableRow;
-  /** The row that drew the reference; null when the run does not keep it. */
+  /** Row of the reference picture; null if the run does not have it. */
   reference: TableRow | null;
   onClose(): void;
 }
 
-/** A picture beside the reference, and where they differ. */
+/** A picture, the reference and their difference. */
 export function PictureDialog({ plan, row, reference, onClose }: PictureDialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   const isReference = reference === null || reference.competitor === row.competitor;
-  const own = usePixels(plan, row);
+  const pixels = usePixels(plan, row);
   const other = usePixels(plan, isReference ? null : reference);
   const isSharp = sharpPicture(plan, row) !== undefined;
   return (
@@ -38,7 +38,7 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
       </div>
       <div class="large-pictures">
         <figure>
-          <PixelCanvas pixels={own} label={`Drawn by ${row.label}`} />
+          <PixelCanvas pixels={pixels} label={`Drawn by ${row.label}`} />
           <figcaption>
             {row.label}
             {!isReference && (row.likeness?.psnr === null ? ': equal' : `: ${psnrText(row.likeness)} dB`)}
@@ -51,7 +51,7 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
               <figcaption>Reference: {reference.label}</figcaption>
             </figure>
             <figure>
-              <PixelCanvas pixels={own && other && differenceOf(own, other)} label="Where the pictures differ" />
+              <PixelCanvas pixels={pixels && other && differenceOf(pixels, other)} label="Difference of the pictures" />
               <figcaption>Difference, {GAIN} times brighter; black where both are equal</figcaption>
             </figure>
           </>
@@ -72,7 +72,7 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
   );
 }
 
-/** The picture of a row as it was drawn, or the small one where it is not held; null until it is read. */
+/** The picture of a row: as drawn if it is still in memory, otherwise the thumbnail; null while that is decoded. */
 function usePixels(plan: LabPlan, row: TableRow | null): ImageData | null {
   const sharp = row ? sharpPicture(plan, row) : undefined;
   const [small, setSmall] = useState<ImageData | null>(null);

@@ -4,15 +4,15 @@ import { Select } from '../Select';
 import { PictureDialog } from './PictureDialog';
 import { caseText, psnrText, tableRows, type TableRow } from './rowColumns';
 
-/** What everybody drew in a case, beside how alike it is to the reference. */
+/** Pictures of a case by all competitors, with their likeness to the reference. */
 export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const rows = useMemo(() => tableRows(run).filter(({ likeness }) => likeness?.thumbnail), [run]);
   const cases = useMemo(() => [...new Set(rows.map(caseKey))], [rows]);
   const [chosen, setChosen] = useState<string | null>(null);
   const [large, setLarge] = useState<TableRow | null>(null);
   if (rows.length === 0) return <p class="dim">This run keeps no pictures.</p>;
-  const shown = chosen !== null && cases.includes(chosen) ? chosen : cases[cases.length - 1];
-  const those = rows.filter((row) => caseKey(row) === shown).sort((a, b) => a.competitorIndex - b.competitorIndex);
+  const current = chosen !== null && cases.includes(chosen) ? chosen : cases[cases.length - 1];
+  const those = rows.filter((row) => caseKey(row) === current).sort((a, b) => a.competitorIndex - b.competitorIndex);
   const options = cases.map((key) => {
     const { seriesLabel, seriesIndex, index } = rows.find((row) => caseKey(row) === key)!;
     return [key, `${seriesLabel}: ${caseText(run.plan, seriesIndex, index)}`] as const;
@@ -20,7 +20,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   return (
     <>
       <div class="filters">
-        <Select label="Case" value={shown} options={options} onChange={setChosen} />
+        <Select label="Case" value={current} options={options} onChange={setChosen} />
       </div>
       <ul class="pictures">
         {those.map((row) => (

@@ -11,16 +11,16 @@ import { whyIncomplete } from './whyIncomplete';
 
 interface ResultsProps {
   run: LabRun;
-  /** Whether the run lies in the repository, made by somebody else. */
+  /** Whether the run is a reference of the repository. */
   isReference: boolean;
   isRunning: boolean;
-  /** Takes the heading. */
+  /** Ref of the heading. */
   title: RefObject<HTMLHeadingElement | null>;
   /** Buttons for the run. */
   actions: ComponentChildren;
 }
 
-/** A run: where it was made, what spoils it, its charts, pictures and rows. */
+/** A run: surroundings, warnings, charts, pictures and rows. */
 export function Results({ run, isReference, isRunning, title, actions }: ResultsProps) {
   const runs = useMemo(() => [run], [run]);
   return (
@@ -55,7 +55,7 @@ export function Results({ run, isReference, isRunning, title, actions }: Results
   );
 }
 
-/** The table, which is made once somebody asks for it: it is by far the largest part of the page. */
+/** The table of all rows, rendered when it is opened: it is by far the largest part of the page. */
 function AllRows({ run }: { run: LabRun }) {
   const [isOpen, setOpen] = useState(false);
   return (

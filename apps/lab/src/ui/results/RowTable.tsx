@@ -5,7 +5,7 @@ import { competitorLabel } from '../../words/names';
 import { columnsOf, tableRows, type TableRow } from './rowColumns';
 import { sortRows, type RowOrder } from './sortRows';
 
-/** Every figure of a run, with what spoils it. A click on a column's name sorts by it. */
+/** All figures of a run, with problems and warnings. A click on a column's name sorts by it. */
 export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const [competitor, setCompetitor] = useState('');
   const [series, setSeries] = useState('');
@@ -13,10 +13,10 @@ export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const all = useMemo(() => tableRows(run), [run]);
   const columns = useMemo(() => columnsOf(all), [all]);
   const rows = useMemo(() => {
-    const wanted = all.filter(
+    const matching = all.filter(
       (row) => (competitor === '' || row.competitor === competitor) && (series === '' || row.series === series),
     );
-    return sortRows(wanted, columns, order);
+    return sortRows(matching, columns, order);
   }, [all, columns, competitor, series, order]);
   const choose = (key: string): void =>
     setOrder((now) => ({ key, isDescending: now.key === key ? !now.isDescending : false }));
@@ -56,7 +56,7 @@ export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
         <table class="rows">
           <thead>
             <tr>
-              {head('competitor', 'Competitor', 'Who drew.', true)}
+              {head('competitor', 'Competitor', 'Technique or renderer that drew.', true)}
               <th scope="col" class="text remarks">
                 Remarks
               </th>

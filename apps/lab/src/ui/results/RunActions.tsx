@@ -12,18 +12,18 @@ import { messageOf } from '../../run/messageOf';
 interface RunActionsProps {
   run: LabRun;
   isReference: boolean;
-  /** Whether the scene that was handed over is here. */
+  /** Whether a scene was handed over. */
   hasOwnScene: boolean;
-  /** Keeps the run under a name. */
+  /** Renames the run. */
   onRename(name: string): void;
   onMeasure(configuration: Configuration): void;
   onCompare(reference: LabRun): void;
   onProblem(problem: string): void;
-  /** Chooses another run. */
+  /** Control that opens another run. */
   choice: ComponentChildren;
 }
 
-/** What can be done with a run: a name, another run of the same, a comparison, files and a link. */
+/** Controls of a run: rename it, measure it again, compare it with a reference, export it. */
 export function RunActions(props: RunActionsProps) {
   const { run, isReference, hasOwnScene, onRename, onMeasure, onCompare, onProblem, choice } = props;
   const configuration = useMemo(() => configurationOfPlan(run.plan), [run.plan]);

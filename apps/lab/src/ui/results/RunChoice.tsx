@@ -8,13 +8,13 @@ import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
   store: RunStore;
-  /** The run on show. */
+  /** The displayed run. */
   run: LabRun | null;
   onOpen(run: LabRun): void;
   onProblem(problem: string): void;
 }
 
-/** Which run is on show: one of this browser, or a reference. */
+/** Select that opens a kept run or a reference. */
 export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
   const { runs } = useRuns(store);
   const kept = runs ?? [];

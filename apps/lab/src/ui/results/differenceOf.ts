@@ -1,10 +1,10 @@
-/** How much brighter differences are shown than they are. */
+/** Factor by which differences are brightened. */
 export const GAIN = 8;
 
 /**
- * Where two 8-bit pictures differ: their absolute difference, {@link GAIN} times brighter.
+ * Absolute difference of two 8-bit pictures, {@link GAIN} times brighter.
  *
- * @returns null where their sizes differ
+ * @returns null if their sizes differ
  */
 export function differenceOf(a: ImageData, b: ImageData): ImageData | null {
   if (a.width !== b.width || a.height !== b.height) return null;

@@ -5,13 +5,13 @@ import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 import { formatBytes, formatNumber } from '../../words/format';
 import { competitorLabel, namedValue } from '../../words/names';
 
-/** A row with what its plan says of it. */
+/** A row with its case and series. */
 export interface TableRow extends LabRow {
   readonly label: string;
   readonly seriesLabel: string;
-  /** Place of the series among the plan's. */
+  /** Index of the series in the plan. */
   readonly seriesIndex: number;
-  /** Place of the competitor in the order of menus. */
+  /** Index of the competitor in the order of menus. */
   readonly competitorIndex: number;
   readonly labCase: LabCase;
   readonly axis: Axis;
@@ -24,14 +24,14 @@ export interface RowColumn {
   readonly label: string;
   readonly help: string;
   readonly isText?: boolean;
-  /** What rows are ordered by; null comes last in both directions. */
+  /** Value to sort by; null comes last in both directions. */
   order(row: TableRow): number | null;
   text(row: TableRow): string;
 }
 
 const order = Object.keys(competitorNames);
 
-/** The rows of a run with their cases. Rows of series or cases that the plan has not are left out. */
+/** Rows of a run with their cases. Rows of series or cases outside of the plan are left out. */
 export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableRow[] {
   return rows.flatMap((row) => {
     const seriesIndex = plan.series.findIndex(({ name }) => name === row.series);
@@ -84,12 +84,12 @@ const change = (key: 'added' | 'changed', label: string, help: string): RowColum
 
 const everyColumn: readonly RowColumn[] = [
   {
-    ...{ key: 'case', label: 'Chart', help: 'Scene, and what changes.', isText: true },
+    ...{ key: 'case', label: 'Chart', help: 'Scene and axis.', isText: true },
     order: ({ seriesIndex, index }) => seriesIndex * 1000 + index,
     text: ({ seriesLabel }) => seriesLabel,
   },
   {
-    ...{ key: 'value', label: 'Value', help: 'Where the case stands on the x axis of its chart.' },
+    ...{ key: 'value', label: 'Value', help: 'Value of the case along the x axis of its chart.' },
     order: ({ value }) => value,
     text: ({ axis, value }) => (isNamed(axis) ? namedValue(axis, value) : value.toLocaleString('en')),
   },
@@ -102,7 +102,7 @@ const everyColumn: readonly RowColumn[] = [
     ...{
       key: 'lights',
       label: 'Lights',
-      help: 'Moving lights, what they are and how far they reach; of them, how many cast shadows.',
+      help: 'Moving lights: number, kind, range, and how many cast shadows.',
     },
     order: ({ labCase }) => labCase.lights,
     text: ({ labCase }) => {
@@ -115,19 +115,14 @@ const everyColumn: readonly RowColumn[] = [
     },
   },
   {
-    ...{ key: 'shading', label: 'Shading', help: 'How materials are shaded, where not as the scene has it.' },
+    ...{ key: 'shading', label: 'Shading', help: 'Shading of the materials, if not the scene’s own.' },
     order: ({ labCase }) => shadingNames.indexOf(labCase.shading) || null,
     text: ({ labCase }) => shadings[labCase.shading].label,
   },
   spread('frame', 'Frame (ms)', 'A whole frame: median, then the 10th and 90th percentile.'),
-  spread('gpu', 'GPU (ms)', 'Time on the graphics device, where it has a timer.'),
-  spread('cpu', 'CPU (ms)', 'Time inside the call that draws.'),
-  number(
-    'first',
-    'First frame (ms)',
-    'The first frame, with everything that is compiled and uploaded.',
-    (row) => row.firstMs,
-  ),
+  spread('gpu', 'GPU (ms)', 'Time on the graphics device, by timer queries.'),
+  spread('cpu', 'CPU (ms)', 'Duration of the drawing call.'),
+  number('first', 'First frame (ms)', 'The first frame, with compiling and uploads.', (row) => row.firstMs),
   change('added', 'Ten lights more (ms)', 'The frame after ten lights were added.'),
   change('changed', 'Technique changed (ms)', 'The frame after another technique was chosen and this one again.'),
   number('draws', 'Draws', 'Draw calls of a frame.', ({ counts }) => counts?.draws ?? null),
@@ -146,26 +141,26 @@ const everyColumn: readonly RowColumn[] = [
   },
 ];
 
-/** The columns in which any row has something. @param rows - all rows of the run, filtered or not */
+/** Columns in which any row has a value. @param rows - all rows of the run, filtered or not */
 export function columnsOf(rows: readonly TableRow[]): RowColumn[] {
   return everyColumn.filter(
     (column) => column.isText || rows.length === 0 || rows.some((row) => column.order(row) !== null),
   );
 }
 
-/** `1.25 (1.19–1.4)`; a dash for none. */
+/** A spread as `1.25 (1.19–1.4)`; a dash for none. */
 export function spreadText(spread: Spread | null): string {
   if (!spread) return '–';
   return `${formatNumber(spread.median)} (${formatNumber(spread.low)}–${formatNumber(spread.high)})`;
 }
 
-/** How alike a picture is to the reference, in decibels. */
+/** Likeness of a picture to the reference (dB), `equal`, or a dash. */
 export function psnrText(likeness: LabRow['likeness']): string {
   if (!likeness) return '–';
   return likeness.psnr === null ? 'equal' : likeness.psnr.toFixed(1);
 }
 
-/** Value of a case with its unit's sign: `100`, `1280 × 720`. */
+/** Value of a case along its axis: `100`, `1280 × 720`, `rectangles`. */
 export function caseText(plan: LabPlan, series: number, index: number): string {
   const { axis, cases, values } = plan.series[series];
   const { width, height } = cases[index];

@@ -1,13 +1,13 @@
 import type { RowColumn, TableRow } from './rowColumns';
 
-/** Order of a table. */
+/** Sort order of the table. */
 export interface RowOrder {
   /** Key of the column; `competitor` for the names. */
   readonly key: string;
   readonly isDescending: boolean;
 }
 
-/** The rows in order; equal ones by chart, value and competitor. Rows without a figure are last in both directions. */
+/** Sorts rows by a column, then by chart, value and competitor. Rows without a figure come last in both directions. */
 export function sortRows(
   rows: readonly TableRow[],
   columns: readonly RowColumn[],

@@ -5,7 +5,7 @@ export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>
   return !complete && rows.every(({ frame, problem }) => frame === null && problem?.startsWith('Cancelled'));
 }
 
-/** Why a run has not every figure of its plan, as a sentence; null for a complete one. */
+/** Reason, a sentence, why a run lacks figures of its plan; null for a complete run. */
 export function whyIncomplete(run: LabRun): string | null {
   const { complete, duration, plan, rows } = run;
   if (complete) return null;

@@ -4,9 +4,9 @@ import { planOf } from '../../plan/planOf';
 import { presets } from '../../plan/presets';
 
 /**
- * The configuration of which a plan was made, so that a run can be measured again and linked.
+ * Configuration from which a plan was made, to measure a run again or link to it.
  *
- * @returns null where no configuration makes the plan: cases of another version
+ * @returns null if no configuration makes the plan, as for a run of another version
  */
 export function configurationOfPlan(plan: LabPlan): Configuration | null {
   const size = sizeOf(plan);
@@ -27,7 +27,7 @@ export function configurationOfPlan(plan: LabPlan): Configuration | null {
 
 const casesText = ({ series }: LabPlan): string => JSON.stringify(series.map(({ axis, cases }) => [axis, cases]));
 
-/** Size of the picture: that of any chart but those over pixels, where the largest has their shape most exactly. */
+/** Size of the picture: of any series but those over pixels, of which the largest case has the most exact aspect ratio. */
 function sizeOf({ series }: LabPlan): { width: number; height: number } | null {
   const fixed = series.find(({ axis }) => axis !== 'pixels') ?? series[0];
   const last = fixed?.cases[fixed.cases.length - 1];

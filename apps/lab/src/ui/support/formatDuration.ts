@@ -1,4 +1,4 @@
-/** A time in words: `8 s`, `1 min 20 s`, `2 h 5 min`. @param ms - 0 or more */
+/** A duration as `8 s`, `1 min 20 s`, `2 h 5 min`. @param ms - 0 or more */
 export function formatDuration(ms: number): string {
   const seconds = Math.max(0, Math.round(ms / 1000));
   if (seconds < 60) return `${seconds} s`;
@@ -8,7 +8,7 @@ export function formatDuration(ms: number): string {
   return whole % 60 === 0 ? `${whole / 60} h` : `${Math.floor(whole / 60)} h ${whole % 60} min`;
 }
 
-/** A time that nobody knows exactly: to 10 seconds up to two minutes, then to minutes. @param ms - 0 or more */
+/** An estimated duration, rounded to 10 s up to two minutes, then to minutes. @param ms - 0 or more */
 export function roughDuration(ms: number): string {
   const step = ms < 20_000 ? 1000 : ms <= 120_000 ? 10_000 : 60_000;
   return formatDuration(Math.round(ms / step) * step);

@@ -5,7 +5,7 @@ import { estimate, planOf } from '../../plan/planOf';
 import { roughDuration } from './formatDuration';
 import { messageOf } from '../../run/messageOf';
 
-/** A plan, or why a configuration makes none, as a sentence. */
+/** A plan, or the reason, a sentence, why a configuration makes none. */
 export type Planned = { plan: LabPlan; problem: null } | { plan: null; problem: string };
 
 /** Makes the plan of a configuration. @param hasOwnScene - whether a scene was handed over */
@@ -22,7 +22,7 @@ export function planned(configuration: Configuration, hasOwnScene: boolean): Pla
   }
 }
 
-/** How much a plan is: `12 cases × 13 competitors, about 1 min 20 s`. */
+/** Size of a plan: `12 cases × 13 competitors, about 1 min 20 s`. */
 export function planSize(plan: LabPlan): string {
   const cases = plan.series.reduce((sum, { cases }) => sum + cases.length, 0);
   const count = (n: number, one: string): string => `${n} ${one}${n === 1 ? '' : 's'}`;

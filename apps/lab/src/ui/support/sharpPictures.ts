@@ -1,23 +1,23 @@
 import type { LabPlan } from '../../plan/LabPlan';
 import type { LabRow } from '../../results/LabRun';
 
-/** Most pictures of a run that are held: 240 kB each at 320 × 180. */
+/** Most pictures of a run in memory: 240 kB each at 320 × 180. */
 const MOST = 400;
 
-/** Pictures as they were drawn, of runs of this session: a run that is kept or exported has small ones alone. */
+/** Pictures of the runs of this session, as drawn: kept and exported runs have thumbnails alone. */
 const pictures = new WeakMap<LabPlan, Map<string, ImageData>>();
 
 type Drawn = Pick<LabRow, 'series' | 'index' | 'competitor'>;
 
 const keyOf = ({ series, index, competitor }: Drawn): string => `${series} ${index} ${competitor}`;
 
-/** Holds what a competitor drew in a case of a plan, as long as the plan is in use. */
+/** Keeps a competitor's picture of a case in memory as long as the plan is referenced. */
 export function holdPicture(plan: LabPlan, drawn: Drawn, picture: ImageData): void {
   const held = pictures.get(plan) ?? new Map<string, ImageData>();
   pictures.set(plan, held);
   if (held.size < MOST) held.set(keyOf(drawn), picture);
 }
 
-/** What was drawn, or undefined where it is not held. */
+/** A picture as drawn; undefined if it is not in memory. */
 export const sharpPicture = (plan: LabPlan, drawn: Drawn): ImageData | undefined =>
   pictures.get(plan)?.get(keyOf(drawn));

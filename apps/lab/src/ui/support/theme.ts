@@ -1,9 +1,9 @@
-/** Colours of the page: those of the system, or always light or dark ones. */
+/** Colours of the page: `system` follows the system's setting. */
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'farol-lab-theme';
 
-/** The theme that was chosen last; `system` without one, and where the browser keeps nothing. */
+/** The stored theme; `system` without one or without storage. */
 export function storedTheme(): Theme {
   try {
     const value = localStorage.getItem(KEY);
@@ -13,17 +13,17 @@ export function storedTheme(): Theme {
   }
 }
 
-/** Shows the page in a theme. */
+/** Applies a theme to the page. */
 export function applyTheme(theme: Theme): void {
   document.documentElement.dataset.theme = theme;
 }
 
-/** Shows the page in a theme, also after the page is loaded again. */
+/** Applies a theme and stores it. */
 export function storeTheme(theme: Theme): void {
   applyTheme(theme);
   try {
     localStorage.setItem(KEY, theme);
   } catch {
-    // the browser keeps nothing: the theme lasts until the page is loaded again
+    // without storage the theme lasts until the page is reloaded
   }
 }

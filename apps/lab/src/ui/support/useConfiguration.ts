@@ -5,13 +5,13 @@ import { configurationOf, linkOf } from '../../results/link';
 
 export interface ConfigurationState {
   readonly configuration: Configuration;
-  /** What could not be read of the address, as sentences. */
+  /** Errors of the address, each a sentence. */
   readonly problems: readonly string[];
-  /** Takes another configuration, also into the address. */
+  /** Sets the configuration and the address. */
   setConfiguration(configuration: Configuration): void;
 }
 
-/** The configuration in the address; Quick where the address says none. */
+/** Configuration of the address; the preset Quick for an address without one. */
 export function useConfiguration(): ConfigurationState {
   const [state, setState] = useState(readAddress);
   useEffect(() => {
@@ -20,7 +20,7 @@ export function useConfiguration(): ConfigurationState {
     return () => removeEventListener('hashchange', read);
   }, []);
   const setConfiguration = useCallback((configuration: Configuration) => {
-    // no entry in the history for each letter
+    // no entry in the history for each keystroke
     history.replaceState(null, '', linkOf(configuration));
     setState({ configuration, problems: [] });
   }, []);

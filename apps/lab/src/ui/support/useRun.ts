@@ -7,41 +7,41 @@ import type { StageFrames } from '../../run/StageFrames';
 import { holdPicture } from './sharpPictures';
 import { messageOf } from '../../run/messageOf';
 
-/** How often the words of the progress change (ms). */
+/** Time between two updates of the progress (ms). */
 const WORDS = 200;
 
-/** A run that goes on, as the page shows it. */
+/** A run in progress. */
 export interface Running {
   readonly plan: LabPlan;
   readonly done: number;
   readonly total: number;
-  /** Time left (ms); null while nobody knows. */
+  /** Time left (ms); null while unknown. */
   readonly remaining: number | null;
   readonly competitor: string | null;
   readonly series: LabSeries;
   readonly labCase: LabCase;
-  /** What was drawn last; null at first. */
+  /** Last picture; null before the first one. */
   readonly picture: ImageData | null;
-  /** Set once the user has cancelled it. */
+  /** Whether the user cancelled it. */
   readonly isCancelled: boolean;
-  /** The cases that are over. */
+  /** The finished cases, as a run. */
   readonly run: LabRun;
 }
 
 export interface RunState {
   readonly running: Running | null;
-  /** Whether a run is asked for whose first step has not begun. */
+  /** Whether a run was started whose first step has not begun. */
   readonly isStarting: boolean;
-  /** Why the last run broke off, as a sentence; null when it did not. */
+  /** Reason, a sentence, why the last run failed; null if it did not. */
   readonly problem: string | null;
   /**
    * Measures a plan.
    *
-   * @param prepare - makes the frames and tells of the machine
-   * @returns the run, complete or cancelled; null when it could not begin or broke off
+   * @param prepare - makes the frames and reads the surroundings
+   * @returns the run, complete or cancelled; null if it failed
    */
   start(plan: LabPlan, prepare: () => Promise<Prepared>): Promise<LabRun | null>;
-  /** Ends the run after the turn that goes on; what was measured stays. */
+  /** Cancels the run after the current turn; its rows stay. */
   cancel(): void;
 }
 
@@ -51,7 +51,7 @@ export interface Prepared {
   readonly mostContexts: number;
 }
 
-/** A run and what is shown of it while it goes on. */
+/** Starts runs, and holds the progress of the current one. */
 export function useRun(): RunState {
   const [running, setRunning] = useState<Running | null>(null);
   const [isStarting, setStarting] = useState(false);
@@ -61,7 +61,7 @@ export function useRun(): RunState {
   const isRunning = running !== null;
   useEffect(() => {
     if (!isRunning) return;
-    // closing the tab would lose what was measured
+    // closing the tab would lose the rows
     const ask = (event: BeforeUnloadEvent): void => event.preventDefault();
     addEventListener('beforeunload', ask);
     return () => removeEventListener('beforeunload', ask);
@@ -119,7 +119,7 @@ export function useRun(): RunState {
   return { running, isStarting, problem, start, cancel };
 }
 
-/** Waits until the page has drawn what is new; not longer than for some frames, since a hidden page draws nothing. */
+/** Waits until the page has drawn its changes, 250 ms at most: a hidden page draws nothing. */
 function drawn(): Promise<void> {
   return new Promise((resolve) => {
     setTimeout(resolve, 250);
@@ -127,7 +127,7 @@ function drawn(): Promise<void> {
   });
 }
 
-/** What was measured so far, as a run of its own: later turns do not change it. */
+/** Copy of the rows so far as a run, which later turns do not change. */
 function partial(plan: LabPlan, surroundings: LabSurroundings, progress: Progress | null, duration: number): LabRun {
   return {
     format: 'farol-lab-run',

@@ -5,16 +5,16 @@ import { messageOf } from '../../run/messageOf';
 import { isSoftware } from '../../words/device';
 
 export interface ShownRun {
-  /** Null until the reference is fetched, and where there is none. */
+  /** Null while the reference is fetched, or without one. */
   readonly run: LabRun | null;
-  /** Whether it lies in the repository. */
+  /** Whether it is a reference of the repository. */
   readonly isReference: boolean;
-  /** Why the reference cannot be shown, as a sentence. */
+  /** Reason, a sentence, why the reference cannot be displayed. */
   readonly problem: string | null;
   show(run: LabRun): void;
 }
 
-/** The run on show: that which was measured or opened last; before any, a reference. */
+/** The displayed run: the last one measured or opened, initially a reference. */
 export function useShownRun(): ShownRun {
   const [run, setRun] = useState<LabRun | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
@@ -34,14 +34,14 @@ export function useShownRun(): ShownRun {
   return { run, isReference, problem, show };
 }
 
-/** That of a graphics card, and Quick, where there is one. */
+/** The reference to display first: of a graphics card and the preset Quick if possible. */
 function firstReference(): ReferenceRun | undefined {
   const rank = (run: ReferenceRun): number =>
     (isSoftware(run.info.device) ? 2 : 0) + (run.info.label === 'Quick' ? 0 : 1);
   return [...referenceRuns].sort((a, b) => rank(a) - rank(b))[0];
 }
 
-/** The reference to compare a run with: of the same preset, of a graphics card first; none for a reference itself. */
+/** The reference to compare a run with: of the same preset, preferably of a graphics card; none for a reference. */
 export function referenceFor(run: LabRun): ReferenceRun | undefined {
   if (referenceRuns.some(({ info }) => info.id === run.id)) return undefined;
   const same = referenceRuns.filter(({ info }) => info.label === run.plan.label);

@@ -5,29 +5,29 @@ import { surroundingsOf } from '../../results/surroundings';
 import { messageOf } from '../../run/messageOf';
 import { createStageFrames, type StageFrames } from '../../run/StageFrames';
 
-/** The machine that the figures will be about. */
+/** The machine that draws. */
 export interface Device {
-  /** Where a run that began now would be made. */
+  /** Surroundings of a run that would begin now. */
   readonly surroundings: LabSurroundings;
-  /** Whether WebGL tells GPU times. */
+  /** Whether WebGL has timer queries. */
   readonly timer: boolean;
   readonly software: boolean;
 }
 
 export interface StageState {
-  /** Null until the frame has loaded. */
+  /** Null while the frame loads. */
   readonly device: Device | null;
-  /** Why nothing can be measured, as a sentence. */
+  /** Reason, a sentence, why nothing can be measured. */
   readonly problem: string | null;
-  /** Why competitors cannot draw here, by key; null for those that can; those not asked yet are missing. */
+  /** Reason, by key, why a competitor cannot draw here; null if it can, missing while unknown. */
   readonly unavailable: Readonly<Record<string, string | null>>;
-  /** Frames to measure in. */
+  /** Frames that draw. */
   frames(): StageFrames;
-  /** Takes the frames away with all they hold; the next call of `frames` makes others. */
+  /** Removes the frames; the next call of `frames` makes new ones. */
   close(): void;
 }
 
-/** The frames of `stage.html`, and what the first of them says of the machine and of the competitors. */
+/** Frames of `stage.html`, and the abilities of the machine and the competitors by the first of them. */
 export function useStage(): StageState {
   const made = useRef<StageFrames | null>(null);
   const [device, setDevice] = useState<Device | null>(null);
@@ -41,18 +41,18 @@ export function useStage(): StageState {
 
   useEffect(() => {
     let isOver = false;
-    const look = async (): Promise<void> => {
+    const query = async (): Promise<void> => {
       const stage = await frames().stageOf('forward');
-      const told = await stage.device();
-      const surroundings = await surroundingsOf(told);
+      const found = await stage.device();
+      const surroundings = await surroundingsOf(found);
       if (isOver) return;
-      setDevice({ surroundings, timer: told.timer, software: told.software });
+      setDevice({ surroundings, timer: found.timer, software: found.software });
       const names = Object.keys(competitorNames);
-      const whys = await Promise.all(names.map((name) => stage.unavailable(name).catch(messageOf)));
-      if (!isOver) setUnavailable(Object.fromEntries(names.map((name, index) => [name, whys[index]])));
+      const reasons = await Promise.all(names.map((name) => stage.unavailable(name).catch(messageOf)));
+      if (!isOver) setUnavailable(Object.fromEntries(names.map((name, index) => [name, reasons[index]])));
     };
-    // the charts first
-    const timer = setTimeout(() => void look().catch((error) => isOver || setProblem(messageOf(error))), 50);
+    // after the charts are drawn
+    const timer = setTimeout(() => void query().catch((error) => isOver || setProblem(messageOf(error))), 50);
     return () => {
       isOver = true;
       clearTimeout(timer);
