@@ -50,6 +50,7 @@ export class Animation
   implements Animated
 {
   static override readonly typeName: string = 'Animation';
+  static override readonly icon: string = 'animation';
   static override readonly help: string = 'Plays clips on the object and all below it.';
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 

@@ -17,6 +17,7 @@ export class Animator extends component({
   animationSpeed: number(1, { step: 0.1, help: 'Factor of the speed; below 0 it runs backwards.', label: 'Speed' }),
 }) {
   static override readonly typeName: string = 'Animator';
+  static override readonly icon: string = 'play';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Plays a clip of a model on the objects below.';
 

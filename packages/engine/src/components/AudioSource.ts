@@ -51,6 +51,7 @@ export class AudioSource extends component({
   }),
 }) {
   static override readonly typeName: string = 'AudioSource';
+  static override readonly icon: string = 'sound';
   static override readonly help: string = 'A sound that plays, from where the object is or everywhere.';
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 

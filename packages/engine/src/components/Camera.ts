@@ -77,6 +77,7 @@ export class Camera extends component({
   }),
 }) {
   static override readonly typeName: string = 'Camera';
+  static override readonly icon: string = 'camera';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A view of the scene.';
 

@@ -52,6 +52,7 @@ function standardPad(): Gamepad | null {
  */
 export class CharacterController extends physicsComponent(characterFields) {
   static override readonly typeName: string = 'CharacterController';
+  static override readonly icon: string = 'character';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Walks by keys, gamepad or touch: steps, slopes, jumps.';
   static override readonly callable: readonly string[] = ['jump', 'teleport'];

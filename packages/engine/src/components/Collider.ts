@@ -7,5 +7,6 @@ import { physicsComponent } from '../physics/physicsComponent';
  */
 export class Collider extends physicsComponent(colliderFields) {
   static override readonly typeName: string = 'Collider';
+  static override readonly icon: string = 'collider';
   static override readonly help: string = 'A shape that bodies collide with.';
 }

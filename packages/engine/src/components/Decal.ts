@@ -61,6 +61,7 @@ export class Decal extends component({
   order: number(0, { integer: true, min: -1000, max: 1000, help: 'Of decals in one place the highest is on top.' }),
 }) {
   static override readonly typeName: string = 'Decal';
+  static override readonly icon: string = 'decal';
   static override readonly help: string = 'A picture on whatever surface lies in a box.';
   static override readonly effect: RequiredEffect = decalsEffect;
 

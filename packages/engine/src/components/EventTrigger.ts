@@ -126,6 +126,7 @@ export class EventTrigger extends component({
   once: boolean(false, { help: 'Whether only the first event counts.', label: 'Only once' }),
 }) {
   static override readonly typeName: string = 'EventTrigger';
+  static override readonly icon: string = 'trigger';
   static override readonly help: string =
     'Calls a method when something happens: a click, a key, a timer, a collision.';
   static override readonly callable: readonly string[] = ['fire'];

@@ -7,5 +7,6 @@ import { physicsComponent } from '../physics/physicsComponent';
  */
 export class Joint extends physicsComponent(jointFields) {
   static override readonly typeName: string = 'Joint';
+  static override readonly icon: string = 'joint';
   static override readonly help: string = 'Ties a body to another: hinge, ball, slider, spring.';
 }

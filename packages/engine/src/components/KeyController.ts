@@ -23,6 +23,7 @@ export class KeyController extends component({
   downKey: string('KeyQ', { help: 'Key to sink.', label: 'Down key' }),
 }) {
   static override readonly typeName: string = 'KeyController';
+  static override readonly icon: string = 'keyboard';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Motion by keys.';
 

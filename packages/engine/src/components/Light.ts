@@ -48,6 +48,7 @@ function followSoftness(scene: Scene): void {
  */
 export class Light extends component(lightFields) {
   static override readonly typeName: string = 'Light';
+  static override readonly icon: string = 'point';
   static override readonly unique: boolean = true;
   static override readonly help: string =
     'Ambient, hemisphere, directional, point or spot light, or one that shines from a rectangle, a disc or a tube.';

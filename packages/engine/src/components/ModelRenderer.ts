@@ -91,6 +91,7 @@ export class ModelRenderer extends component({
   }),
 }) {
   static override readonly typeName: string = 'ModelRenderer';
+  static override readonly icon: string = 'mesh';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A whole model, such as a glTF; an Animation plays its clips.';
 

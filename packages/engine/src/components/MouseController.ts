@@ -34,6 +34,7 @@ export class MouseController extends component({
   }),
 }) {
   static override readonly typeName: string = 'MouseController';
+  static override readonly icon: string = 'mouse';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Rotation by the mouse.';
 

@@ -38,6 +38,7 @@ export class ObjectRenderer extends component({
   surface: { ...objectSurfaceFields.surface, visibleWhen: { field: 'shader', equals: [null] } },
 }) {
   static override readonly typeName: string = 'ObjectRenderer';
+  static override readonly icon: string = 'mesh';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A mesh with a material.';
 

@@ -20,6 +20,7 @@ const SAME_TIME = 1e-4;
  */
 export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';
+  static override readonly icon: string = 'particles';
   static override readonly help: string = 'Particles such as fire, smoke and sparks, which may light the scene.';
   static override readonly effect: RequiredEffect = particlesEffect;
   static override readonly callable: readonly string[] = ['restart', 'emit', 'stop'];

@@ -21,6 +21,7 @@ export class RandomMovement extends component({
   speed: number(1, { unit: 'm/s', min: 0, step: 0.1, help: 'Greatest speed along any one axis.' }),
 }) {
   static override readonly typeName: string = 'RandomMovement';
+  static override readonly icon: string = 'motion';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Perpetual motion round a place, the same in every run.';
 

@@ -12,6 +12,7 @@ import { physicsComponent } from '../physics/physicsComponent';
  */
 export class RigidBody extends physicsComponent(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
+  static override readonly icon: string = 'body';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A body that falls, is pushed, or pushes others.';
   static override readonly callable: readonly string[] = [

@@ -65,6 +65,7 @@ export class Room extends component({
   }),
 }) {
   static override readonly typeName: string = 'Room';
+  static override readonly icon: string = 'room';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A room with a door and a window: the shape that the Object Renderer draws.';
 

@@ -36,6 +36,7 @@ export class Wall extends component({
   }),
 }) {
   static override readonly typeName: string = 'Wall';
+  static override readonly icon: string = 'wall';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A wall with a door or a window: the shape that the Object Renderer draws.';
 

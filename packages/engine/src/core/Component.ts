@@ -18,6 +18,7 @@ export abstract class Component extends FieldOwner {
   static readonly version: number = 1;
   static readonly unique: boolean = false;
   static readonly help: string = '';
+  static readonly icon: string = 'object';
   static readonly effect: RequiredEffect | null = null;
   static readonly callable: readonly string[] | null = null;
 
@@ -219,7 +220,7 @@ export abstract class Component extends FieldOwner {
 /** Base class with a property for each field: its static members have defaults, `typeName` and `help` are to be given. */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,
-  'typeName' | 'version' | 'unique' | 'help' | 'effect' | 'callable'
+  'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'callable'
 > & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
 
 /** Methods that the engine calls where a class has them: a field of such a name would be called. */

@@ -14,6 +14,8 @@ export interface ComponentClass<T extends Component = Component> {
   readonly unique: boolean;
   /** One line for the Add menu. */
   readonly help: string;
+  /** Name of its icon in editors, which show a plain one for names that they do not know. */
+  readonly icon: string;
   /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
   readonly effect: RequiredEffect | null;
   /**

@@ -23,6 +23,7 @@ export class Transform extends component({
   scale: vector3([1, 1, 1], { step: 0.1, help: 'Factor of size along the own axes.' }),
 }) {
   static override readonly typeName: string = 'Transform';
+  static override readonly icon: string = 'transform';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Position, rotation and scale.';
 

@@ -42,7 +42,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       id={typeName}
       title={title}
       help={t(componentClass.help)}
-      icon={script === null ? componentIcon(typeName) : 'code'}
+      icon={script === null ? componentIcon(componentClass) : 'code'}
       controls={
         <>
           {script !== null && (

@@ -71,7 +71,7 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
         value: type.typeName,
         label: wordsOf(type.typeName),
         help: t(type.help),
-        icon: scriptOfType(document.scene, type.typeName) === null ? componentIcon(type.typeName) : 'code',
+        icon: scriptOfType(document.scene, type.typeName) === null ? componentIcon(type) : 'code',
         disabled: type.unique && objects.every((object) => object.getComponent(type.typeName)),
       })),
     { value: NEW_SCRIPT, label: t('New script…'), help: t('A component of your own, written here.'), icon: 'code' },
