@@ -40,7 +40,7 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
       pane.position.set(-0.6, 0, 0.3);
       scene.add(pane);
     };
-    const clearFirst = (webgl: THREE.WebGLRenderer, by: (webgl: THREE.WebGLRenderer) => void) => by(webgl);
+    const runFirst = (webgl: THREE.WebGLRenderer, by: (webgl: THREE.WebGLRenderer) => void) => by(webgl);
     /** By name: makes a scene, and gives what is done before each frame. */
     const cases: Record<string, () => { scene: Scene; before?: (frame: number) => void }> = {
       'an overlay that clears depth first': () => {
@@ -58,11 +58,11 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
         return { scene };
       },
       'an overlay without an order that clears depth by another function': () => {
-        const clearDepth = (webgl: THREE.WebGLRenderer) => webgl.clearDepth();
+        const wipe = (webgl: THREE.WebGLRenderer) => webgl.clearDepth();
         const { scene, ball } = stage(standard());
         ball.material = standard();
         ball.position.z = -3;
-        ball.onBeforeRender = (webgl) => clearFirst(webgl, clearDepth);
+        ball.onBeforeRender = (webgl) => runFirst(webgl, wipe);
         return { scene };
       },
       'a backdrop without an order that clears depth afterwards': () => {
