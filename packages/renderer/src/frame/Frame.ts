@@ -32,6 +32,7 @@ import type { TwinCache } from '../materials/TwinCache';
 import type { TwinKind } from '../materials/TwinKind';
 import type { MicroShaderRegistry } from '../microshaders';
 import { logarithmicFar } from '../gpu/unprojectUniforms';
+import { CallbackWatch, isEmptyCallback } from './hostCallbacks';
 import type { RenderItem } from './RenderItem';
 import type { GeometryGroup } from '../three/RenderListItem';
 import type { NodeDraws } from '../three/nodes/NodeDraws';
@@ -116,6 +117,7 @@ export class Frame extends FrameTarget {
   private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
+  private readonly callbacks: CallbackWatch;
 
   constructor(
     webgl: WebGLRenderer,
@@ -127,6 +129,7 @@ export class Frame extends FrameTarget {
   ) {
     super(webgl);
     this.draw = directDraw(webgl);
+    this.callbacks = new CallbackWatch(webgl);
   }
 
   /** Location of an attachment of `gbufferExtras` in G-buffers, -1 where the device has no room for it. */
@@ -256,7 +259,7 @@ export class Frame extends FrameTarget {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;
     const source = item.material as ShaderMaterial;
-    (object.onBeforeRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
+    if (!isEmptyCallback(object.onBeforeRender)) this.callHost(item, 'onBeforeRender');
     if (this.queue.layers !== 0) setLayers(this.gl, object.layers.mask);
     object.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, object.matrixWorld);
     object.normalMatrix.getNormalMatrix(object.modelViewMatrix);
@@ -270,7 +273,17 @@ export class Frame extends FrameTarget {
       if (first) this.setDrawBuffers(this.target!.textures.length);
     }
     if (source.uniformsNeedUpdate === true) source.uniformsNeedUpdate = false;
-    (object.onAfterRender as unknown as MaterialCallback)(webgl, scene, camera, geometry, source as never, group);
+    if (!isEmptyCallback(object.onAfterRender)) this.callHost(item, 'onAfterRender');
+  }
+
+  private callHost({ object, geometry, material, group }: RenderItem, name: 'onBeforeRender' | 'onAfterRender'): void {
+    const { webgl, scene, camera, callbacks } = this;
+    callbacks.begin(object[name]);
+    try {
+      (object[name] as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
+    } finally {
+      callbacks.end();
+    }
   }
 }
 

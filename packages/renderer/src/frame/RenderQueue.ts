@@ -1,12 +1,4 @@
-import {
-  type BatchedMesh,
-  type BufferGeometry,
-  type Camera,
-  Material,
-  Object3D,
-  type ShaderMaterial,
-  Sphere,
-} from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -14,6 +6,7 @@ import { isGouraud } from '../materials/shadingOf';
 import { RefusedMaterials } from '../materials/RefusedMaterials';
 import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind } from '../materials/TwinKind';
+import { isStepOfHost } from './hostCallbacks';
 import { isPlain, type ItemShading, type RenderItem } from './RenderItem';
 import type { GeometryGroup, RenderItemSort, RenderListItem } from '../three/RenderListItem';
 import { warnOfNaN } from './warnOfNaN';
@@ -44,33 +37,6 @@ export function hasOwnShader(material: Material): boolean {
 }
 
 const reach = new Sphere();
-const { onBeforeRender, onAfterRender } = Object3D.prototype;
-
-const clearing = new WeakMap<object, boolean>();
-
-/**
- * Whether a callback's own text clears depth, and not colour, or draws and sets no target of its own: that belongs into the
- * host's target, and not into several textures at once.
- */
-function clears(callback: (...all: never[]) => void): boolean {
-  let known = clearing.get(callback);
-  if (known === undefined)
-    clearing.set(
-      callback,
-      (known = /clear(Depth|\((false|!1))|^(?!.*setRenderTarget).*\.render\(/s.test(String(callback))),
-    );
-  return known;
-}
-
-/**
- * Whether the host's code, run when an object is drawn, may clear depth or draw: by its text, and that of whatever has a
- * place in the order of draws.
- */
-function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
-  const { onBeforeRender: before, onAfterRender: after } = object;
-  if ((before === onBeforeRender && after === onAfterRender) || (object as BatchedMesh).isBatchedMesh) return false; // three's own
-  return hasPlace || clears(before) || clears(after);
-}
 
 /** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
 export interface ShadowMaskMaterials {

@@ -1,0 +1,84 @@
+import { type BatchedMesh, Object3D, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+
+const { onBeforeRender, onAfterRender } = Object3D.prototype;
+
+type Callback = (...all: never[]) => void;
+
+/** Callbacks of which it is known whether they draw. */
+const drawing = new WeakMap<Callback, boolean>();
+
+/**
+ * Whether a callback clears depth and not colour, or draws, in the target that it is called for: it then belongs into the
+ * host's target, and not into several textures at once. Known by its text, until a call was seen to (`CallbackWatch`).
+ */
+function draws(callback: Callback): boolean {
+  let known = drawing.get(callback);
+  if (known === undefined)
+    drawing.set(
+      callback,
+      (known = /clear(Depth|\((false|!1))|^(?!.*setRenderTarget).*\.render\(/s.test(String(callback))),
+    );
+  return known;
+}
+
+/**
+ * Whether the host's code, run when an object is drawn, may clear depth or draw: by what is known of it, and that of whatever
+ * has a place in the order of draws.
+ */
+export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
+  const { onBeforeRender: before, onAfterRender: after } = object;
+  if ((before === onBeforeRender && after === onAfterRender) || (object as BatchedMesh).isBatchedMesh) return false; // three's own
+  return hasPlace || draws(before) || draws(after);
+}
+
+/** Whether a callback is three's own, which does nothing. */
+export function isEmptyCallback(callback: Callback): boolean {
+  return callback === onBeforeRender || callback === onAfterRender;
+}
+
+/**
+ * Watches callbacks of objects while they run: one that clears depth or draws in the bound target, also by a function that its
+ * text only names, counts as a step of the host's from the next frame on.
+ */
+export class CallbackWatch {
+  private callback: Callback | null = null;
+  private target: WebGLRenderTarget | null = null;
+  /** The host's own functions. */
+  private clear!: WebGLRenderer['clear'];
+  private render!: WebGLRenderer['render'];
+
+  constructor(private readonly webgl: WebGLRenderer) {}
+
+  /** To be called before a callback, and `end` after it, also where it throws. */
+  begin(callback: Callback): void {
+    if (drawing.get(callback) === true) return;
+    const { webgl } = this;
+    this.callback = callback;
+    this.target = webgl.getRenderTarget();
+    this.clear = webgl.clear;
+    this.render = webgl.render;
+    webgl.clear = this.noteClear;
+    webgl.render = this.noteRender;
+  }
+
+  end(): void {
+    if (this.callback === null) return;
+    this.callback = null;
+    this.webgl.clear = this.clear;
+    this.webgl.render = this.render;
+  }
+
+  private note(): void {
+    if (this.callback !== null && this.webgl.getRenderTarget() === this.target) drawing.set(this.callback, true);
+  }
+
+  private readonly noteClear: WebGLRenderer['clear'] = (color = true, depth = true, stencil = true) => {
+    if (depth && !color) this.note();
+    this.clear.call(this.webgl, color, depth, stencil);
+  };
+
+  private readonly noteRender: WebGLRenderer['render'] = (scene, camera) => {
+    this.note();
+    this.render.call(this.webgl, scene, camera);
+  };
+}
