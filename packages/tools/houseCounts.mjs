@@ -16,7 +16,6 @@ export const houseLimits = {
 export const longFiles = [
   'apps/editor/src/model/timeline/Timeline.ts',
   'apps/editor/src/panels/timeline/TimelinePointer.ts',
-  'apps/editor/src/style/controls.css',
   'apps/editor/src/viewport/Viewport.ts',
   'apps/viewer/src/Viewer.ts',
 ];

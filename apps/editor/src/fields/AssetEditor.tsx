@@ -5,7 +5,7 @@ import { type ReactNode, useMemo, useState } from 'react';
 import { assetEntries, type AssetEntry, holdsNormals } from '../files/assetKinds';
 import { draggedAsset, isAssetDrag } from '../files/dragAsset';
 import { useEditor, useSignal } from '../ui/EditorContext';
-import { LatePolarCurve } from '../ui/LatePolarCurve';
+import { LatePolarCurve } from '../ui/lateAssetParts';
 import { type SearchOption, SearchSelect } from '../ui/SearchSelect';
 import { Thumbnail } from '../ui/Thumbnail';
 import type { FieldEditorProps } from '../api/FieldEditorProps';

@@ -8,7 +8,7 @@ import { foldersOf } from '../../model/assetEdits';
 import { splitName } from '../../model/assetNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { LateSoundButton } from '../../ui/LateSoundButton';
+import { LateSoundButton } from '../../ui/lateAssetParts';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
 import { AssetCard } from './AssetCard';

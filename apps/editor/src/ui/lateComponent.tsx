@@ -1,0 +1,33 @@
+import { type ComponentType, createElement, type ReactNode, useEffect, useState } from 'react';
+
+/**
+ * A component whose code is fetched when it is first shown. Offline the placeholder stays; the next one that is shown tries
+ * again.
+ * @param load - fetches the component
+ * @param placeholder - shown until the code is there; nothing by default
+ */
+export function lateComponent<Props extends object>(
+  load: () => Promise<ComponentType<Props>>,
+  placeholder: (props: Props) => ReactNode = () => null,
+): (props: Props) => ReactNode {
+  let component: ComponentType<Props> | null = null;
+  return function LateComponent(props) {
+    const [shown, setShown] = useState(() => component);
+    useEffect(() => {
+      let isMounted = true;
+      if (!shown) {
+        (component ? Promise.resolve(component) : load()).then(
+          (loaded) => {
+            component = loaded;
+            if (isMounted) setShown(() => loaded);
+          },
+          () => {},
+        );
+      }
+      return () => {
+        isMounted = false;
+      };
+    }, [shown]);
+    return shown ? createElement(shown, props) : placeholder(props);
+  };
+}
