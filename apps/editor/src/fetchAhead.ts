@@ -33,6 +33,7 @@ export async function fetchAhead(): Promise<boolean> {
       import('./files/dropOn'),
       import('./files/landInPicture'),
       import('./files/readScene'),
+      import('./files/share/openInLab'),
       import('./files/writeScene'),
       import('./files/thumbnails'),
       import('./panels/dialogs/TextDialog'),

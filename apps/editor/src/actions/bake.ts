@@ -1,33 +1,6 @@
-import { t } from '@farol/editing';
-import type { GameObject } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
-import { setStatic } from '../model/edits';
 import { hasSelection } from './hasSelection';
-
-/** Makes objects static or moving. Asks about objects below them when these differ. */
-export async function changeStatic(
-  { commands, dialogs }: EditorApi,
-  objects: readonly GameObject[],
-  isStatic: boolean,
-): Promise<void> {
-  const all = new Set<GameObject>();
-  for (const object of objects) object.traverse((each) => all.add(each));
-  const below = [...all].filter((each) => !objects.includes(each) && each.isStatic !== isStatic);
-  let changed: readonly GameObject[] | null = objects;
-  if (below.length > 0) {
-    changed = null;
-    const agreed = await dialogs.show({
-      kind: 'confirm',
-      title: isStatic ? t('Make static') : t('Make moving'),
-      text: t('There are {count} objects below that are otherwise. Shall they change too?', { count: below.length }),
-      action: t('Change all'),
-      other: { label: t('Only the selected'), choose: () => (changed = objects) },
-    });
-    if (agreed) changed = [...objects, ...below];
-  }
-  if (changed) commands.run(setStatic(changed, isStatic));
-}
 
 const areStatic = ({ document }: EditorApi): boolean => document.selectedObjects.every(({ isStatic }) => isStatic);
 
@@ -37,7 +10,12 @@ export const toggleStatic: Action = {
   label: 'Static',
   icon: 'lamp',
   menu: { menu: 'object', group: 'state' },
-  run: (editor) => void changeStatic(editor, editor.document.selectedObjects, !areStatic(editor)),
+  async run(editor) {
+    const { selectedObjects } = editor.document;
+    const isStatic = !areStatic(editor);
+    const { changeStatic } = await import('./changeStatic');
+    await changeStatic(editor, selectedObjects, isStatic);
+  },
   enabled: hasSelection,
   checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
 };

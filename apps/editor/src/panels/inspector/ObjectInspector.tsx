@@ -2,7 +2,7 @@ import { t } from '@farol/editing';
 import type { Component, GameObject } from '@farol/engine';
 import { memo, type ReactNode, useMemo } from 'react';
 import { addComponent, renameObject, setActive } from '../../model/edits';
-import { changeStatic } from '../../actions/bake';
+import { changeStatic } from '../../actions/changeStatic';
 import { scriptOfType } from '../../model/scriptNames';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
