@@ -32,7 +32,7 @@ export function activeEffects(all: readonly FarolEffect[], room: number): Active
   };
 }
 
-/** What an effect takes for itself, as the end of "both …". */
+/** Texts of the effect's claims, as the end of "both …". */
 function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffect): string[] {
   return [
     ...(replaces === undefined ? [] : [`draw "${replaces}" in place of the technique`]),

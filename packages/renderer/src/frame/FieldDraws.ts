@@ -6,8 +6,8 @@ import type { TileDepthUse } from '../lighting/lists/TileDepthUse';
 import type { LightLoop } from '../materials/LightLoop';
 
 /**
- * What passes ask of the lights of fields, whose code is fetched on demand: light-fields/LightFields.ts. Frames are those
- * that the passes are given: a warm-up has one of its own.
+ * Draws of light fields that passes call; implemented by late code, light-fields/LightFields.ts. `F` is `Frame`: each
+ * call names its frame, since a warm-up has one of its own.
  */
 export interface FieldDraws<F> {
   /** The light table that shaders read, once `render` has drawn it. */
@@ -27,6 +27,6 @@ export interface FieldDraws<F> {
   makeFieldTiles(frame: F): void;
   /** Makes lists of all lights that reach each cluster. */
   makeClusters(frame: F): LightLists;
-  /** What items are drawn with in place of the twins of a loop; undefined where these will do. */
+  /** Twins that light items by fields too, to be used in place of the loop's twins; undefined where those do. */
   twinsFor(loop: LightLoop): ((view: View) => ForwardTwins) | undefined;
 }

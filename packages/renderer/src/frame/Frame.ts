@@ -342,7 +342,7 @@ export class Frame {
     else this.drawItem(item, material);
   }
 
-  /** Has three draw an item of a node material, unless that is done. */
+  /** Draws an item of a node material by three itself, unless it is drawn already. */
   drawNodes(item: RenderItem): void {
     if (item.drawn) return;
     this.nodes ??= this.makeNodes();
@@ -350,7 +350,7 @@ export class Frame {
     else this.nodes.draw(this, item);
   }
 
-  /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
+  /** Compiles the program of one of Farol's own meshes now, not in a later frame, by a draw of nothing. */
   compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const { drawRange } = mesh.geometry;
     const { count } = drawRange;

@@ -32,14 +32,15 @@ export class Lazy<Code extends object, Name extends string = string> {
   }
 
   /**
-   * What `by` makes of the code; null while it is not there, and then it is fetched. To be called in each frame that needs
-   * it: after a failure, told once, it is asked for again after a while, or when the page is online again.
+   * Result of `by` applied to the code; null until the code is there. Call it in each frame that needs the code: the
+   * first call fetches. A failure is reported once; the fetch is tried again after a while, or when the page is online
+   * again.
    */
   use<Made>(by: (code: Code) => Made): Made | null {
     return this.ask() ? by(this.code!) : null;
   }
 
-  /** Has the code fetched, unless that is under way. @returns whether it is there */
+  /** Starts to fetch the code, unless that is under way. @returns whether it is there */
   ask(): boolean {
     if (this.isThere) return true;
     Lazy.lacking?.add(this);

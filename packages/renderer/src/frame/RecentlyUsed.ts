@@ -4,8 +4,8 @@ const KEPT = 2000;
 const MOST = 3;
 
 /**
- * What is held for scenes or cameras that take turns: one that is used no more is released, the sooner the more there are, by
- * time and not by frames, since a host may draw none. The one that was used last is kept.
+ * Releases objects held for scenes or cameras that take turns: those not used for a while, sooner the more there are.
+ * Counts time, not frames, since a host may draw none. The one used last is never released.
  */
 export class RecentlyUsed<Key> {
   private current: Key | null = null;

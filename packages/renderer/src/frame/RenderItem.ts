@@ -19,7 +19,7 @@ export interface RenderItem {
   groupOrder: number;
   renderOrder: number;
   z: number;
-  /** Of a node material: three itself draws it. */
+  /** Its material is a node material: three itself draws it. */
   nodes: boolean;
   /** Lit one light at a time by three. */
   lit: boolean;

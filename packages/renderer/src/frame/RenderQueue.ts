@@ -79,7 +79,7 @@ export interface ShadowMaskMaterials {
   readonly twin: TwinKind;
 }
 
-/** What a frame draws, in the three lists of three.js. Items are pooled. */
+/** Objects that a frame draws, in the three lists of three.js. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
   readonly transmissive: RenderItem[] = [];
@@ -96,7 +96,7 @@ export class RenderQueue {
   private camera!: Camera;
   /** The distance (m) from which it is so; -Infinity where depths tell no distances. */
   farthest = Infinity;
-  /** What three's own lights alone are right for. */
+  /** Materials that only three's own lights can light. */
   readonly refused = new RefusedMaterials();
   /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
   early = 0;

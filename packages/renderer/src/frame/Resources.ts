@@ -6,7 +6,7 @@ import type { AccumulatedLight } from './AccumulatedLight';
 import type { LightLists } from './LightLists';
 import type { RenderItem } from './RenderItem';
 
-/** What passes hand to one another within a frame, by name. */
+/** Textures and buffers that passes hand to one another within a frame, by name. */
 export interface Resources {
   /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
@@ -32,7 +32,7 @@ export interface Resources {
   decals: number;
   /** The transparent items, which the pass that writes this lays over the target. */
   transparent: readonly RenderItem[];
-  /** What packages outside of Farol hand over, by a name of their own such as 'acme:fog'. */
+  /** Resources of packages outside of Farol, by a prefixed name such as 'acme:fog'. */
   [own: `${string}:${string}`]: unknown;
 }
 
@@ -96,7 +96,10 @@ export class ResourceTable {
     }
   }
 
-  /** What was written last. @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads` */
+  /**
+   * Value written last.
+   * @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads`
+   */
   get<R extends HandedResource>(name: R): Resources[R] {
     const value = this.find(name);
     if (value !== undefined) return value;
@@ -104,7 +107,10 @@ export class ResourceTable {
     throw new Error(`No pass of technique "${this.technique}" writes "${name}" before an effect reads it.`);
   }
 
-  /** What was written last, undefined when nobody has written it in this frame. @throws Error as `get`, of `reads` */
+  /**
+   * Value written last, undefined when nobody has written it in this frame.
+   * @throws Error when the pass does not declare it in `reads`
+   */
   find<R extends HandedResource>(name: R): Resources[R] | undefined {
     const { user } = this;
     if (user !== null && !user.reads.includes(name)) throw this.undeclared(user, 'reads', name);

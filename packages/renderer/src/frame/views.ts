@@ -1,4 +1,4 @@
-/** What `FarolRenderer.view` can show. */
+/** Values of `FarolRenderer.view`. */
 export const views = [
   'final',
   'albedo',

@@ -14,7 +14,7 @@ export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_lightIndex: { value: number };
   /** Linearly transformed cosines, where there are area lights. */
   readonly farol_ltc: IUniform<Texture | null>;
-  /** Of the lights with a range: plain point lights, area lights. */
+  /** Number of plain point lights and of area lights, among those with a range. */
   readonly farol_areaCounts: { value: number[] };
 }
 

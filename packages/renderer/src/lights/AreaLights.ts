@@ -1,11 +1,11 @@
 import type { Matrix4, RectAreaLight } from 'three';
 
-/** Where the texels of the light table are written. */
+/** Writes texels of the light table. */
 interface TexelTable {
   set4(at: number, x: number, y: number, z: number, w: number): void;
 }
 
-/** What the light table asks of area lights; their code is fetched when a scene has one. */
+/** Part of the light table for area lights, in late code that is fetched when a scene has one. */
 export interface AreaLights {
   /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
   threshold: number;

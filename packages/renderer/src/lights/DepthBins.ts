@@ -31,7 +31,7 @@ export class DepthBins {
   shift = 0;
   start = 0;
   scale = 0;
-  /** Of each bin: first rank | last rank << 16; first above last in a bin without lights. */
+  /** One number for each bin: first rank | last rank << 16; first above last in a bin without lights. */
   readonly bins = new Uint32Array(BINS);
   /** Rank to light of `GridLights`; NO_LIGHT for the ranks that fill the last word of deep lights. */
   order = new Uint32Array(0);

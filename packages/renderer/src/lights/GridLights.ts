@@ -14,7 +14,7 @@ export const TILES = 4;
 export const MARGIN = 1e-3;
 
 /**
- * Where each light is on screen. Lights that touch no tile are left out. Arrays grow to what is needed and are kept.
+ * Bounds of each light on screen; lights that touch no tile are left out. Arrays grow to what is needed and are kept.
  */
 export class GridLights {
   count = 0;
@@ -24,8 +24,8 @@ export class GridLights {
   /** Place of each in the caller's list. */
   index = new Uint32Array(0);
   /**
-   * Of each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles), bottom, top
-   * (slopes); nearest and farthest depth (m) between near and far plane.
+   * Ten numbers for each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles),
+   * bottom, top (slopes); nearest and farthest depth (m) between near and far plane.
    */
   shapes = new Float64Array(0);
   /** First column, last column, first row, last row. */

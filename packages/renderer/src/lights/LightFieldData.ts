@@ -1,6 +1,6 @@
 import type { Light } from 'three';
 
-/** What the maths of lights know of a LightField. */
+/** Parts of a LightField that the maths of lights use. */
 export interface LightFieldData extends Light {
   readonly capacity: number;
   readonly count: number;

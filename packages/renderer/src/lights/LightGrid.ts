@@ -75,7 +75,7 @@ export class LightGrid {
   }
 
   /**
-   * Of a depth, -z in view space (m), GLSL finds its bin as
+   * GLSL finds the bin of a depth, -z in view space (m), as
    * `clamp(int(float(floatBitsToInt(max(depth + depthShift, 0.0)) - depthStart) * depthScale), 0, 1023)`.
    */
   get depthShift(): number {

@@ -40,11 +40,11 @@ export class VisibleLights {
   readonly masked: Light[] = [];
   /** Lights as data, whose records the GPU writes. */
   readonly fields: LightFieldData[] = [];
-  /** Of each of `boundeds`: view-space sphere [x, y, z, r] (m), r its range. */
+  /** View-space sphere of each of `boundeds`: [x, y, z, r] (m), r its range. */
   bounds = new Float64Array(64);
-  /** Of each: view-space [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
+  /** View-space cone of each of `boundeds`: [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
   axes = new Float64Array(64);
-  /** Of each: colour times intensity, and decay if it is a plain point light, else -1. */
+  /** Light of each of `boundeds`: colour times intensity, and decay if it is a plain point light, else -1. */
   plain = new Float64Array(64);
   /** How many of `boundeds` are drawn as spheres, and as cones. */
   spheres = 0;
@@ -60,7 +60,7 @@ export class VisibleLights {
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly ambient: Float32Array;
-  /** Of the last frame collected. */
+  /** Mask settings of the last frame collected. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
   private readonly finite = new FiniteLights();

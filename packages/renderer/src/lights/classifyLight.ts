@@ -12,7 +12,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   };
 
 /**
- * What a light is to Farol; which record, volume and loop it gets follows.
+ * Class of a light, which decides its record, volume and loop.
  *
  * | class | is |
  * |---|---|
@@ -69,7 +69,7 @@ export function hasProfile(light: Light): boolean {
   return (light.userData.farolProfile ?? null) !== null;
 }
 
-/** What of the lights with a shadow map or an image is left to three. */
+/** Kinds of lights that three lights in place of Farol. */
 export interface LeftToThree {
   /** Lights that cast shadows. */
   shadows: boolean;
@@ -105,7 +105,7 @@ export function hasShadowMap(light: Light, shadowed: ShadowedLights): boolean {
   return shadowed === 'all' || ((light as AnyLight).isPointLight !== true && !isAreaLight(light));
 }
 
-/** What lights of a frame may be masked by. */
+/** Scene data that may mask the lights of a frame. */
 export interface MaskSettings {
   readonly shadows: ShadowedLights;
   /** Which lights do not reach all objects; null for none. */

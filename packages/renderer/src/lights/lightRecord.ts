@@ -20,7 +20,7 @@ export const NO_LIGHT = 0xffffffff;
 /** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
 export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;
-/** The same of an area light. */
+/** Penumbra that marks an area light, as POINT_PENUMBRA does a point light. */
 export const AREA_PENUMBRA = -3;
 /** Spot exponent of a light that has three's penumbra. */
 export const NO_EXPONENT = -1;
@@ -45,7 +45,7 @@ export const lightRecord = {
     /** Local: a point light as three has it, that nothing masks; its cone and details are not written. */
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
-    /** Of a light that is not plain. */
+    /** Decay, for a light that is not plain. */
     otherDecay: ['float', '-64.0 - t.w'],
     decay: ['float', 't.w >= 0.0 ? t.w : -64.0 - t.w'],
     /** Directional: it has a mask or an extension. */
@@ -59,7 +59,7 @@ export const lightRecord = {
   },
   details: {
     penumbra: 'x',
-    /** Of the thesis's spot light, or NO_EXPONENT. */
+    /** Exponent of the thesis's spot light, or NO_EXPONENT. */
     exponent: 'y',
     /** 0: none. */
     maskRecord: ['int', 'int(t.z)'],
@@ -73,7 +73,7 @@ export const lightRecord = {
   },
 } as const satisfies RecordLayout;
 
-/** What only a light of the thesis has. Colours are linear. */
+/** Record of what only a light of the thesis has. Colours are linear. */
 export const extensionRecord = {
   /** Times the light's colour: what diffuse surfaces take. */
   diffuse: { diffuse: 'rgb' },
@@ -92,7 +92,7 @@ export const extensionRecord = {
   },
 } as const satisfies RecordLayout;
 
-/** Where the texels of a record begin (floats); the tables themselves are no part of what a page loads. */
+/** Offsets of the texels in a record (floats); written out here, so that a page need not load the tables. */
 export const LIGHT = { sphere: 0, emission: 4, cone: 8, details: 12 } as const satisfies Offsets<typeof lightRecord>;
 export const EXTENSION = {
   diffuse: 0,
@@ -102,7 +102,7 @@ export const EXTENSION = {
 } as const satisfies Offsets<typeof extensionRecord>;
 
 /**
- * What the fourth number of `emission` holds of a local light: below 0 where it is not plain.
+ * Fourth number of a local light's `emission`: its decay, coded as below 0 for a light that is not plain.
  * @param decay - as three has it; below 0 light grows with distance, which no plain light does
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {

@@ -1,4 +1,4 @@
-/** What one pass did in the last frame. */
+/** Work of one pass in the last frame. */
 export interface PassInfo {
   readonly name: string;
   drawCalls: number;

@@ -41,7 +41,7 @@ function updateCamera(camera: Camera): void {
   if (camera.parent === null && camera.matrixWorldAutoUpdate) camera.updateMatrixWorld();
 }
 
-/** What a FarolRenderer tells. */
+/** Events of a FarolRenderer. */
 export interface FarolEvents {
   /** The last picture is out of date, since code that it lacked has come: draw again. */
   redraw: object;
@@ -139,7 +139,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.picker.technique = name;
   }
 
-  /** What `technique` can be: the built-in ones, and those that were added. */
+  /** Techniques that `technique` may name: the built-in ones, and those that were added. */
   get techniques(): Readonly<Record<string, Technique>> {
     return this.set.known;
   }

@@ -23,7 +23,10 @@ export class SceneDraws {
   /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
   edges: SmoothEdges | null = null;
   private antialias = false;
-  /** What is seen through transmissive things is drawn at another size than light lists are for. */
+  /**
+   * Twins for what is seen through transmissive things: they loop over all lights, since that picture's size is not
+   * that of the light lists.
+   */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
   /** @param background - uniform that gets what three would have cleared the target to, its alpha -1 where three has */
@@ -96,7 +99,7 @@ export class SceneDraws {
     frame.bindTarget();
   }
 
-  /** What is seen through transmissive things, into three's transmission target. */
+  /** Draws what is seen through transmissive things, into three's transmission target. */
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
@@ -117,7 +120,7 @@ export class SceneDraws {
     if (drawn) frame.resolveTransmission();
   }
 
-  /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
+  /** Sets the colour that three would have cleared to, for techniques that write every pixel. */
   private setBackground(): void {
     const { frame, background } = this;
     frame.fills = this.sceneView.uncleared;

@@ -38,7 +38,7 @@ const NEVER = [false, false, false, false];
  * The host's scene is only read. `draw` is called back inside `render`, where `renderBufferDirect` works.
  */
 export class SceneView {
-  /** What 'auto' has picked for the scene. */
+  /** Picks the scene's technique for 'auto'. */
   readonly chooser = new TechniqueChooser<WarmUp>();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
@@ -46,10 +46,13 @@ export class SceneView {
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
   private list!: RenderList;
-  /** Where the list is from: another one once a lost context is restored. */
+  /** Lists that `list` is taken from; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /** What the host's code has thrown in this frame, kept until three's `render` has put its stacks in order. */
+  /**
+   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
+   * order.
+   */
   private failed = false;
   private error: unknown;
   /** Stands for all that transmits: three fills its transmission target only if something does. */
@@ -172,7 +175,7 @@ export class SceneView {
     this.masks.length = 0;
   }
 
-  /** What three would clear to is set all the same. */
+  /** Keeps three from clearing what draws will fill anyway; three's clear colour is set all the same. */
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;

@@ -16,7 +16,7 @@ export interface SceneFigures {
   readonly surfaces: boolean;
 }
 
-/** What the chooser picks from. */
+/** Techniques that the chooser picks from. */
 export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
 
 /** Makes a technique ready. */
@@ -31,7 +31,7 @@ export interface Choice {
 
 /** Few enough lights that a list costs more than it saves; measured, as all bounds here: see docs/performance.md. */
 const FEW_LIGHTS = 2;
-/** The same where a pixel is drawn about once. */
+/** FEW_LIGHTS for a scene in which a pixel is drawn about once. */
 const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
 /** Few enough opaque things that a pixel is drawn about once. */
 const FEW_OBJECTS = 8;
@@ -73,9 +73,9 @@ const choices: Record<ChosenTechnique, Choice> = {
  * frames, or is far better while the scene is new. Without allocation.
  */
 export class TechniqueChooser<P extends Preparation = Preparation> {
-  /** What is to be drawn by as soon as it is ready; null when the choice is to stay. */
+  /** Choice that the user draws by as soon as it is ready; null when the choice is to stay. */
   next: Choice | null = null;
-  /** What makes `next` ready, to be set by the user; dropped when `next` changes. */
+  /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;

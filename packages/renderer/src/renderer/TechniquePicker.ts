@@ -19,7 +19,7 @@ interface EffectsByTechnique {
 
 /** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
 export class TechniquePicker {
-  /** What draws this frame: the technique asked for, or what 'auto' picked. */
+  /** Technique that draws this frame: the one asked for, or the one that 'auto' picked. */
   active: TechniqueName = 'deferred';
   /** Why that one. */
   reason = '';
@@ -32,7 +32,7 @@ export class TechniquePicker {
     private readonly set: TechniqueSet,
   ) {}
 
-  /** What is asked for. @throws Error when unknown, or the device cannot run it */
+  /** Technique asked for. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
     return this.asked;
   }
@@ -92,7 +92,7 @@ export class TechniquePicker {
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
-  /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
+  /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;

@@ -23,7 +23,7 @@ export interface FoundLights {
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
 
-/** What is done to the world matrices of children: nothing, what each asks for, or all of them. */
+/** Update of the world matrices of children: none, those that ask for it, or all. */
 const KEPT = 0;
 const UPDATED = 1;
 const FORCED = 2;

@@ -72,7 +72,7 @@ export class ShadowMaps implements LightMasks {
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
-  /** Has the maps drawn where three draws its own; set by `makeShadowMaps`. */
+  /** Draws the maps at the moment when three draws its own; set by `makeShadowMaps`. */
   calls!: ShadowMapCalls;
   private readonly slots: LightSlots;
   private readonly samplers: ImageSamplers;
@@ -86,7 +86,7 @@ export class ShadowMaps implements LightMasks {
   private readonly hostMaps: HostShadowMaps;
   private readonly shaders: MaskShaders;
   private readonly masks: MaskRecords;
-  /** What the frame draws: maps, copies of images, and copies of maps for three's addons. */
+  /** Slots that the frame draws: maps, copies of images, and copies of maps for three's addons. */
   private readonly toDraw: ShadowSlot[] = [];
   private readonly imagesToDraw: CookieSlot[] = [];
   private readonly toCopy: ShadowSlot[] = [];
@@ -266,7 +266,7 @@ export class ShadowMaps implements LightMasks {
 
   // ---- Collect: a slot for each light that casts shadows or throws an image ----
 
-  /** Has all maps drawn anew where `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
+  /** Draws all maps anew after `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
   private followType(): void {
     const { type } = this.webgl.shadowMap;
     if (type === this.type) return;

@@ -32,7 +32,7 @@ export class WarmUp implements Preparation {
   /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */
   ready = false;
   private readonly dry: Frame;
-  /** Of each material the geometries that were tried; the objects where the shader depends on the object too. */
+  /** Geometries tried for each material; objects instead where the shader depends on the object too. */
   private readonly seen = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;

@@ -1,5 +1,5 @@
 /**
- * What the region of an atlas holds of one shadow map (or image).
+ * State of an atlas region that holds one shadow map (or image).
  *
  * | state | the region |
  * |---|---|
@@ -91,7 +91,7 @@ export class AtlasMap {
     this.bounds = false;
   }
 
-  /** What was drawn is gone. */
+  /** Marks the drawn content as lost. */
   lose(): void {
     this.current = AFTER_LOSS[this.current];
     if (!this.isThere) this.bounds = false;

@@ -6,7 +6,7 @@ export interface Region {
   height: number;
 }
 
-/** Where a map lies in its atlas; written by the atlas alone. */
+/** Region of a map in its atlas; written by the atlas alone. */
 export class AtlasPlacement {
   private rectangle: Region | null = null;
   private width = 0;

@@ -48,13 +48,16 @@ export class MapDetail {
     this.wanted = this.patience > PATIENCE ? this.least : applied;
   }
 
-  /** Has the map go to the target. */
+  /** Applies the target level. */
   reach(): void {
     this.applied = this.wanted;
     this.patience = 0;
   }
 
-  /** The same as all maps of a full atlas are sized anew; the frames waited for count on. */
+  /**
+   * Applies the target level while all maps of a full atlas are resized; unlike `reach`, does not restart the wait for
+   * a higher level.
+   */
   settle(): void {
     this.applied = this.wanted;
   }

@@ -37,7 +37,7 @@ export class ShadowAtlases {
     return this.depths.bytes + this.colours.bytes;
   }
 
-  /** Has depths of 24 bits from now on; what the atlas of depths held is lost. */
+  /** Switches the atlas of depths to 24 bits; the maps in it are lost. */
   refine(): void {
     this.fine = true;
     this.depths.remake();

@@ -5,7 +5,7 @@ import type { MapDetail } from './MapDetail';
 import { mipmapBlockHeight, mipmapBlockWidth } from './mipmapBlock';
 import { RegionPacker } from './RegionPacker';
 
-/** What has a region in an atlas: a map, or the six faces of a cube, three by two, with borders. */
+/** Owner of an atlas region: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
   /** Maps a side of a square of several; 1 when absent. */
@@ -15,9 +15,9 @@ export interface AtlasTenant {
   readonly wantedHeight: number;
   /** Share of the picture that the map matters for, 0 to 1. */
   readonly coverage: number;
-  /** Where the map lies; written by the atlas. */
+  /** Region of the map; written by the atlas. */
   readonly placement: AtlasPlacement;
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map: AtlasMap;
   /** How far the size asked for is reduced, because pictures show no more; not at all when absent. */
   readonly detail?: MapDetail;
@@ -66,7 +66,10 @@ export class TextureAtlas {
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
 
-  /** What shaders read: the target's depths if it has a texture of them, else its colours; null while there is no target. */
+  /**
+   * Texture that shaders read: the target's depths if it has a texture of them, else its colours; null while there is
+   * no target.
+   */
   get texture(): Texture | null {
     return this.target?.depthTexture ?? this.target?.texture ?? null;
   }

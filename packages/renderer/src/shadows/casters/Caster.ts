@@ -18,7 +18,7 @@ export interface Caster {
   signature: number;
   /** Last walk that met the object, see `ShadowCasters.walks`. */
   lastWalk: number;
-  /** What three's traversal is given to bring the object's buffers up to date, see `casterProxy`. */
+  /** Object given to three's traversal, which uploads the buffers of the caster, see `casterProxy`. */
   proxy: Object3D | null;
   /** Frame for which `proxy` was handed out. */
   proxyFrame: number;

@@ -28,7 +28,7 @@ import { isDepthReversed, unmaskColour, unmaskDepth } from '../../three/state';
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
-/** What Farol knows of a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
+/** Farol's notes on a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
 interface Watched {
   /** `shadowMap.type` that the map is of. */
   readonly type: number;

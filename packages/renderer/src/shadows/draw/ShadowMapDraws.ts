@@ -135,7 +135,7 @@ export class ShadowMapDraws {
     this.mergedCasters?.prepare();
   }
 
-  /** Has the sampler of an atlas of depths compare in the direction of the depth buffer, reversed or not. */
+  /** Sets the comparison of the depth atlas's sampler to the direction of the depth buffer, reversed or not. */
   setComparison(atlas: TextureAtlas): void {
     const texture = atlas.target?.depthTexture;
     const wanted = isDepthReversed(this.webgl) ? GreaterEqualCompare : LessEqualCompare;

@@ -3,7 +3,9 @@ import { parseMicroShader } from '../../microshaders/parseMicroShader';
 import { imageSamplersChunk } from './imageSamplersChunk';
 import { maskFeatures, maskFeaturesChunk } from './maskFeatures';
 
-/** What shaders have code for. That grows with the masks that are met and never shrinks, so that nothing is compiled twice. */
+/**
+ * Mask features that shaders are compiled with. They only grow, as masks are met, so that nothing is compiled twice.
+ */
 export class MaskShaders {
   /** Level of the chunk `lightMask`. 0: no masks; 1: shadows and cookies; 2: layers too. */
   private level = 0;

@@ -44,7 +44,10 @@ export function maskLoopOf(light: Light): number {
   return kind === 'point' ? maskFeatures.point : maskFeatures.bounded;
 }
 
-/** What shaders need code for because of a light. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
+/**
+ * Shader features that a light needs, as bits of `maskFeatures`.
+ * @param type - of maps, as `WebGLRenderer.shadowMap.type`
+ */
 export function maskFeaturesOf(
   { hasShadow, isCube, cascades, cookie, profile, light, hasLeftMap }: ShadowSlot,
   type: number,

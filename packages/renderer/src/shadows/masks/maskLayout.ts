@@ -1,13 +1,15 @@
 import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
 import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 
-/** What a mask does with its shadow map. */
+/** Ways in which a mask reads its shadow map. */
 export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/** What a mask has of an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
+/**
+ * Ways in which a mask reads an image. `profile`: a photometric profile, and the image that `profileAcross` says.
+ */
 export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
-/** Where the whole number in `place` has its parts (bits); the width of a face has those below `lookup`. */
+/** First bit of each part of the whole number in `place`; the bits below `lookup` are a face's width. */
 export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
 
 /**
@@ -16,9 +18,9 @@ export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } a
  * `place`, `filtering` and what of the matrix it needs of every light that reaches it, the others seldom.
  */
 export const maskRecord = {
-  /** Of a map: columns of the matrix from view space to the map (0 to 1, depth 0 to 1). Of a cube: only `position`. */
+  /** Columns of the matrix from view space to the map (0 to 1, depth 0 to 1); for a cube only `position`. */
   columnX: {
-    /** Where a point light was as its map was drawn (view space, m). */
+    /** Position of a point light when its map was drawn (view space, m). */
     position: 'xyz',
   },
   columnY: {},
@@ -33,7 +35,7 @@ export const maskRecord = {
     lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
     /** One of `cookieShapes`. */
     cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
-    /** Of a map: `extent` counts. Of a cube: `position` counts, since the light has left its map. */
+    /** Whether `extent` counts; for a cube, whether `position` counts, since the light has left its map. */
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
     /** Texels round a face of a cube. */
     border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
@@ -46,7 +48,7 @@ export const maskRecord = {
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
-  /** Of a map, but for `cookieFilter`. */
+  /** Size of the map and sampling of its cookie; not for a cube, but for `cookieFilter`. */
   extent: {
     /** Texels up the map, and number of its cascades. */
     heightAndCascades: 'xy',
@@ -77,7 +79,7 @@ export const maskRecord = {
   secondFit: { profileDown: 'xyz' },
 } as const satisfies RecordLayout;
 
-/** Where the texels of a mask begin (floats). */
+/** Offsets of a mask's texels (floats). */
 export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;

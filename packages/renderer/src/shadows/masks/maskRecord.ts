@@ -96,7 +96,7 @@ function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: num
   return true;
 }
 
-/** What a light's mask does with its map. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
+/** Lookup of a light's mask, one of `shadowLookups`. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
 export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: number): number {
   if (!hasShadow) return shadowLookups.none;
   if (softSizeOf(light) > 0) return shadowLookups.soft;

@@ -78,7 +78,9 @@ export class ShadowTiles {
     pass.drawTo(frame, target);
   }
 
-  /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
+  /**
+   * Creates the texture of marks by three, also after a lost context: shaders bind it even when nothing is marked.
+   */
   private giveStorage(frame: Frame): void {
     if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
   }

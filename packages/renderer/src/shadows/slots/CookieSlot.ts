@@ -16,13 +16,13 @@ type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
-  /** Where the copy of the image lies; written by the atlas. */
+  /** Region of the image's copy; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
-  /** Of an image that is no cube: levels of its mipmaps in the atlas. */
+  /** Mipmap levels in the atlas, for an image that is no cube. */
   levels: number | undefined = undefined;
   /** How the image is sampled, see `imageFilter`; 0 for a cube or a profile. */
   filter = 0;

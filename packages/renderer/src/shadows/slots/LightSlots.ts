@@ -19,13 +19,13 @@ export interface SlotRelease {
 /** The slots of all lights, and of the images and profiles that they have: those of the frame, and those kept for a while after. */
 export class LightSlots {
   /** Slots of the frame's lights. */
-  /** Of casters, as bits, where a shadow's camera names none. */
+  /** Layers of casters, as bits, for shadows whose camera names none. */
   layersSeen = 1;
   readonly lit: ShadowSlot[] = [];
-  /** What the frame needs of the atlas of depths and of that of colours, by `sortOut`. */
+  /** Tenants that the frame needs in the atlas of depths and in that of colours, by `sortOut`. */
   readonly depths: ShadowSlot[] = [];
   readonly colours: AtlasTenant[] = [];
-  /** What has regions of the two atlases, but is not needed in the frame. */
+  /** Tenants that have regions of the two atlases, but are not needed in the frame. */
   readonly keptDepths: ShadowSlot[] = [];
   readonly keptColours: AtlasTenant[] = [];
   /** Maps among what the frame needs. */
@@ -131,7 +131,7 @@ export class LightSlots {
     }
   }
 
-  /** What was drawn is gone, of maps and, unless `mapsAlone`, of images. */
+  /** Marks all maps as lost and, unless `mapsAlone`, all images. */
   lose(mapsAlone: boolean): void {
     for (const slot of this.slots.values()) slot.map.lose();
     if (mapsAlone) return;

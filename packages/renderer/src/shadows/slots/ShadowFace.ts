@@ -23,7 +23,10 @@ export class ShadowFace {
   readonly visible = { left: 0, bottom: 0, right: 0, top: 0 };
   /** The part of the face that is drawn (texels of the face). */
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
-  /** Of a cube: near, far, widening and kind of depth (1: reversed) that the camera's projection was made with. */
+  /**
+   * Near, far, widening and kind of depth (1: reversed) that the camera's projection was made with; for faces of a
+   * cube.
+   */
   readonly aim = new Float64Array(4);
   /** The face in the atlas, with its border (texels). */
   x = 0;
@@ -70,7 +73,7 @@ export class ShadowFace {
     return Math.max(0, right - left) * Math.max(0, top - bottom);
   }
 
-  /** Has all of the face drawn, or only what is visible. */
+  /** Plans to draw all of the face, or only the visible part. */
   plan(isPartial: boolean): void {
     const { drawn, visible } = this;
     drawn.left = isPartial ? visible.left : 0;
@@ -127,7 +130,10 @@ export class ShadowFace {
   }
 }
 
-/** Of the faces +x, -x, +y, -y, +z, -z of a cube: direction and up of the camera, as farol_cubeFace in lightShadow.glsl has them. */
+/**
+ * Direction and up of the camera of each face of a cube, +x, -x, +y, -y, +z, -z, as farol_cubeFace in lightShadow.glsl
+ * has them.
+ */
 const AXES = [
   [1, 0, 0, 0, 1, 0],
   [-1, 0, 0, 0, 1, 0],

@@ -64,9 +64,9 @@ export class ShadowSlot implements AtlasTenant {
   near = 0;
   far = 0;
 
-  /** Where the map lies; written by the atlas. */
+  /** Region of the map; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map = new AtlasMap();
   /** How far the size is reduced because pictures show no more; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
@@ -94,7 +94,7 @@ export class ShadowSlot implements AtlasTenant {
   record = -1;
 
   // of the draw, by `plan`
-  /** What the faces reach, in world space. */
+  /** Space that the faces reach (world space). */
   readonly reach = makeReach();
   /** The faces that draw anything, as bits. */
   drawnFaces = 63;
@@ -274,7 +274,10 @@ export class ShadowSlot implements AtlasTenant {
     if (this.isCube) this.aimFaces();
   }
 
-  /** Has the map drawn in this frame, all of it or only what is visible of each face. @returns texels drawn to */
+  /**
+   * Plans to draw the map in this frame, all of it or only the visible part of each face.
+   * @returns texels drawn to
+   */
   plan(isPartial: boolean): number {
     let texels = 0;
     this.map.plan(isPartial);

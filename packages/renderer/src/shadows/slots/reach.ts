@@ -1,5 +1,5 @@
 /**
- * What a light's map reaches: an array, since a fraction that is handed from function to function may be allocated.
+ * Space that a light's map reaches, as an array: a fraction handed from function to function may be allocated.
  *
  * | index | holds |
  * |---|---|

@@ -15,7 +15,7 @@ const LEAST_HEIGHT = 720;
 /** Texels a side of the smallest map. */
 const SMALLEST = 16;
 
-/** What of a slot says how large its map's texels are. */
+/** Parts of a slot that give the size of its map's texels. */
 interface Projected {
   readonly light: ShadowLight;
   readonly isCube: boolean;

@@ -6,7 +6,7 @@ import { type RenderList, type RenderLists, renderListsOf } from '../RenderList'
 import type { RenderQueue } from '../../frame/RenderQueue';
 import { standInOf } from '../standInOf';
 
-/** What is drawn: a `Frame`. */
+/** Parts of a `Frame` that draws of node materials use. */
 interface DrawnFrame {
   readonly webgl: WebGLRenderer;
   readonly scene: Scene;
@@ -18,7 +18,7 @@ interface DrawnFrame {
 interface NodeView {
   readonly view: Object3D;
   readonly list: RenderList;
-  /** Where the list is from: others once a lost context is restored. */
+  /** Lists that `list` is from; replaced when a lost context is restored. */
   readonly lists: RenderLists;
 }
 

@@ -42,7 +42,7 @@ export class CasterMatrices {
     this.lastChanged = Math.max(this.lastChanged, at + FLOATS);
   }
 
-  /** Has a program read the block from the point that `bind` binds it to. */
+  /** Binds the matrix block of a program to the binding point that `bind` uses. */
   attach(program: WebGLProgram): void {
     const { gl } = this;
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'FarolCasters'), this.point);

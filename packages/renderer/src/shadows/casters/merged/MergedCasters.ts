@@ -196,7 +196,7 @@ export class MergedCasters {
     caster.queuedVersion = -1;
   }
 
-  /** Has each face of a light's map draw the clusters that its drawn part may show. */
+  /** Adds the clusters that the drawn part of each face of a light's map may show to that face's runs. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
     const { present, presentBoxes: boxes } = this;
@@ -274,7 +274,7 @@ export class MergedCasters {
     this.material.dispose();
   }
 
-  /** Has three bind all that draws of a page need; draws then name their triangles alone. */
+  /** Binds the program and buffers of a page by three; later draws name their triangles alone. */
   private bind(page: number, side: Side): void {
     const { mesh, matrices } = this.pages[page];
     matrices.bind();
@@ -359,7 +359,7 @@ export class MergedCasters {
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
   }
 
-  /** Has matrices count from an origin near the camera: far from the world's origin they would lose digits. */
+  /** Moves the origin of the matrices near the camera: far from the world's origin they would lose digits. */
   private moveOrigin(camera: Camera): void {
     const e = camera.matrixWorld.elements;
     const x = Math.round(e[12] / GRID) * GRID;

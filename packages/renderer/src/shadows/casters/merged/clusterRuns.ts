@@ -24,7 +24,7 @@ type Clusters = Pick<MergedCaster, 'boxes' | 'groups' | 'first' | 'page'> & {
 };
 
 /**
- * Has each face of a cube map draw the clusters of a caster that it may show.
+ * Adds the clusters of a caster that each face of a cube map may show to that face's runs.
  * @param side - of the triangles that is drawn
  */
 export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Clusters, side: Side): void {
@@ -80,7 +80,10 @@ function trailingZeros(bits: number): number {
   return 31 - Math.clz32(bits & -bits);
 }
 
-/** Has each face of a map that is no cube draw the clusters of a caster that its drawn part may show. */
+/**
+ * Adds the clusters of a caster that the drawn part of each face may show to that face's runs, for maps other than
+ * cubes.
+ */
 export function addMapRuns({ faces, reach }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
   const { length } = merged.geometry.index;
