@@ -46,7 +46,7 @@ const REBALANCE = 60;
 /** Texels a side of the smallest atlas of depths that a host may ask for. */
 const SMALLEST_ATLAS = 512;
 
-/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
+/** Shadows whose map a renderer of the page has drawn because the host asked for one (`needsUpdate`). */
 const drawnShadows = new WeakSet<LightShadow>();
 
 /**
@@ -57,18 +57,18 @@ export class ShadowMaps implements LightMasks {
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
-  /** Texels a side of the atlas of depths, at most; null: by the pictures that are drawn, see `atlasLimit`. */
+  /** Greatest side of the atlas of depths (texels); null: chosen by the size of pictures, see `atlasLimit`. */
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
-  /** Tells how far area lights reach; null while no scene has had one. */
+  /** Gives the range of area lights; null while no scene has had such a light. */
   areas: AreaLights | null = null;
-  /** Layers of casters, as bits, where a shadow's camera names none: those that the frame's lights are seen by. */
+  /** Layers of casters, as bits, for shadows whose camera names none: the layers of the frame's camera. */
   layersSeen = 1;
-  /** Maps that the frame draws (a point light has one, of six faces). */
+  /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
-  /** Maps that light the frame as earlier frames drew them. */
+  /** Number of maps that the frame uses as earlier frames drew them. */
   kept = 0;
-  /** Texels that the frame draws to for its maps. */
+  /** Number of texels of maps that the frame draws. */
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
@@ -96,7 +96,7 @@ export class ShadowMaps implements LightMasks {
   private frame = 0;
   /** Size of the frame's picture (pixels). */
   private picture: PictureSize = { width: 1, height: 1 };
-  /** Maps that the last frame needed. */
+  /** Number of maps that the last frame needed. */
   private mapCount = 0;
 
   constructor(
@@ -164,7 +164,7 @@ export class ShadowMaps implements LightMasks {
   }
 
   /**
-   * Points the uniforms at what lights the frame, once the light table is written.
+   * Sets the uniforms of masks for the frame. Call once the light table is written.
    * @param firstMask - record of the light table
    */
   setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
@@ -210,7 +210,9 @@ export class ShadowMaps implements LightMasks {
     this.findImages();
   }
 
-  /** Draws what the frame has to draw. Call inside three's `render`, where three draws its own shadow maps. */
+  /**
+   * Draws the frame's maps, images and bounds. Call inside three's `render`, where three draws its own shadow maps.
+   */
   render(): void {
     const { webgl, toDraw } = this;
     const { depths, colours } = this.atlases;
@@ -235,7 +237,7 @@ export class ShadowMaps implements LightMasks {
     webgl.setRenderTarget(target, face, level);
   }
 
-  /** Ends a frame: takes back `needsUpdate`, by which the host asks for maps once. */
+  /** Ends a frame: resets `needsUpdate` of shadows, by which the host asks for one draw of a map. */
   end(): void {
     const { shadowMap } = this.webgl;
     if (this.slots.lit.length > 0 && shadowMap.needsUpdate) shadowMap.needsUpdate = false;
@@ -304,12 +306,12 @@ export class ShadowMaps implements LightMasks {
 
   // ---- Keep: which of the maps that are there still hold ----
 
-  /** A lost context has taken the maps along. */
+  /** Marks all maps as lost when the context has lost the atlases. */
   private noteLoss(): void {
     if (this.atlases.isLost) this.slots.lose(false);
   }
 
-  /** Marks the maps that show a place where something has changed, also those of lights that are not lit now. */
+  /** Marks maps as stale that show a place where a caster has changed, also maps of lights that are not lit now. */
   private noteChanges(root: Object3D, camera: Camera): void {
     let casters = this.casters.get(root);
     if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
@@ -369,7 +371,7 @@ export class ShadowMaps implements LightMasks {
     atlases.colours.arrange(slots.colours, slots.keptColours, rebalances);
   }
 
-  /** Decides whether a lit map is drawn, kept, or copied for three's addons, and gives its mask a record. */
+  /** Decides whether the map of a lit slot is drawn, kept, or copied for three's addons; gives its mask a record. */
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
     const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
@@ -382,7 +384,7 @@ export class ShadowMaps implements LightMasks {
     this.masks.assign(slot, this.type);
   }
 
-  /** Plans the draw of a map where it has to be drawn. @returns whether it has */
+  /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
     // soft shadows look up places far from the receivers
@@ -401,7 +403,7 @@ export class ShadowMaps implements LightMasks {
     return false;
   }
 
-  /** Finds the images whose copies have to be drawn. */
+  /** Collects the images whose copies in the atlas are out of date. */
   private findImages(): void {
     for (const copies of this.slots.copies) {
       for (const cookie of copies.values()) {
@@ -420,7 +422,7 @@ export class ShadowMaps implements LightMasks {
     this.atlasOfMaps.release(slot);
   }
 
-  /** Releases the maps of a scene, and its casters. */
+  /** Releases the maps and casters of a scene. */
   private releaseScene(root: Object3D): void {
     this.slots.releaseScene(root);
     const casters = this.casters.get(root);
@@ -432,7 +434,7 @@ export class ShadowMaps implements LightMasks {
     return this.isVariance ? this.atlases.colours : this.atlases.depths;
   }
 
-  /** The texture of an atlas; null while nothing is drawn, now (`draws`) or before. */
+  /** Texture of an atlas; null while it holds nothing and the frame draws nothing to it (`draws`). */
   private textureOf(atlas: TextureAtlas, draws: boolean): Texture | null {
     return draws || !this.atlases.lacksTexture(atlas) ? atlas.texture : null;
   }
@@ -445,9 +447,9 @@ export class ShadowMaps implements LightMasks {
 const needsFineDepth = (slot: ShadowSlot) => slot.needsFineDepth;
 
 /**
- * Whether the host has asked for a map before, so that one that is not there is drawn whatever it says of updates now. Where
- * the request was of frames that lacked this code, three has taken it back, and drawn a map of its own; of an area light it
- * has not, which knows of no request.
+ * Whether the host has asked for a light's map before: a missing map is then drawn even with updates off. While this
+ * code was not loaded, three served the request with a map of its own, which is found here. Area lights have no such
+ * request: always true.
  */
 const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
   drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

@@ -5,7 +5,7 @@ import { depthTarget } from './depthTarget';
 import { TextureAtlas } from './TextureAtlas';
 import { textureHandle } from '../../three/handles';
 
-/** Texels a side of the atlas of colours at most. */
+/** Greatest side of the atlas of colours (texels). */
 const LARGEST_COLOURS = 4096;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
@@ -28,7 +28,7 @@ export class ShadowAtlases {
     );
   }
 
-  /** Depths have 24 bits; 16 before. */
+  /** Whether depths have 24 bits, not 16. */
   get isFine(): boolean {
     return this.fine;
   }

@@ -29,7 +29,7 @@ export const maskRecord = {
   place: {
     /** Corner of the map's region (texels). */
     corner: 'xy',
-    /** Texels across a face. */
+    /** Width of a face (texels). */
     width: ['int', `int(t.z) & ${(1 << PLACE_BITS.lookup) - 1}`],
     /** One of `shadowLookups`. */
     lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
@@ -37,9 +37,9 @@ export const maskRecord = {
     cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
     /** Whether `extent` counts; for a cube, whether `position` counts, since the light has left its map. */
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
-    /** Texels round a face of a cube. */
+    /** Width of the border round a cube's face (texels). */
     border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
-    /** How far along their normals surfaces look the map up (m). */
+    /** Offset along the surface's normal at which the map is looked up (m). */
     normalBias: 'w',
   },
   /**
@@ -52,7 +52,7 @@ export const maskRecord = {
   extent: {
     /** Texels up the map, and number of its cascades. */
     heightAndCascades: 'xy',
-    /** `ShadowBounds` knows the depths. */
+    /** Whether `ShadowBounds` has depth bounds for the map. */
     hasBounds: ['bool', 't.z != 0.0'],
     /** Sampling of the cookie's copy, see `imageFilter`; below 0 the texture itself is sampled: -1 - its sampler. */
     cookieFilter: ['int', 'int(t.w)'],
@@ -64,12 +64,15 @@ export const maskRecord = {
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
     layers: 'xy',
-    /** From a pixel to the next, across and up: change of the view ray at distance 1, or, below 0, of an orthographic one (m). */
+    /**
+     * Step from a pixel to the next, across and up: change of the view ray at distance 1; negative: of an orthographic
+     * ray (m).
+     */
     pixelSpan: 'zw',
   },
   /**
-   * How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. Of a light with a
-   * profile: where its horizontal angle is 0, and where its vertical angle is 0 (view space, unit length).
+   * Transform of the whole map's coordinates to a cascade's: scale and shift of x, scale and shift of y. For a light
+   * with a profile: directions of horizontal angle 0 and of vertical angle 0 (view space, unit length).
    */
   firstFit: {
     profileAcross: 'xyz',
@@ -84,6 +87,6 @@ export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
 
-/** Cascades that a directional light has at most beside the whole map, and where their fits lie (floats). */
+/** Most cascades of a directional light beside the whole map, and the offsets of their fits (floats). */
 export const MOST_CASCADES = 3;
 export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

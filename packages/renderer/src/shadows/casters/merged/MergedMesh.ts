@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
 import { casterProxy } from '../casterProxy';
 
-/** Vertices, and indices, that the first buffers hold. */
+/** Number of vertices, and of indices, in the first buffers. */
 const SMALLEST = 4096;
 
 /** One mesh that holds the triangles of many casters. Triangles stay where they are put; three binds the mesh, Farol draws its runs. */

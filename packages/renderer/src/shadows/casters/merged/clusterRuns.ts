@@ -12,7 +12,7 @@ import type { TriangleRuns } from './TriangleRuns';
 const INDICES = CLUSTER_TRIANGLES * 3;
 const GROUP_INDICES = CLUSTERS_PER_GROUP * INDICES;
 
-/** Four bits, each in a byte of its own. */
+/** The bits of a number from 0 to 15, each spread to a byte of its own. */
 const SPREAD = Int32Array.from({ length: 16 }, (_, i) => (i & 1) | ((i & 2) << 7) | ((i & 4) << 14) | ((i & 8) << 21));
 
 /** Runs of the six faces of a cube. */
@@ -25,7 +25,7 @@ type Clusters = Pick<MergedCaster, 'boxes' | 'groups' | 'first' | 'page'> & {
 
 /**
  * Adds the clusters of a caster that each face of a cube map may show to that face's runs.
- * @param side - of the triangles that is drawn
+ * @param side - side of the triangles that is drawn
  */
 export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
