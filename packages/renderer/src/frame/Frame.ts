@@ -72,44 +72,46 @@ export class Frame {
   readonly resources = new ResourceTable();
   scene!: Scene;
   camera!: Camera;
-  /** Whose layers tell which lights there are, and who casts shadows: the camera, or the array of cameras that it is of. */
+  /** Camera whose layers select lights and shadow casters: `camera`, or the array of cameras that contains it. */
   seenBy!: Camera;
   view: View = 'final';
   /** The host's render target, null for the canvas. */
   target: WebGLRenderTarget | null = null;
-  /** Samples a pixel of the host's target, whatever an effect has the frame drawn to. */
+  /** Samples a pixel of the host's target, also while an effect redirects the frame to another target. */
   hostSamples = 0;
-  /** The part of the target that is drawn to: x, y, width, height (pixels). */
+  /** Rectangle of the target that is drawn to: x, y, width, height (pixels). */
   readonly viewport = new Vector4();
-  /** Size of the viewport (pixels), 1 at least. */
+  /** Width of the viewport (pixels), at least 1. */
   width = 1;
   height = 1;
-  /** Bytes that passes have sent in this frame. */
+  /** Bytes that passes have uploaded in this frame. */
   uploadedBytes = 0;
-  /** Gets what has no past, where an effect looks for the past; set by it in `begin`. */
+  /** Collects pixels without a usable past. Set in `begin` by an effect that uses earlier frames; else null. */
   reactive: ReactiveMask<Frame> | null = null;
-  /** How the technique fills the target where three was kept from clearing it, else null. */
+  /** Way in which the technique fills the target that three was kept from clearing; null if three clears. */
   fills: Fills | null = null;
-  /** Cube face and mipmap level of the target. */
+  /** Cube face, and mipmap level, of the target. */
   face = 0;
   level = 0;
-  /** Shadow maps that are drawn anew in this frame. */
+  /** Number of shadow maps drawn in this frame. */
   shadowMapsDrawn = 0;
-  /** Finds which lights light all, or none, of tiles of a G-buffer; null while no light casts a shadow. */
+  /**
+   * Finds, for each tile of a G-buffer, the lights that light all or none of it; null while no light casts a shadow.
+   */
   findTileShadows: ((gbuffer: GBuffer) => void) | null = null;
-  /** The lights of fields; null while there are none in the frame. */
+  /** Draws of light fields; null without light fields in the frame. */
   fields: FieldDraws<Frame> | null = null;
   /** Gives the forward twins of materials with Gouraud shading; null until their code is there. */
   gouraudTwins: () => ForwardTwins | null = () => null;
-  /** Makes what has three draw node materials; null until its code is there. */
+  /** Makes the object that draws node materials by three; null until its code is loaded. */
   makeNodes: () => NodeDraws | null = () => null;
-  /** Give the kinds of twins that items are drawn with, in order: each gets what the one before gave. */
+  /** Adapt the kind of twin that an item is drawn with, in order: each gets the result of the one before. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
-  /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. */
+  /** Texels of the lighting buffers of the technique 'inferred' for each pixel, along a side: above 0, at most 1. */
   inferredScale = 1;
-  /** Depth is too coarse to rebuild positions from. */
+  /** Whether depth is too coarse to rebuild positions from. */
   private isDepthCoarse = false;
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
   hasPlainProjection = true;
@@ -121,7 +123,7 @@ export class Frame {
   /** Whether the host's target has several textures; then no effect replaces the target. */
   several = false;
   private nodes: NodeDraws | null = null;
-  /** Something of a node material was to be drawn, whose code is not there. */
+  /** Whether the frame has node materials whose code is not loaded yet. */
   lacksNodes = false;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
@@ -147,7 +149,7 @@ export class Frame {
     return index < 0 ? -1 : gbufferLayout.length + index;
   }
 
-  /** Positions are not rebuilt from depth, which is too coarse or shifted: surfaces store how far they are. */
+  /** Whether surfaces store their distance, since depth is too coarse or shifted to rebuild positions from. */
   get storesDistance(): boolean {
     return this.isDepthCoarse || this.queue.farthest === -Infinity;
   }
@@ -185,7 +187,7 @@ export class Frame {
     warnOfNaN(camera);
   }
 
-  /** Takes the buffer that three draws to in place of the canvas when it was made with an `outputBufferType`. */
+  /** Sets `target` to the buffer that three draws to in place of the canvas when made with an `outputBufferType`. */
   takeOutputBuffer(): void {
     const { webgl } = this;
     if (this.target !== null) return;
@@ -195,7 +197,7 @@ export class Frame {
     this.resize();
   }
 
-  /** Takes the size from the viewport. */
+  /** Sets `width` and `height` by the viewport. */
   resize(): void {
     const { viewport } = this;
     if (viewport.z < 1 || viewport.w < 1) {
@@ -206,7 +208,10 @@ export class Frame {
     this.height = Math.max(1, Math.round(viewport.w));
   }
 
-  /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */
+  /**
+   * True if the viewport covers the whole target, so that a pass over it writes every pixel; false without a depth
+   * buffer.
+   */
   ownsTarget(): boolean {
     const { webgl, target, viewport, view } = this;
     if (view !== 'final' || this.level !== 0 || this.samples > 0 || isDepthReversed(webgl)) return false;
@@ -220,13 +225,13 @@ export class Frame {
     return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
   }
 
-  /** Draws to the host's target from here on. */
+  /** Binds the host's target for the draws that follow. */
   bindTarget(): void {
     this.webgl.setRenderTarget(this.target, this.face, this.level);
     setViewport(this.webgl, this.viewport);
   }
 
-  /** Draws to a target of Farol's own from here on. */
+  /** Binds a target of Farol's own for the draws that follow. */
   bind(target: WebGLRenderTarget): void {
     this.webgl.setRenderTarget(target);
   }
@@ -252,8 +257,8 @@ export class Frame {
   }
 
   /**
-   * Whether depth of pixels is not enough of what was drawn elsewhere: the target is multisampled, and something is to be
-   * drawn over the target. False where something else has depth in the target already.
+   * Whether later draws over a multisampled target need depth in each sample, for items that were drawn elsewhere.
+   * False if the target has other depth already.
    */
   get wantsSampleDepths(): boolean {
     const { webgl, queue, scene, view } = this;
@@ -264,14 +269,14 @@ export class Frame {
     return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
   }
 
-  /** Gives the samples of the target the depth of the items that were drawn elsewhere. */
+  /** Draws the depth of items that were drawn elsewhere into the samples of the target. */
   drawSampleDepths(): void {
     for (const item of this.queue.opaque) {
       if (item.drawn && item.splits && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
     }
   }
 
-  /** Draws only to the lower right quarter from here on. */
+  /** Limits the draws that follow to the lower right quarter. */
   quarter(): void {
     const { viewport } = this;
     const width = Math.max(1, viewport.z >> 1);
@@ -280,13 +285,13 @@ export class Frame {
     this.resize();
   }
 
-  /** Brings the samples of a multisampled target into its textures, depth by one of them. */
+  /** Resolves a multisampled target into its textures; depth by one of the samples. */
   resolve(target: WebGLRenderTarget): void {
     const { gl, webgl } = this;
     this.copy(multisampledFramebufferHandle(webgl, target)!, target, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Brings what was drawn to three's transmission target, which is bound, into its texture and mipmaps once more. */
+  /** Updates the texture and mipmaps of three's transmission target, which is bound, after more draws. */
   resolveTransmission(): void {
     const { gl, webgl } = this;
     const target = webgl.getRenderTarget() as WebGLRenderTarget;
@@ -298,13 +303,13 @@ export class Frame {
 
   /**
    * Copies depth to all of a target, both with a depth texture of the same format.
-   * @param x - first pixel of what is copied, with y
+   * @param x - first pixel of the copied part, with y
    */
   copyDepth(from: WebGLRenderTarget, to: WebGLRenderTarget, x = 0, y = 0): void {
     this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
   }
 
-  /** @param x - first pixel of what is copied, of `from`, with y */
+  /** @param x - first pixel of the copied part of `from`, with y */
   private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
     const { gl, webgl } = this;
     const { width, height } = to;
@@ -315,21 +320,21 @@ export class Frame {
     bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, written);
   }
 
-  /** The kind that effects have an item drawn with. */
+  /** Kind of twin for an item after the adapters of effects. */
   private adapted(kind: TwinKind, item: RenderItem): TwinKind {
     const { adapters } = this;
     for (let i = 0; i < adapters.length; i++) kind = adapters[i].adapt(kind, item);
     return kind;
   }
 
-  /** Draws an item with a twin of its material, if there can be one. */
+  /** Draws an item with a twin of its material, if the material can have one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
     if (item.nodes) return;
     if (item.ownShader) followHostUniforms(this.webgl, item.material);
     this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
-  /** Draws an item forward: lit ones by a twin, the others as they are. */
+  /** Draws an item forward: a lit one by a twin, others by the host's material. */
   drawForward(item: RenderItem, twins: ForwardTwins): void {
     const { material, lit } = item;
     if (item.nodes) this.drawNodes(item);
@@ -363,7 +368,7 @@ export class Frame {
     }
   }
 
-  /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */
+  /** Draws one of Farol's own meshes; to the first texture of a host's target with several. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const several = this.drawsToSeveral;
     if (several) this.setDrawBuffers(1);
@@ -379,7 +384,7 @@ export class Frame {
     return this.several && this.webgl.getRenderTarget() === this.target;
   }
 
-  /** Draws to the first so many textures of the bound target; WebGL refuses a shader that writes fewer. */
+  /** Limits draws to the first `count` textures of the bound target; WebGL refuses a shader that writes fewer. */
   private setDrawBuffers(count: number): void {
     const { gl } = this;
     gl.drawBuffers((drawBuffers[count] ??= Array.from({ length: count }, (_, i) => gl.COLOR_ATTACHMENT0 + i)));
@@ -409,7 +414,7 @@ export class Frame {
 }
 
 const isLeft = (item: RenderItem): boolean => !item.drawn;
-/** By their count. */
+/** Arguments of `drawBuffers`, by the number of textures. */
 const drawBuffers: number[][] = [];
 /** Argument of `clearBufferfv`. */
 const clearColor = new Float32Array(4);

@@ -6,6 +6,6 @@ import type { LightBufferUniforms } from '../techniques/light-buffer/lightBuffer
 export interface LightBuffer {
   /** Uniforms of lightBufferFilter.glsl that read this buffer. */
   readonly uniforms: LightBufferUniforms;
-  /** Kinds by which lit materials take their direct light from it; set `farol_object` for each draw. */
+  /** Kinds of twins that light materials by this buffer; set `farol_object` for each draw. */
   readonly twins: (view: View) => ForwardTwins;
 }

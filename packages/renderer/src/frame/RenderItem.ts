@@ -21,20 +21,22 @@ export interface RenderItem {
   z: number;
   /** Its material is a node material: three itself draws it. */
   nodes: boolean;
-  /** Lit one light at a time by three. */
+  /** Whether three's lighting of the material goes light by light, so that Farol's loop can take its place. */
   lit: boolean;
-  /** Shows shadows by three's getShadowMask(). */
+  /** Whether the material shows shadows by three's getShadowMask(). */
   shadowMask: boolean;
-  /** Other lights may reach it than most things, so that it is drawn forward. */
+  /** Whether the object's layers differ from most objects', so that other lights may reach it; drawn forward. */
   layered: boolean;
-  /** Drawn as opaque things are by default, so that any pass may draw it in its own order. */
+  /** Whether the item is drawn with default opaque state, so that passes may draw it in any order. */
   plain: boolean;
-  /** Opaque, and to be drawn in three's order: its picture, or that of what comes after it, depends on it. */
+  /** Whether an opaque item must be drawn in three's order, since the picture depends on that. */
   ordered: boolean;
-  /** Plain, lit, and by three's own shader as it is, so that its shading may be shared out over passes. */
+  /**
+   * Whether the item is plain, lit, and has three's unchanged shader, so that several passes may share its shading.
+   */
   splits: boolean;
-  /** Its shader is not three's as it is. */
+  /** Whether the host has changed or replaced three's shader. */
   ownShader: boolean;
-  /** A technique's pass has drawn it this frame; the forward pass leaves it out. */
+  /** Whether a technique's pass has drawn the item in this frame; the forward pass then skips it. */
   drawn: boolean;
 }

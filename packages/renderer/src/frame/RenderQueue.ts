@@ -36,7 +36,7 @@ function backToFront(a: RenderItem, b: RenderItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
-/** Whether a material is drawn by another shader than three's for its class. */
+/** Whether a material has another shader than three's for its class. */
 export function hasOwnShader(material: Material): boolean {
   return (
     (material as ShaderMaterial).isShaderMaterial === true ||
@@ -50,8 +50,8 @@ const { onBeforeRender, onAfterRender } = Object3D.prototype;
 const clearing = new WeakMap<object, boolean>();
 
 /**
- * Whether a callback's own text clears depth, and not colour, or draws and sets no target of its own: that belongs into the
- * host's target, and not into several textures at once.
+ * Whether a callback, by its source text, clears depth but not colour, or draws without setting a target: such steps
+ * belong in the host's target, not in several textures at once.
  */
 function clears(callback: (...all: never[]) => void): boolean {
   let known = clearing.get(callback);
@@ -64,8 +64,7 @@ function clears(callback: (...all: never[]) => void): boolean {
 }
 
 /**
- * Whether the host's code, run when an object is drawn, may clear depth or draw: by its text, and that of whatever has a
- * place in the order of draws.
+ * Whether an object's callbacks may clear depth or draw, by their source text; any callback counts if `hasPlace`.
  */
 function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;
@@ -85,24 +84,24 @@ export class RenderQueue {
   readonly transmissive: RenderItem[] = [];
   readonly transparent: RenderItem[] = [];
   private readonly pool: RenderItem[] = [];
-  /** Layers of what is not `layered`, 0 when they do not matter. */
+  /** Layers of items that are not `layered`; 0 when lights ignore layers. */
   layers = 0;
-  /** How materials that show nothing but shadows are drawn; null while three does it. */
+  /** Draws materials that show nothing but shadows; null while three draws them. */
   shadowMasks: ShadowMaskMaterials | null = null;
-  /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
+  /** True if every opaque item is plain, and its material writes the geometry's depth. */
   covers = true;
-  /** True if something opaque may be as far as depth can tell it from nothing, see `watchFar`. */
+  /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
   private camera!: Camera;
-  /** The distance (m) from which it is so; -Infinity where depths tell no distances. */
+  /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
   /** Materials that only three's own lights can light. */
   readonly refused = new RefusedMaterials();
-  /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
+  /** Number of first opaque items that are drawn into the target before anything else. */
   early = 0;
   /** True if an opaque item must be drawn in three's order. */
   ordered = false;
-  /** True if something lit transmits or is transparent. */
+  /** True if a lit object is transmissive or transparent. */
   hasLitTransparents = false;
   private used = 0;
   private opaques = 0;
@@ -119,7 +118,7 @@ export class RenderQueue {
     this.opaques = this.transmissives = this.transparents = 0;
   }
 
-  /** From the next `clear` on, opaque items are looked at for what lies beyond a distance along the view (m). */
+  /** Tests opaque items, from the next `clear` on, for objects beyond a distance along the view (m). */
   watchFar(camera: Camera, distance: number): void {
     this.camera = camera;
     this.farthest = distance;
@@ -170,7 +169,7 @@ export class RenderQueue {
     item.drawn = false;
     item.splits = item.plain && item.lit && !ownShader;
     if (list === this.opaque) {
-      // its depth is not that of its place
+      // its depth does not match its position
       if (material.polygonOffset) this.farthest = -Infinity;
       if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
     }
@@ -183,7 +182,7 @@ export class RenderQueue {
     else list[this.transmissives++] = item;
   }
 
-  /** Whether what an object's bounding sphere holds may be as far as `farthest`. True where it has none. */
+  /** Whether an object's bounding sphere reaches `farthest`; true without a sphere. */
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
@@ -192,7 +191,7 @@ export class RenderQueue {
     return !(radius - (v[2] * center.x + v[6] * center.y + v[10] * center.z + v[14]) <= this.farthest);
   }
 
-  /** Ends the lists, and lets go of objects of earlier, larger frames. */
+  /** Ends the lists, and drops references to objects of earlier, larger frames. */
   finish(): void {
     this.opaque.length = this.opaques;
     this.transmissive.length = this.transmissives;
@@ -225,7 +224,7 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) opaque[i].plain = opaque[i].splits = false;
   }
 
-  /** @param reversed - whether the lists are turned round once they are sorted, as three until 0.185 does for reversed depth */
+  /** @param reversed - whether the sorted lists are reversed, as three until 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
     if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);

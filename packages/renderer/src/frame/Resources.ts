@@ -10,25 +10,27 @@ import type { RenderItem } from './RenderItem';
 export interface Resources {
   /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
-  /** Written where the surfaces of a G-buffer, or sums of their light, are drawn to the target. Nothing is handed over. */
+  /**
+   * Written by the pass that draws the surfaces of a G-buffer, or sums of their light, to the target. Has no value.
+   */
   output: never;
-  /** Shadings of each pixel, in red: there from the start in the view 'overdraw', else never. */
+  /** Number of shadings of each pixel, in red; given from the start in the view 'overdraw', else absent. */
   overdraw: Texture;
   /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
   'scene-depth': Texture;
-  /** Opaque surfaces. */
+  /** G-buffer of the opaque surfaces. */
   gbuffer: GBuffer;
   /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
   lighting: Texture;
-  /** Which lights may reach each tile or cluster of the picture. */
+  /** Lists of the lights that may reach each tile or cluster of the picture. */
   'light-lists': LightLists;
-  /** All light of the surfaces that multipass lighting draws. */
+  /** Sum of all light on the surfaces that multipass lighting draws. */
   'accumulated-light': AccumulatedLight;
-  /** Surfaces as light pre-pass and inferred lighting have them. */
+  /** Thin G-buffer of light pre-pass and inferred lighting. */
   'thin-gbuffer': ThinGBuffer;
   /** The light that reaches each texel of the thin G-buffer. */
   'light-buffer': LightBuffer;
-  /** How many decals lie on the surfaces of the G-buffer. */
+  /** Number of decals on the surfaces of the G-buffer. */
   decals: number;
   /** The transparent items, which the pass that writes this lays over the target. */
   transparent: readonly RenderItem[];
@@ -44,7 +46,7 @@ export type HandedResource = Exclude<Resource, 'target' | 'output'>;
 /** Resources that no pass need write. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];
 
-/** The names that a pass declares. */
+/** Resources that a pass declares. */
 export interface ResourceUser {
   readonly name: string;
   readonly reads: readonly Resource[];
@@ -78,7 +80,7 @@ export class ResourceTable {
     this.user = null;
   }
 
-  /** Says which pass draws from here on, and is held to its `reads` and `writes`; null for effects, which are not. */
+  /** Sets the pass that draws next and is held to its `reads` and `writes`; null for effects, which are not. */
   use(technique: string, user: ResourceUser | null): void {
     this.technique = technique;
     this.user = user;

@@ -11,7 +11,7 @@ export interface AreaLights {
   threshold: number;
   /** Radius (m) of a sphere round a light's centre that holds all it lights; 0 without an end, NaN if it gives nothing. */
   radiusOf(light: RectAreaLight): number;
-  /** Writes the extension record of a light. @param at - float of the table at which it begins */
+  /** Writes the extension record of a light. @param at - offset of the record in the table (floats) */
   write(table: TexelTable, at: number, light: RectAreaLight, view: Matrix4): void;
   dispose(): void;
 }

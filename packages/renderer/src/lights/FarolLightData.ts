@@ -27,15 +27,18 @@ export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
  */
 export interface FarolLightData {
   /**
-   * Times the light's intensity: light given to every surface in reach whatever its normal; also times the material's own
-   * ambient factor, where a material's shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
+   * Light on every surface in reach, whatever its normal, as a factor on the light's intensity; multiplied by the
+   * material's ambient factor, if its shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
    */
   ambient?: LinearRGB;
-  /** Times the light's intensity: colour of the specular term. Default: the light's own colour. */
+  /** Colour of the specular term, as a factor on the light's intensity. Default: the light's own colour. */
   specular?: LinearRGB;
-  /** `cos(angle)^spotExponent` inside the cutoff angle, in place of three's penumbra. At least 0. */
+  /**
+   * Exponent of a spot light's falloff, `cos(angle)^spotExponent`, inside the cutoff angle, in place of three's
+   * penumbra. At least 0.
+   */
   spotExponent?: number;
-  /** Default: three's physical falloff by `distance` and `decay`. */
+  /** Falloff with distance. Default: three's physical falloff by `distance` and `decay`. */
   attenuation?: FarolAttenuation;
   /** Shape of a RectAreaLight. Default 'rectangle', as in three. */
   shape?: AreaLightShape;

@@ -4,7 +4,7 @@ import type { HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } fro
 export class FiniteLights {
   private readonly warned = new WeakSet<Light>();
 
-  /** True if all values of a light are finite; else warns, once for each light. */
+  /** Returns whether all values of a light are finite; if not, warns once for the light. */
   check(light: Light): boolean {
     const e = light.matrixWorld.elements;
     const l = light as PointLight & SpotLight & RectAreaLight & HemisphereLight;

@@ -1,6 +1,6 @@
 /**
- * Whether a cone with a spherical cap and a sphere touch; exact. The arrays and places in them spare the engine twelve
- * boxed numbers a call.
+ * Whether a cone with a spherical cap and a sphere touch; exact. Arrays with indices, in place of numbers, spare the
+ * engine twelve boxed numbers a call.
  * @param apexes - apex (m) and length of the sides, which is also the radius of the cap (m): 4 numbers at `cone`
  * @param axes - unit axis from the cone to its apex, and cosine of half the opening (0 to π/2): 4 numbers at `cone`
  * @param spheres - centre and radius (m): 4 numbers at `sphere`

@@ -1,5 +1,5 @@
 /**
- * How far a cone with a spherical cap reaches from its apex along a direction: the greatest `dot(p - apex, u)`.
+ * Extent of a cone with a spherical cap from its apex along a direction: the greatest `dot(p - apex, u)`.
  * @param cosine - between the axis and the unit vector u
  * @param angle - half the opening (rad), 0 to π/2
  */

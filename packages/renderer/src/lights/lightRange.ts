@@ -1,7 +1,10 @@
 import type { PointLight } from 'three';
 import type { FarolLightData } from './FarolLightData';
 
-/** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */
+/**
+ * Range (m) from which on a light counts as without a range: its end is not visible, and its square nears the limit of
+ * 32-bit floats.
+ */
 const ENDLESS = 1e18;
 
 /** Distance from which on a light gives exactly nothing (m); 0 for a light without a range. */

@@ -14,7 +14,7 @@ export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
-/** In place of a light's index: a record that lights nothing. */
+/** Stands for a light's index, for a record that lights nothing. */
 export const NO_LIGHT = 0xffffffff;
 
 /** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
@@ -33,26 +33,28 @@ export const attenuationKinds = { physical: 0, nearFar: 1, polynomial: 2 } as co
 /** One light. Vectors are in view space; lengths in metres; angles as cosines. */
 export const lightRecord = {
   sphere: {
-    /** Directional: to the light, unit length. */
+    /** Directional light: direction to the light, unit length. */
     direction: 'xyz',
     position: 'xyz',
-    /** 0: none. */
+    /** Range (m); 0 for none. */
     range: 'w',
   },
   emission: {
     /** Colour × intensity. */
     color: 'rgb',
-    /** Local: a point light as three has it, that nothing masks; its cone and details are not written. */
+    /**
+     * Local light: whether it is a point light as three has it, without a mask; its cone and details are not written.
+     */
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
     /** Decay, for a light that is not plain. */
     otherDecay: ['float', '-64.0 - t.w'],
     decay: ['float', 't.w >= 0.0 ? t.w : -64.0 - t.w'],
-    /** Directional: it has a mask or an extension. */
+    /** Directional light: whether it has a mask or an extension. */
     hasDetails: ['bool', 't.w != 0.0'],
   },
   cone: {
-    /** From the target to the light, unit length. */
+    /** Direction from the target to the light, unit length. */
     axis: 'xyz',
     cutoff: 'w',
     isCone: ['bool', 't.w > -1.0'],
@@ -61,32 +63,32 @@ export const lightRecord = {
     penumbra: 'x',
     /** Exponent of the thesis's spot light, or NO_EXPONENT. */
     exponent: 'y',
-    /** 0: none. */
+    /** Record of the light's mask; 0 for none. */
     maskRecord: ['int', 'int(t.z)'],
     extensionRecord: ['int', 'int(t.w)'],
     isSpot: ['bool', 't.x >= -1.0'],
     isMasked: ['bool', 't.z > 0.0'],
-    /** A point light as three has it, at the place of its mask. */
+    /** Whether it is a point light as three has it, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
-    /** Its extension is that of an area light. */
+    /** Whether the extension is that of an area light. */
     isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;
 
 /** Record of what only a light of the thesis has. Colours are linear. */
 export const extensionRecord = {
-  /** Times the light's colour: what diffuse surfaces take. */
+  /** Factor on the light's colour, for the diffuse term. */
   diffuse: { diffuse: 'rgb' },
-  /** Times the light's colour: what the specular term takes. */
+  /** Factor on the light's colour, for the specular term. */
   specular: { specular: 'rgb' },
-  /** Given to every surface in reach, whatever its normal. */
+  /** Ambient light, given to every surface in reach, whatever its normal. */
   ambient: { ambient: 'rgb' },
   falloff: {
     near: 'x',
     far: 'y',
-    /** Constant, linear (1/m), quadratic (1/m²). */
+    /** Factors of the polynomial: constant, linear (1/m), quadratic (1/m²). */
     factors: 'xyz',
-    // of attenuationKinds, as texts: what is put together here would be part of what a page loads
+    // kinds of attenuationKinds as text: an expression would be code that pages load
     isNearFar: ['bool', 't.w == 1.0'],
     isPolynomial: ['bool', 't.w == 2.0'],
   },

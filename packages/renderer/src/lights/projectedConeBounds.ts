@@ -10,8 +10,8 @@ const slopes = new Float64Array(2);
 const tangents = new Float64Array(4);
 
 /**
- * The rectangle on screen of a spot light's cone, which ends in a cap of its range's sphere. Exact for the whole cone
- * where that lies beyond the near plane; else the common part of the rectangles of two spheres round it.
+ * Finds the rectangle on screen of a spot light's cone, which ends in a spherical cap. Exact for a cone wholly beyond
+ * the near plane; else the intersection of the rectangles of two bounding spheres.
  * @param x - apex in view space (m), with y and z
  * @param dx - unit axis from the apex into the cone, with dy and dz
  * @param range - (m), finite

@@ -4,10 +4,10 @@ import { halfChord, slopeBounds } from './slopeBounds';
 const bounds = new Float64Array(4);
 
 /**
- * The rectangle on screen of the part of a sphere between near and far plane; exact, also with the camera inside the
- * sphere.
- * @param spheres - centre in view space (m) and radius (m, 0 to Infinity): 4 numbers at `at`. An array and a place in it
- *   spare the engine four boxed numbers a call
+ * Finds the rectangle on screen of the part of a sphere between near and far plane; exact, also with the camera inside
+ * the sphere.
+ * @param spheres - centre in view space (m) and radius (m, 0 to Infinity): 4 numbers at `at`. An array with an index
+ * spares the engine four boxed numbers a call
  * @param projection - 16 elements, column-major: perspective (also off-centre, also without far plane) or orthographic
  * @param out - gets left, bottom, right, top in normalized device coordinates; they may lie outside of -1..1
  * @returns false, with `out` undefined, when the sphere is wholly outside of the frustum's planes

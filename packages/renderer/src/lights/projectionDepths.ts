@@ -1,6 +1,6 @@
 /**
- * Depth of the near plane (m before the camera; an orthographic one may be below 0). Where the planes are oblique, as in
- * three's mirrors, a depth that is surely before it.
+ * Depth of the near plane (m before the camera; an orthographic one may be below 0). For oblique planes, as in three's
+ * mirrors, a depth that is surely before the near plane.
  * @param m - 16 elements of a projection, column-major, clip z in [-w, w], or reversed, near to far, in [w, 0]
  */
 export function projectionNear(m: ArrayLike<number>): number {
@@ -10,7 +10,7 @@ export function projectionNear(m: ArrayLike<number>): number {
   return orthographic ? (m[14] + 1) / m[10] : m[14] / (m[10] - 1);
 }
 
-/** Depth of the far plane (m), Infinity where there is none or it is oblique. */
+/** Depth of the far plane (m); Infinity if there is none or it is oblique. */
 export function projectionFar(m: ArrayLike<number>): number {
   if (m[2] !== 0 || m[6] !== 0) return Infinity;
   if (isReversed(m)) return m[10] > 0 ? m[14] / m[10] : Infinity;

@@ -447,9 +447,9 @@ export class ShadowMaps implements LightMasks {
 const needsFineDepth = (slot: ShadowSlot) => slot.needsFineDepth;
 
 /**
- * Whether the host has asked for a light's map before: a missing map is then drawn even with updates off. While this
- * code was not loaded, three served the request with a map of its own, which is found here. Area lights have no such
- * request: always true.
+ * Whether the host has asked for a light's map: if missing, the map is drawn even with updates off. three may have
+ * served the request with a map of its own while this code was loading. Always true for area lights, which have no
+ * request.
  */
 const wasAskedFor = ({ shadow, light }: ShadowSlot) =>
   drawnShadows.has(shadow) || shadow.map !== null || softSizeOf(light) > 0;

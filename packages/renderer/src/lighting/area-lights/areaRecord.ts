@@ -15,7 +15,7 @@ export const areaRecord = {
   up: {
     /** Half the light's height; for a tube, a vector as long as its radius. */
     halfHeight: 'xyz',
-    /** Distance from the surface of the light from which on it gives nothing (m). */
+    /** Distance from the light's surface beyond which it gives nothing (m). */
     reach: 'w',
   },
 } as const satisfies RecordLayout;

@@ -45,9 +45,7 @@ const BUDGET = 150_000;
 /** Below this many triangles, or casters, that are gone, their room is not reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/**
- * Walks between sweeps of absent casters, and for which absent casters are kept. Frames that draw no map do not sweep.
- */
+/** Walks between sweeps of absent casters, and for which those are kept; frames without maps do not sweep. */
 const SWEEP = 256;
 /** Number of absent casters above which a sweep looks which of them were removed from the scene. */
 const FEW_ABSENT = 64;
@@ -168,9 +166,7 @@ export class MergedCasters {
     return null;
   }
 
-  /**
-   * Whether a caster still has the triangles that were merged: its signature may have changed by its material alone.
-   */
+  /** Whether a caster's triangles are still those merged: its signature may have changed by its material alone. */
   private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
     const { object, hasBox, signatureVersion } = caster;
