@@ -29,7 +29,9 @@ export class SceneDraws {
    */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
-  /** @param background - uniform that gets what three would have cleared the target to, its alpha -1 where three has */
+  /**
+   * @param background - uniform that gets the colour that three would have cleared to; alpha -1 if three has cleared
+   */
   constructor(
     private readonly frame: Frame,
     private readonly recorder: InfoRecorder,
@@ -50,7 +52,7 @@ export class SceneDraws {
     this.frame.gbufferExtras = effects.attachments;
   }
 
-  /** Called by the scene's view: for three's transmission target if something transmits, then for the host's target. */
+  /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
@@ -64,7 +66,7 @@ export class SceneDraws {
     else this.drawFrame();
   };
 
-  /** The effects of the frame, with anti-aliasing where it is to be and the technique does not do it itself. */
+  /** Effects of the frame, with SMAA if `antialias` asks for it and the technique does not smooth edges. */
   effectsOf(technique: string): ActiveEffects {
     const { effects, frame } = this;
     if (!this.antialias || frame.view !== 'final' || frame.hostSamples === 0) return effects;
@@ -73,7 +75,7 @@ export class SceneDraws {
     return this.edges?.addTo(effects, frame) ?? effects;
   }
 
-  /** Draws what has figures of its own in `FarolInfo.passes`. */
+  /** Runs draws that have an entry of their own in `FarolInfo.passes`. */
   run(name: string, render: () => void): void {
     this.recorder.beginPass(name);
     render();
@@ -103,11 +105,13 @@ export class SceneDraws {
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
-    // those of nodes: they are yet to be drawn into the host's target
+    // items of node materials must still be drawn into the host's target
     for (const item of queue.opaque) item.drawn = false;
   }
 
-  /** The back faces of what transmits, into three's transmission target after that: it is seen through them. */
+  /**
+   * Draws back faces of transmissive objects over that into three's transmission target, since front faces show it.
+   */
   private drawTransmittedBacks(): void {
     const { frame } = this;
     const { back } = this.transmittedTwins('final');

@@ -9,21 +9,21 @@ import type { TechniqueName } from '../techniques';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
 
-/** Lights that a technique without light lists draws fast enough until the code of another is there. */
+/** Up to this many lights a technique without light lists is fast enough until another's code is loaded. */
 const FEW = 16;
 
-/** Tells the effects of a frame, by the technique that draws it. */
+/** Gives the effects of a frame, by the technique that draws it. */
 interface EffectsByTechnique {
   effectsOf(technique: string): ActiveEffects;
 }
 
-/** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
+/** Picks the technique of each frame of a renderer, and prepares the next one of 'auto'. */
 export class TechniquePicker {
   /** Technique that draws this frame: the one asked for, or the one that 'auto' picked. */
   active: TechniqueName = 'deferred';
-  /** Why that one. */
+  /** Reason for `active`. */
   reason = '';
-  /** Whether 'auto' may draw by another one soon. */
+  /** Whether 'auto' may change to another technique soon. */
   isChanging = false;
   private asked: TechniqueName = 'auto';
 
@@ -44,8 +44,8 @@ export class TechniquePicker {
   }
 
   /**
-   * Sets `active` and `reason`; to be called when the lights of the frame are collected.
-   * @param chooser - of the scene that is drawn
+   * Sets `active` and `reason`. Call when the lights of the frame are collected.
+   * @param chooser - chooser of the scene that is drawn
    */
   pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
     this.active = this.asked;
@@ -66,7 +66,7 @@ export class TechniquePicker {
     this.reason = `the code of "${active}" is being fetched`;
   }
 
-  /** Sets what 'auto' draws by. */
+  /** Sets the technique that 'auto' draws by. */
   private choose(
     chooser: TechniqueChooser<WarmUp>,
     frame: Frame,

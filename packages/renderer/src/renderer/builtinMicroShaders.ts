@@ -8,13 +8,13 @@ import * as shading from '../lighting/shading/chunks';
 import * as volumes from '../techniques/light-volumes/chunks';
 import * as output from '../passes/output/chunks';
 
-/** Sources by name that are there from the start: a new microshader is a file, and a line in the `chunks.ts` of its folder. */
+/** Sources in the core chunk, by name: a new microshader is a file, and a line in the `chunks.ts` of its folder. */
 export const coreSources = { ...gbuffer, ...gpu, ...lighting, ...loops, ...shading, ...volumes, ...output };
 
 /** Parent of the registries of all renderers. */
 export const builtinRegistry = new MicroShaderRegistry();
 
-/** Adds microshaders of code that is fetched late; several parts may bring one of the same name. */
+/** Adds the microshaders of late code; several parts may add the same one. */
 export function addBuiltinMicroShaders(sources: Readonly<Record<string, string>>): void {
   for (const [name, text] of Object.entries(sources))
     if (!builtinRegistry.has(name)) builtinRegistry.add(parseMicroShader(name, text));
