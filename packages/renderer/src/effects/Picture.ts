@@ -37,7 +37,7 @@ const pictures = new WeakMap<Frame['twins'], Picture>();
  * that is the canvas); when the last effect that began it has ended it, it is written to the host's target with its depth.
  */
 export class Picture {
-  /** What is drawn to from `begin` on. */
+  /** Target that the frame draws to, from `begin` on. */
   target!: WebGLRenderTarget;
   /** The picture as far as it is made: `target`'s texture, or what an effect made of it. */
   texture!: Texture;

@@ -35,7 +35,9 @@ export interface EffectEntry {
   readonly short?: string;
   /** Numbers that menus set, by their names in the settings of a scene. */
   readonly fields?: Readonly<Record<string, EffectField>>;
-  /** What the technique has to make before it shades; by techniques that do not it is left out. Default: nothing. */
+  /**
+   * Buffer that the technique must fill before it shades; a technique that cannot leaves the effect out. Default: none.
+   */
   readonly needs?: 'depth' | 'gbuffer';
   /** Frames of a still scene after which its picture changes no more. Default 1. */
   readonly stillFrames?: number;

@@ -1,10 +1,10 @@
 import type { Texture } from 'three';
 
-/** Sums of multipass lighting. */
+/** Result of multipass lighting: the sum of all lights on each surface. */
 export interface AccumulatedLight {
   /** Linear radiance; alpha 1 where something was drawn. */
   readonly texture: Texture;
   readonly depth: Texture;
-  /** Fog is in the sums; else, where three draws fog after encoding, it is left to the output. */
+  /** Whether the sums contain fog; else the output pass adds it, since three draws fog after encoding. */
   readonly hasFog: boolean;
 }

@@ -4,14 +4,14 @@ import type { TwinAdapter } from './TwinAdapter';
 
 const NOTHING: readonly never[] = [];
 
-/** The effects of a frame, with what they ask for as lists: made when the host's list changes. */
+/** Effects of a frame, with their requests as lists; made anew when the host's list changes. */
 export interface ActiveEffects {
   readonly all: readonly FarolEffect[];
-  /** Those that adapt twins. */
+  /** Effects that adapt twins. */
   readonly adapters: readonly TwinAdapter[];
-  /** Attachments that the G-buffer has for them, as far as the device has room. */
+  /** G-buffer attachments of the effects, as many as the device has room for. */
   readonly attachments: readonly GBufferAttachment[];
-  /** Whether one works on a G-buffer. */
+  /** Whether an effect works on a G-buffer. */
   readonly needsSurfaces: boolean;
 }
 
@@ -32,7 +32,7 @@ export function activeEffects(all: readonly FarolEffect[], room: number): Active
   };
 }
 
-/** What an effect takes for itself, as the end of "both …". */
+/** Texts of the effect's claims, as the end of "both …". */
 function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffect): string[] {
   return [
     ...(replaces === undefined ? [] : [`draw "${replaces}" in place of the technique`]),
@@ -43,7 +43,7 @@ function claimsOf({ replaces, attachments = [], movesCamera = false }: FarolEffe
 
 /** @throws Error that names two effects that cannot draw one frame together, or says what a list of effects is */
 export function refuseConflicts(effects: readonly FarolEffect[]): void {
-  // from JavaScript: an effect by itself, a class, a name
+  // JavaScript hosts may set a single effect, a class or a name
   if (!Array.isArray(effects) || !effects.every((effect: Partial<FarolEffect> | null) => effect?.dispose))
     throw new Error('Farol: effects is a list of objects, such as [new TAA()].');
   const owners = new Map<string, FarolEffect>();

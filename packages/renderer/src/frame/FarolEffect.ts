@@ -7,25 +7,27 @@ import type { Technique } from './Technique';
 import type { TwinKind } from '../materials/TwinKind';
 
 /**
- * Something optional that takes part in a frame of any technique: `farol.effects = [new TAA()]`. The core knows only this;
- * the effects themselves are entries of their own, such as `@farol/renderer/antialiasing`. Effects run in their order,
- * in the view 'final' only. One object serves one FarolRenderer.
+ * An optional part of a frame, with any technique: `farol.effects = [new TAA()]`. The core has only this interface; the
+ * effects are package entries of their own, such as `@farol/renderer/antialiasing`. Effects run in their order, in the
+ * view 'final' only. One object serves one FarolRenderer.
  */
 export interface FarolEffect {
   /** Name in `FarolInfo.passes`. */
   readonly name: string;
   /** `render` is called after each pass of the frame that writes one of these. */
   readonly after?: readonly Resource[];
-  /** `render` is called in the place of each pass that writes this. Of one resource at most one effect may. */
+  /**
+   * `render` is called in place of each pass that writes this resource. At most one effect may replace a resource.
+   */
   readonly replaces?: Resource;
   /**
-   * Attachments that a G-buffer is to have besides, while the device has room for them: `Frame.locationOf` tells where.
-   * Of one name at most one effect may ask. Keep the objects: new ones make G-buffers anew. Default none.
+   * Additional attachments of the G-buffer, if the device has room; `Frame.locationOf` gives their locations. At most
+   * one effect may ask for a name. Keep the objects: new ones make G-buffers anew. Default none.
    */
   readonly attachments?: readonly GBufferAttachment[];
   /** True if `begin` sets `frame.camera`; at most one effect may. Default false. */
   readonly movesCamera?: boolean;
-  /** True if it works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
+  /** True if the effect works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
   readonly needsSurfaces?: boolean;
   /**
    * The end of the sentence "this device …" for a device that the effect cannot draw on, such as 'draws to no float colour
@@ -34,7 +36,7 @@ export interface FarolEffect {
   lacks?(webgl: WebGLRenderer): string | null;
   /** True if `begin` has the frame drawn to a target of the effect: targets with several textures then go without. Default false. */
   readonly takesPicture?: boolean;
-  /** True if it smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
+  /** True if the effect smooths edges: `FarolOptions.antialias` adds nothing then. Default false. */
   readonly smoothsEdges?: boolean;
   /** Bytes of the effect's targets. */
   readonly bytes: number;
@@ -44,31 +46,33 @@ export interface FarolEffect {
    */
   begin?(frame: Frame): void;
   /**
-   * Called when it is known which technique draws the frame, still before anything is drawn; may set `frame.target` with its
+   * Called once the frame's technique is picked, before anything is drawn; may set `frame.target` with its
    * viewport of the same size.
    */
   picked?(frame: Frame, technique: Technique): void;
   /**
-   * Called inside three's `render`, where `frame` draws, before anything of the frame is drawn: for what lights and passes then
-   * read. What is seen through transmissive things is a drawing of its own, before which it is called too. It leaves the
-   * target bound that it finds bound.
+   * Called inside three's `render`, where `frame` can draw, before the frame's draws: computes data that lights and
+   * passes read. Called again before objects are drawn for transmission. Must leave the bound target as it was.
    */
   compute?(frame: Frame): void;
   /**
-   * Gives the kind of twin that an item is drawn with in place of another, or that one: by `kind.role`. Called for each draw,
-   * in the order of the effects, each with what the one before gave; must not allocate in steady state.
+   * Returns the kind of twin to draw an item with: `kind`, or another by `kind.role`. Called for each draw; each effect
+   * gets the result of the effect before. Must not allocate in steady state.
    */
   adapt?(kind: TwinKind, item: RenderItem): TwinKind;
-  /** Draws, inside three's `render`, by what is in `frame.resources`. @param pass - the pass that was drawn, or that is to be replaced */
+  /**
+   * Draws, inside three's `render`, with the resources in `frame.resources`.
+   * @param pass - the pass that was drawn, or that is to be replaced
+   */
   render?(frame: Frame, pass: Pass): void;
   /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
   /**
-   * Draws as in a frame, where 'auto' is about to change to a technique that the effect is for: nothing is drawn, programs are
-   * compiled, one a call.
+   * Compiles the programs for a technique that 'auto' is about to change to, one a call, by draws as in a frame that
+   * draw nothing.
    */
   warmUp?(frame: Frame): void;
-  /** Forgets what it has gathered over earlier frames. */
+  /** Forgets data gathered over earlier frames. */
   reset?(): void;
   /** Frees the GPU resources; a later frame makes them anew. */
   dispose(): void;

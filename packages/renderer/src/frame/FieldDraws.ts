@@ -12,14 +12,14 @@ import type { LightLoop } from '../materials/LightLoop';
 export interface FieldDraws {
   /** The light table that shaders read, once `render` has drawn it. */
   readonly texture: Texture;
-  /** Lights of fields. */
+  /** Number of lights in all fields of the frame. */
   readonly count: number;
-  /** Lights of fields over a pixel, whatever their depth, on average: a guess. */
+  /** Mean number of field lights over a pixel, whatever their depth; an estimate. */
   readonly coverage: number;
   readonly bytes: number;
   /** Whether `render` has drawn in this frame. */
   readonly isDrawn: boolean;
-  /** Draws the light table, inside three's `render`, before anything that is lit; what was bound is bound again. */
+  /** Draws the light table. Call inside three's `render` before anything lit is drawn; restores the bound target. */
   render(): void;
   /** Makes lists of all lights that reach each tile. */
   makeTiles(frame: Frame, use: TileDepthUse): void;

@@ -138,7 +138,7 @@ export class Frame extends FrameTarget {
     return index < 0 ? -1 : gbufferLayout.length + index;
   }
 
-  /** Positions are not rebuilt from depth, which is too coarse or shifted: surfaces store how far they are. */
+  /** Whether surfaces store their distance, since depth is too coarse or shifted to rebuild positions from. */
   get storesDistance(): boolean {
     return this.isDepthCoarse || this.queue.farthest === -Infinity;
   }
@@ -170,8 +170,8 @@ export class Frame extends FrameTarget {
   }
 
   /**
-   * Whether depth of pixels is not enough of what was drawn elsewhere: the target is multisampled, and something is to be
-   * drawn over the target. False where something else has depth in the target already.
+   * Whether later draws over a multisampled target need depth in each sample, for items that were drawn elsewhere.
+   * False if the target has other depth already.
    */
   get wantsSampleDepths(): boolean {
     const { webgl, queue, scene, view } = this;
@@ -182,7 +182,7 @@ export class Frame extends FrameTarget {
     return queue.transparent.length + queue.transmissive.length > 0 || queue.opaque.some(isLeft);
   }
 
-  /** Gives the samples of the target the depth of the items that were drawn elsewhere. */
+  /** Draws the depth of items that were drawn elsewhere into the samples of the target. */
   drawSampleDepths(): void {
     for (const item of this.queue.opaque) {
       if (item.drawn && item.route === 'split' && hasDepthTwin(item.material)) this.drawTwin(item, depthTwin);
@@ -196,7 +196,7 @@ export class Frame extends FrameTarget {
     return kind;
   }
 
-  /** Draws an item with a twin of its material, if there can be one. */
+  /** Draws an item with a twin of its material, if the material can have one. */
   drawTwin(item: RenderItem, kind: TwinKind): void {
     if (item.shading === 'nodes') return;
     if (item.ownShader) followHostUniforms(this.webgl, item.material);
@@ -222,7 +222,7 @@ export class Frame extends FrameTarget {
     else this.drawItem(item, material);
   }
 
-  /** Has three draw an item of a node material, unless that is done. */
+  /** Draws an item of a node material by three itself, unless it is drawn already. */
   drawNodes(item: RenderItem): void {
     if (item.drawn) return;
     this.nodes ??= this.late.makeNodes();
@@ -230,7 +230,7 @@ export class Frame extends FrameTarget {
     else this.nodes.draw(this, item);
   }
 
-  /** Has a mesh of Farol's own ready to be drawn with a material, drawing nothing: its program compiles now, not in a later frame. */
+  /** Compiles the program of one of Farol's own meshes now, not in a later frame, by a draw of nothing. */
   compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const { drawRange } = mesh.geometry;
     const { count } = drawRange;
@@ -243,7 +243,7 @@ export class Frame extends FrameTarget {
     }
   }
 
-  /** Draws a mesh of Farol's own; of a host's target with several textures, to the first. */
+  /** Draws one of Farol's own meshes; to the first texture of a host's target with several. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void {
     const several = this.drawsToSeveral;
     if (several) this.setDrawBuffers(1);

@@ -1,24 +1,27 @@
-/** Time after which code that could not be fetched is asked for again: at first, then twice as long each time, at most (ms). */
+/** Waits before failed code is fetched again (ms): the first, and the greatest; each is twice the one before. */
 const FIRST_WAIT = 1000;
 const LONGEST_WAIT = 60_000;
 
 /** A part of the package in files of its own, fetched when first needed; shared by all renderers of a page. */
 export class Lazy<Code extends object, Name extends string = string> {
-  /** Gets the parts that are asked for while they are not there; null while no frame is drawn. */
+  /** Collects parts that a frame asks for before they are loaded; null while no frame is drawn. */
   static lacking: Set<Lazy<object>> | null = null;
-  /** Called once, when the code is there. */
+  /** Callbacks, each called once when the code is loaded. */
   readonly waiting = new Set<() => void>();
   private code: Code | null = null;
-  /** Null before the code is asked for, and after a failure. */
+  /** Fetch under way; null before the first and after a failure. */
   private loading: Promise<Code> | null = null;
   private wait = FIRST_WAIT;
-  /** When `ask` may fetch again, on the clock of `performance.now` (ms); 0 before the first failure, which is told. */
+  /**
+   * Time from which on `ask` may fetch again, by `performance.now` (ms); 0 before the first failure, which alone is
+   * reported.
+   */
   private next = 0;
 
   /**
-   * @param name - of the part, in `FarolInfo.pending` and messages
-   * @param fetch - called again after a failure
-   * @param instead - what happens without it, for the warning
+   * @param name - name of the part in `FarolInfo.pending` and messages
+   * @param fetch - fetches the code; called again after a failure
+   * @param instead - effect of the missing code, for the warning
    */
   constructor(
     readonly name: Name,
@@ -26,20 +29,21 @@ export class Lazy<Code extends object, Name extends string = string> {
     private readonly instead: string,
   ) {}
 
-  /** Whether the code is there. */
+  /** Whether the code is loaded. */
   get isThere(): boolean {
     return this.code !== null;
   }
 
   /**
-   * What `by` makes of the code; null while it is not there, and then it is fetched. To be called in each frame that needs
-   * it: after a failure, told once, it is asked for again after a while, or when the page is online again.
+   * Result of `by` applied to the code; null until the code is there. Call it in each frame that needs the code: the
+   * first call fetches. A failure is reported once; the fetch is tried again after a while, or when the page is online
+   * again.
    */
   use<Made>(by: (code: Code) => Made): Made | null {
     return this.ask() ? by(this.code!) : null;
   }
 
-  /** Has the code fetched, unless that is under way. @returns whether it is there */
+  /** Starts to fetch the code, unless that is under way. @returns whether it is there */
   ask(): boolean {
     if (this.isThere) return true;
     Lazy.lacking?.add(this);

@@ -14,7 +14,7 @@ export interface LightBufferUniforms extends ThinGBufferUniforms {
 
 /** The light that reaches each texel of the thin G-buffer. */
 export interface LightBuffer {
-  /** What lightBufferFilter.glsl reads of it. */
+  /** Uniforms of lightBufferFilter.glsl that read this buffer. */
   readonly uniforms: LightBufferUniforms;
   /** Kinds by which lit materials take their direct light from it; set `farol_object` for each draw. */
   readonly twins: (view: string) => ForwardTwins;

@@ -10,11 +10,13 @@ export interface Pass extends ResourceUser {
   /** Sources of microshaders that are the pass's own, by name. Default none. */
   readonly microShaders?: Readonly<Record<string, string>>;
   /**
-   * Draws, and puts what is in `writes` into `frame.resources`. Called inside three's `render`; must not allocate in steady
-   * state.
+   * Draws, and puts the resources named in `writes` into `frame.resources`. Called inside three's `render`; must not
+   * allocate in steady state.
    */
   render(frame: Frame): void;
-  /** In place of `render` while programs are compiled ahead, for a pass that does more than draw by `frame`. */
+  /**
+   * Called in place of `render` while programs are compiled ahead; needed by passes that draw other than by `frame`.
+   */
   warmUp?(frame: Frame): void;
   /** Bytes of the targets that the pass holds. */
   readonly bytes: number;

@@ -1,11 +1,11 @@
 import type { Material } from 'three';
 import type { RenderItem } from './RenderItem';
 
-/** A material whose draws are in the reactive mask: what it shows is not looked for in earlier frames. */
+/** A material whose pixels are in the reactive mask: temporal anti-aliasing ignores their past. */
 export type ReactiveMaterial = Material & { readonly isReactive?: boolean };
 
-/** Where what changes without motion, such as particles, says which pixels it covers, once the frame is drawn. Frames are those of `Frame`. */
+/** Mask of pixels that change without motion, such as those of particles; written after the frame is drawn. */
 export interface ReactiveMask<Frame> {
-  /** Draws an item with a material that writes its share of pixels to red, the greatest of which counts. */
+  /** Draws an item with a material that writes its coverage of pixels to red; the greatest value is kept. */
   draw(frame: Frame, item: RenderItem, material: Material): void;
 }

@@ -1,11 +1,11 @@
-/** How long one that is not used is kept, while others are (ms). */
+/** Time for which an unused object is kept while others are used (ms). */
 const KEPT = 2000;
-/** Those that are kept beside the one in use, at most. */
+/** Most objects kept beside the one in use. */
 const MOST = 3;
 
 /**
- * What is held for scenes or cameras that take turns: one that is used no more is released, the sooner the more there are, by
- * time and not by frames, since a host may draw none. The one that was used last is kept.
+ * Releases objects held for scenes or cameras that take turns: those not used for a while, sooner the more there are.
+ * Counts time, not frames, since a host may draw none. The one used last is never released.
  */
 export class RecentlyUsed<Key> {
   private current: Key | null = null;
@@ -15,7 +15,7 @@ export class RecentlyUsed<Key> {
 
   constructor(private readonly release: (key: Key) => void) {}
 
-  /** To be called for each use. */
+  /** Notes a use; call it at each. */
   use(key: Key): void {
     const { current, others } = this;
     if (key === current) return;
@@ -26,7 +26,7 @@ export class RecentlyUsed<Key> {
     if (others.size > 0) this.timer ??= setTimeout(this.sweep, KEPT);
   }
 
-  /** Forgets all, without a release. */
+  /** Forgets all keys without releasing them. */
   clear(): void {
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = this.current = null;

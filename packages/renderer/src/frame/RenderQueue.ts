@@ -28,7 +28,7 @@ function backToFront(a: RenderListItem, b: RenderListItem): number {
   return a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder || b.z - a.z || a.id - b.id;
 }
 
-/** Whether a material is drawn by another shader than three's for its class. */
+/** Whether a material has another shader than three's for its class. */
 export function hasOwnShader(material: Material): boolean {
   return (
     (material as ShaderMaterial).isShaderMaterial === true ||
@@ -44,30 +44,30 @@ export interface ShadowMaskMaterials {
   readonly twin: TwinKind;
 }
 
-/** What a frame draws, in the three lists of three.js. Items are pooled. */
+/** Objects that a frame draws, in the three lists of three.js. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
   readonly transmissive: RenderItem[] = [];
   readonly transparent: RenderItem[] = [];
   private readonly pool: RenderItem[] = [];
-  /** Layers of what is not `layered`, 0 when they do not matter. */
+  /** Layers of items that are not `layered`; 0 when lights ignore layers. */
   layers = 0;
   /** How materials that show nothing but shadows are drawn; null while three does it. Set by `FrameLights.update`. */
   shadowMasks: ShadowMaskMaterials | null = null;
-  /** True if every opaque item is plain, and of a material whose depth is its geometry's. */
+  /** True if every opaque item is plain, and its material writes the geometry's depth. */
   covers = true;
-  /** True if something opaque may be as far as depth can tell it from nothing, see `watchFar`. */
+  /** True if an opaque object may be so far away that its depth equals the cleared depth, see `watchFar`. */
   reachesFar = false;
   private camera!: Camera;
-  /** The distance (m) from which it is so; -Infinity where depths tell no distances. */
+  /** Distance (m) from which on depth equals the cleared depth; -Infinity if depth gives no distance. */
   farthest = Infinity;
-  /** What three's own lights alone are right for. */
+  /** Materials that only three's own lights can light. */
   readonly refused = new RefusedMaterials();
-  /** How many opaque items, from the first on, are to be drawn into the target before anything else. */
+  /** Number of first opaque items that are drawn into the target before anything else. */
   early = 0;
   /** True if an opaque item must be drawn in three's order. */
   ordered = false;
-  /** True if something lit transmits or is transparent. */
+  /** True if a lit object is transmissive or transparent. */
   hasLitTransparents = false;
   private used = 0;
   private opaques = 0;
@@ -84,7 +84,7 @@ export class RenderQueue {
     this.opaques = this.transmissives = this.transparents = 0;
   }
 
-  /** From the next `clear` on, opaque items are looked at for what lies beyond a distance along the view (m). */
+  /** Tests opaque items, from the next `clear` on, for objects beyond a distance along the view (m). */
   watchFar(camera: Camera, distance: number): void {
     this.camera = camera;
     this.farthest = distance;
@@ -135,7 +135,7 @@ export class RenderQueue {
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     if (list === this.opaque) {
-      // its depth is not that of its place
+      // its depth does not match its position
       if (material.polygonOffset) this.farthest = -Infinity;
       if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
     }
@@ -165,7 +165,7 @@ export class RenderQueue {
     return !(radius - (v[2] * center.x + v[6] * center.y + v[10] * center.z + v[14]) <= this.farthest);
   }
 
-  /** Ends the lists, and lets go of objects of earlier, larger frames. */
+  /** Ends the lists, and drops references to objects of earlier, larger frames. */
   finish(): void {
     this.opaque.length = this.opaques;
     this.transmissive.length = this.transmissives;
@@ -198,7 +198,7 @@ export class RenderQueue {
     for (let i = 0; i < this.early; i++) if (isPlain(opaque[i])) opaque[i].route = 'forward';
   }
 
-  /** @param reversed - whether the lists are turned round once they are sorted, as three until 0.185 does for reversed depth */
+  /** @param reversed - whether the sorted lists are reversed, as three until 0.185 does for reversed depth */
   sort(opaque: RenderItemSort | null, transparent: RenderItemSort | null, reversed: boolean): void {
     if (this.opaque.length > 1) this.opaque.sort(opaque ?? byState);
     if (this.transmissive.length > 1) this.transmissive.sort(transparent ?? backToFront);

@@ -6,33 +6,35 @@ import type { AccumulatedLight } from './AccumulatedLight';
 import type { LightLists } from './LightLists';
 import type { RenderItem } from './RenderItem';
 
-/** What passes hand to one another within a frame, by name. */
+/** Textures and buffers that passes hand to one another within a frame, by name. */
 export interface Resources {
   /** The host's render target, null for the canvas. There from the start; `Frame.bindTarget` binds it. */
   target: WebGLRenderTarget | null;
-  /** Written where the surfaces of a G-buffer, or sums of their light, are drawn to the target. Nothing is handed over. */
+  /**
+   * Written by the pass that draws the surfaces of a G-buffer, or sums of their light, to the target. Has no value.
+   */
   output: never;
-  /** Shadings of each pixel, in red: there from the start in the view 'overdraw', else never. */
+  /** Number of shadings of each pixel, in red; given from the start in the view 'overdraw', else absent. */
   overdraw: Texture;
   /** Depth of opaque surfaces as the renderer stores it, of the size that the pass draws with. */
   'scene-depth': Texture;
-  /** Opaque surfaces. */
+  /** G-buffer of the opaque surfaces. */
   gbuffer: GBuffer;
   /** Direct light of each pixel of the G-buffer (linear radiance); in the count views lights a pixel, in red. */
   lighting: Texture;
-  /** Which lights may reach each tile or cluster of the picture. */
+  /** Lists of the lights that may reach each tile or cluster of the picture. */
   'light-lists': LightLists;
-  /** All light of the surfaces that multipass lighting draws. */
+  /** Sum of all light on the surfaces that multipass lighting draws. */
   'accumulated-light': AccumulatedLight;
-  /** Surfaces as light pre-pass and inferred lighting have them. */
+  /** Thin G-buffer of light pre-pass and inferred lighting. */
   'thin-gbuffer': ThinGBuffer;
   /** The light that reaches each texel of the thin G-buffer. */
   'light-buffer': LightBuffer;
-  /** How many decals lie on the surfaces of the G-buffer. */
+  /** Number of decals on the surfaces of the G-buffer. */
   decals: number;
   /** The transparent items, which the pass that writes this lays over the target. */
   transparent: readonly RenderItem[];
-  /** What packages outside of Farol hand over, by a name of their own such as 'acme:fog'. */
+  /** Resources of packages outside of Farol, by a prefixed name such as 'acme:fog'. */
   [own: `${string}:${string}`]: unknown;
 }
 
@@ -44,7 +46,7 @@ export type HandedResource = Exclude<Resource, 'target' | 'output'>;
 /** Resources that no pass need write. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];
 
-/** The names that a pass declares. */
+/** Resources that a pass declares. */
 export interface ResourceUser {
   readonly name: string;
   readonly reads: readonly Resource[];
@@ -78,7 +80,7 @@ export class ResourceTable {
     this.user = null;
   }
 
-  /** Says which pass draws from here on, and is held to its `reads` and `writes`; null for effects, which are not. */
+  /** Sets the pass that draws next and is held to its `reads` and `writes`; null for effects, which are not. */
   use(technique: string, user: ResourceUser | null): void {
     this.technique = technique;
     this.user = user;
@@ -96,7 +98,10 @@ export class ResourceTable {
     }
   }
 
-  /** What was written last. @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads` */
+  /**
+   * Value written last.
+   * @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads`
+   */
   get<R extends HandedResource>(name: R): Resources[R] {
     const value = this.find(name);
     if (value !== undefined) return value;
@@ -104,7 +109,10 @@ export class ResourceTable {
     throw new Error(`No pass of technique "${this.technique}" writes "${name}" before an effect reads it.`);
   }
 
-  /** What was written last, undefined when nobody has written it in this frame. @throws Error as `get`, of `reads` */
+  /**
+   * Value written last, undefined when nobody has written it in this frame.
+   * @throws Error when the pass does not declare it in `reads`
+   */
   find<R extends HandedResource>(name: R): Resources[R] | undefined {
     const { user } = this;
     if (user !== null && !user.reads.includes(name)) throw this.undeclared(user, 'reads', name);

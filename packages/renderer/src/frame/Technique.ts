@@ -9,20 +9,20 @@ export interface Technique {
   readonly label: string;
   /** One line of help. */
   readonly help: string;
-  /** How its passes want the lights in the table. */
+  /** Order of lights in the table that the passes need. */
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
-  /** Its part in clearing the target: what it writes where nothing is. Default 'behind'. */
+  /** Pixels that the technique writes, in place of a clear by three. Default 'behind'. */
   readonly fills?: Fills;
   /**
-   * Code that is fetched when the technique is asked for; until it is there 'deferred' draws, or 'forward-single-pass' where
-   * lights are few or the device has no float targets. Default: that of `lightOrder`.
+   * Late code of the technique, fetched at its first use; until it is loaded 'deferred' draws, or 'forward-single-pass'
+   * where lights are few or the device has no float targets. Default: that of `lightOrder`.
    */
   readonly lazy?: Lazy<object>;
   /**
-   * `gbuffer`, or else `scene-depth` of the picture's size, where its passes write it: for whoever asks before `lazy` is there.
-   * Default none; where no code is fetched the passes say it.
+   * `gbuffer`, or else `scene-depth` of the picture's size, if the passes write it; read before `lazy` is loaded.
+   * Default none: without late code the passes tell.
    */
   readonly writes?: readonly Resource[];
   /** The passes, in the order in which they draw; each renderer has its own. @throws Error while `lazy` is not there */

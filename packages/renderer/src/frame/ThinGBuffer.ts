@@ -17,12 +17,12 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
 export interface ThinGBuffer {
   /** Attachment 0: normal, specular lobe and object; 1, where depth is too coarse for positions: distances. */
   readonly target: WebGLRenderTarget;
-  /** Texels a pixel of the picture, along a side. */
+  /** Texels for each pixel of the picture, along a side. */
   readonly scale: number;
-  /** From the picture's normalised device coordinates to the buffer's, by `gridFit`. */
+  /** Transform of the picture's normalised device coordinates to the buffer's, by `gridFit`. */
   readonly fit: Vector4;
-  /** The opaque items in it; the n-th has `objectNumber(n)`. */
+  /** Opaque items in the buffer; the n-th has `objectNumber(n)`. */
   readonly items: readonly RenderItem[];
-  /** True for a transparent item whose layers are in it. */
+  /** True for a transparent item whose layers are in the buffer. */
   isStippled(item: RenderItem): boolean;
 }

@@ -1,7 +1,7 @@
 import type { TwinKind } from '../materials/TwinKind';
 import type { RenderItem } from './RenderItem';
 
-/** Gives the kind of twin that an item is drawn with in place of another, or that one. */
+/** Replaces the kind of twin that an item is drawn with, or returns it unchanged. */
 export interface TwinAdapter {
   adapt(kind: TwinKind, item: RenderItem): TwinKind;
 }

@@ -1,4 +1,4 @@
-/** What `FarolRenderer.view` can show. */
+/** Values of `FarolRenderer.view`. */
 export const views = [
   'final',
   'albedo',
@@ -16,17 +16,17 @@ export const views = [
 
 export type View = (typeof views)[number];
 
-/** Views that the technique draws by itself. */
+/** Whether the technique itself draws a view. */
 export function isTechniqueView(view: View): boolean {
   return view === 'final' || view === 'lighting' || view === 'light-count';
 }
 
-/** Views in which the technique counts its work in place of shading. */
+/** Whether the technique counts its work in a view, in place of shading. */
 export function isCountView(view: View): boolean {
   return view === 'light-count' || view === 'overdraw';
 }
 
-/** Views of the surface itself, the same in every technique: drawn from a G-buffer of their own. */
+/** Whether a view shows surface properties, equal in every technique: drawn from a G-buffer of its own. */
 export function isSurfaceView(view: View): boolean {
   return view !== 'final' && view !== 'lighting' && view !== 'grid' && !isCountView(view);
 }

@@ -3,8 +3,8 @@ import type { Camera, Object3D } from 'three';
 const warned = new WeakSet<Object3D>();
 
 /**
- * Names the camera once whose place or projection is not a number, else an object whose place in the picture is not one. What
- * is named is drawn as three draws it.
+ * Warns once of a camera whose position or projection is NaN, else of an object whose position in the picture is.
+ * Drawing is not changed.
  */
 export function warnOfNaN(camera: Camera, object: Object3D | null = null): void {
   const { elements } = camera.projectionMatrix;

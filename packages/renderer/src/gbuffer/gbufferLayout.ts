@@ -7,7 +7,7 @@ export interface GBufferAttachment {
   readonly type: TextureDataType;
   /** A pixel. */
   readonly bytes: number;
-  /** Of the sampler that reads it. Default 'highp'. */
+  /** GLSL precision of the sampler uniform that reads it. Default 'highp'. */
   readonly precision?: 'highp' | 'lowp';
 }
 

@@ -4,7 +4,7 @@ import { type GBufferAttachment, gbufferLayout } from './gbufferLayout';
 
 type AttachmentName = (typeof gbufferLayout)[number]['name'];
 
-/** Where each attachment is among the G-buffer's textures and draw buffers. */
+/** Index of each attachment among the G-buffer's textures and draw buffers. */
 export const attachmentIndex = Object.fromEntries(gbufferLayout.map(({ name }, i) => [name, i])) as {
   readonly [name in AttachmentName]: number;
 };

@@ -1,8 +1,8 @@
 import { BufferGeometry, Mesh } from 'three';
 
 /**
- * Of all full-screen meshes: three does not hear of the end of a geometry that is drawn without a scene, and keeps a table
- * for each one as long as the WebGLRenderer lives.
+ * Shared by all full-screen meshes of the page: three keeps a table for each geometry drawn without a scene as long as
+ * the WebGLRenderer lives, even after the geometry is disposed.
  */
 const triangle = /* @__PURE__ */ makeTriangle();
 

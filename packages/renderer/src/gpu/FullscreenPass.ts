@@ -5,7 +5,7 @@ import { FullscreenMesh } from './FullscreenMesh';
 import { OutputMaterial, PassMaterial, type PassMaterialOptions } from './PassMaterial';
 import { PassTarget, type PassTargetOptions } from './PassTarget';
 
-/** What a full-screen pass is drawn with: a `Frame`, or what draws outside of frames. */
+/** Draws a full-screen pass: a `Frame`, or code that draws outside of frames. */
 export interface MeshDrawer {
   readonly microshaders: MicroShaderRegistry;
   /** Uniforms that all passes of a renderer share. */
@@ -114,7 +114,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     return target;
   }
 
-  /** What its own target holds; null before it is first drawn to. */
+  /** Texture of the pass's own target; null before the first draw to it. */
   get texture(): Texture | null {
     return this.own?.current?.texture ?? null;
   }
@@ -164,7 +164,9 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   }
 }
 
-/** Of what is not named no texture is bound: a pass may write the textures that others read. */
+/**
+ * Uniforms that a pass gets. Others are left out, so that their textures are not bound while the pass may write them.
+ */
 function sharedOf({ uniforms }: MeshDrawer, shared: 'all' | readonly string[] = []): Uniforms {
   if (shared === 'all') return { ...uniforms };
   return Object.fromEntries(shared.map((name) => [name, uniforms[name]]));

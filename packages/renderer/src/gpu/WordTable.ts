@@ -21,7 +21,7 @@ export class WordTable {
   private fresh = true;
   /** The texture does not have what was sent last. */
   private stale = true;
-  /** What was sent last. */
+  /** Words sent last. */
   private sent = new Uint32Array(0);
 
   /** @param channels - words a texel, 1 or 4 */

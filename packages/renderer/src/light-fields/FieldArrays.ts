@@ -31,7 +31,7 @@ export class FieldArrays {
     return spheres.uploadedBytes + emissions.uploadedBytes + (cones?.uploadedBytes ?? 0);
   }
 
-  /** Where the lights of a field lie, once it is uploaded. */
+  /** Textures of a field's lights, once it is uploaded. */
   sourcesOf(field: LightField): FieldSources {
     const { textures } = field;
     if (textures !== null) {

@@ -20,8 +20,8 @@ interface Told {
 }
 
 /**
- * What is known of a frame's fields without looking at each light: the range of their depths, by a few of them, and the share
- * of the picture that they lie over. Both are guesses: nothing but speed depends on them.
+ * Depth range and screen coverage of a frame's fields, estimated from a few of their lights. Only speed depends on
+ * them.
  */
 export class FieldDepths {
   /** Least depth (m), or its logarithm to base 2. */

@@ -22,7 +22,7 @@ const BYTES = 3 * 16 + 2;
 
 const planes = new Float64Array(24);
 
-/** Where the lights of a field lie: textures of one size, `width` texels a row. */
+/** Textures that hold the lights of a field: of one size, `width` texels a row. */
 export interface FieldSources {
   sphere: Texture | null;
   emission: Texture | null;

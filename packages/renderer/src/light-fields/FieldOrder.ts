@@ -22,7 +22,9 @@ import { PassMaterial } from '../gpu/PassMaterial';
 /** Cells of the view, and one for what is put out. */
 const CELLS = 129;
 
-/** Of all renderers, as the triangle of FullscreenMesh is; its draw range is set before each draw. */
+/**
+ * Shared by all renderers of the page, as the triangle of FullscreenMesh is; its draw range is set before each draw.
+ */
 const vertexless = /* @__PURE__ */ new BufferGeometry();
 
 /**

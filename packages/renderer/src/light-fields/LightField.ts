@@ -3,7 +3,7 @@ import { LightArray } from './LightArray';
 import { lightFieldMade } from './lightFieldMade';
 import type { LightTextures } from './LightTextures';
 
-/** What a LightField can be made with. */
+/** Options of the constructor of LightField. */
 export interface LightFieldOptions {
   /** Whether some of the lights are spot lights. Default false: memory and shaders for point lights alone. */
   spots?: boolean;
@@ -42,15 +42,16 @@ export class LightField extends Light {
   /** Linear colour times intensity (cd), decay of each light. */
   readonly emissions: LightArray;
   /**
-   * Of each light: the direction in which it shines, in the field's space, of the length 2 + the cosine of the angle from
-   * which on it fades (angle × (1 - penumbra)); cosine of its angle. Zeros: a point light. Null without `spots`.
+   * Four numbers for each light: the direction in which it shines, in the field's space, of the length 2 + the cosine
+   * of the angle from which on it fades (angle × (1 - penumbra)); cosine of its angle. Zeros: a point light. Null
+   * without `spots`.
    */
   readonly cones: LightArray | null;
-  /** Where the lights lie in place of the arrays; null where they lie in these. May be replaced. */
+  /** Textures that hold the lights in place of the arrays; null when the arrays do. May be replaced. */
   textures: LightTextures | null;
 
   /**
-   * Has the code that draws fields fetched.
+   * Starts to fetch the code that draws fields.
    * @param capacity - lights, at most 262,144
    * @throws RangeError when there is no room for so many
    */

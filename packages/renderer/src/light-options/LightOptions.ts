@@ -1,7 +1,7 @@
 import type { CubeTexture, Texture } from 'three';
 import type { FarolLightData } from '../lights/lightData';
 
-/** What a light has beside what three gives it. */
+/** Properties of a light that three's lights do not have. */
 export interface LightOptions extends FarolLightData {
   /**
    * Image that a point light throws in all directions, in world space: the light's colour is multiplied by what the cube

@@ -5,7 +5,7 @@ import type { LightOptions } from './LightOptions';
 import type { LightOptionName } from './lightRules';
 import { setLightOptions } from './setLightOptions';
 
-/** Of each option: a light that has it, one that has not, values that it may have, and some that it may not. */
+/** For each option: a light that has it, one that does not, values that are allowed, and some that are not. */
 const cases: Record<LightOptionName, { on: () => Light; not: () => Light; good: unknown[]; bad: unknown[] }> = {
   ambient: {
     on: () => new SpotLight(),

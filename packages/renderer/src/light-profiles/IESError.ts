@@ -1,9 +1,9 @@
-/** What is wrong with a file of photometric data, and where. */
+/** Error in a file of photometric data, with its line. */
 export class IESError extends Error {
   /** @param line - of the file, from 1 */
   constructor(
     readonly line: number,
-    /** What is wrong, and what to write there. */
+    /** Sentence that says what is wrong, and what to write there. */
     readonly problem: string,
   ) {
     super(`Line ${line}: ${problem}`);

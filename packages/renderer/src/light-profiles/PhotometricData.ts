@@ -7,11 +7,14 @@ export interface LampTilt {
   readonly geometry: number;
   /** Degrees from the photometered position, ascending. */
   readonly angles: Float64Array;
-  /** Of the candelas, at each angle. */
+  /** Factor on the candelas, at each angle. */
   readonly factors: Float64Array;
 }
 
-/** What a photometric file of the LM-63 standard says, in SI units but for angles, which are in degrees as in the file. */
+/**
+ * Contents of a photometric file of the LM-63 standard, in SI units but for angles, which are in degrees as in the
+ * file.
+ */
 export interface PhotometricData {
   readonly version: IESVersion;
   /** Texts by keyword, such as MANUFAC and LUMINAIRE, upper case; of LM-63-1986, whose labels have no keywords, LABEL. */
@@ -22,9 +25,9 @@ export interface PhotometricData {
    */
   readonly type: 'A' | 'B' | 'C';
   readonly lamps: number;
-  /** Of each lamp; -1 where the luminaire was measured as a whole. */
+  /** Luminous flux of each lamp (lm); -1 where the luminaire was measured as a whole. */
   readonly lumensPerLamp: number;
-  /** Of the luminous opening (m), 0 for a point; negative for round shapes, as the standard has them. */
+  /** Width of the luminous opening (m), 0 for a point; negative for round shapes, as the standard has them. */
   readonly width: number;
   readonly length: number;
   readonly height: number;

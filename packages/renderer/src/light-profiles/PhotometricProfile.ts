@@ -26,9 +26,9 @@ const RADIANS = Math.PI / 180;
 export class PhotometricProfile {
   readonly isPhotometricProfile = true;
   name = '';
-  /** Of the direction that gets most (cd); 1 in the texture. */
+  /** Intensity in the brightest direction (cd); 1 in the texture. */
   readonly maximumIntensity: number;
-  /** Of the light that lamps give at the tilt. */
+  /** Share of their light that lamps give at the tilt. */
   readonly tiltFactor: number;
   private made: DataTexture | null = null;
 

@@ -18,7 +18,7 @@ const HEADS: readonly (readonly [pattern: RegExp, version: IESVersion])[] = [
   [/^IES(NA)?\s*:?\s*LM-63/i, 'LM-63-2002'],
 ];
 
-/** What a photometric file is read with. */
+/** Options of `parseIES`. */
 export interface IESOptions {
   /**
    * Text of the file that `TILT=` names, if it names one (see `tiltFileOf`): the numbers that else stand after `TILT=INCLUDE`.

@@ -31,20 +31,20 @@ const colour = new Color();
 
 /** Masks of lights (shadow maps, cookies, layers) and their records. */
 export interface LightMasks {
-  /** Records of the frame. */
+  /** Number of mask records of the frame. */
   readonly records: number;
   /**
-   * Record of a light's mask, counted from the first mask; -1 when it has none; ELSEWHERE more for a point light that is
-   * elsewhere than its map: shaders then do not take it for a masked point light (`isMaskedPoint`).
+   * Record of a light's mask, counted from the first mask; -1 for none. Plus ELSEWHERE for a point light that has moved
+   * since its map was drawn, so that `isMaskedPoint` is false for it.
    */
   recordOf(light: Light): number;
-  /** Writes the records from `first` on. */
+  /** Writes the mask records to the table, from record `first` on. */
   write(table: DataTable, first: number, camera: Camera): void;
 }
 
 /** Writes lights as records of the light table, with the extension records that lights of the thesis have. */
 export class LightRecords {
-  /** Extension records written since `begin`. */
+  /** Number of extension records written since `begin`. */
   extensions = 0;
   private firstMask = 0;
   private firstExtension = 0;
@@ -57,7 +57,7 @@ export class LightRecords {
   /**
    * Begins a frame.
    * @param firstMask - record of the first mask; extensions follow the masks
-   * @param settings - tell which lights to look up in the masks
+   * @param settings - settings that tell which lights may have a mask
    * @param slots - records that shaders see before the masks, beside those of the table
    */
   begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null, slots = 0): void {
@@ -86,7 +86,7 @@ export class LightRecords {
 
   /**
    * Writes the record of a point, spot or area light whose centre (view space, m) is given.
-   * @param range - (m)
+   * @param range - range of the light (m)
    * @returns whether the record is that of a plain point light
    */
   writeLocal(record: number, light: Light, x: number, y: number, z: number, range: number, view: Matrix4): boolean {
@@ -116,7 +116,7 @@ export class LightRecords {
     return plain;
   }
 
-  /** As `writeExtension`. */
+  /** Writes the extension record of an area light. @returns its record, as `writeExtension` */
   private writeArea(light: RectAreaLight, view: Matrix4): number {
     const record = this.firstExtension + this.extensions++;
     this.settings!.areas!.write(this.table, record * FLOATS_PER_RECORD, light, view);
@@ -124,7 +124,9 @@ export class LightRecords {
     return record + this.slots;
   }
 
-  /** Writes the extension record, if the light needs one, and leaves in `colour` the colour for the light's own record. */
+  /**
+   * Writes the extension record, if the light needs one, and sets `colour` to the colour for the light's own record.
+   */
   private writeExtension(light: Light): number {
     const data = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
     const { specular, ambient, attenuation } = data;

@@ -14,14 +14,14 @@ import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords } from './LightRecords';
 
-/** Lights of a quad of words in the lists of tiles. */
+/** Lights of a quad, four 32-bit words, in tile lists. */
 export const QUAD = 128;
 
 const position = new Vector3();
 
 /**
- * How the lights with a range lie in the table: spheres before cones, near to far by their centres, or by the ranks of
- * the light grid, which is then made. The code of the last two is fetched with the techniques that ask for them.
+ * Order of the lights with a range in the table: spheres before cones, near to far by their centres, or by the ranks of
+ * the light grid, which is then made. The code of the last two is late code.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 
@@ -38,39 +38,43 @@ export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize)
  */
 export class LightTable extends VisibleLights {
   readonly table = new DataTable(RECORDS_PER_ROW * TEXELS_PER_RECORD);
-  /** Record of a light with a range, less `firstBounded`, to its place in `boundeds`. Only the first `bounded`. */
+  /**
+   * Index in `boundeds` of the light of each record, counted from `firstBounded`. Only the first `bounded` are valid.
+   */
   rank: Uint32Array = new Uint32Array(64);
-  /** Lights with a range whose records are not those of plain point lights. */
+  /** Number of lights with a range that are not plain point lights. */
   others = 0;
-  /** Records of lights with a range; a grid may leave some empty. */
+  /** Number of records of lights with a range; a grid may leave some empty. */
   bounded = 0;
-  /** Quads of 128 records, from the first on, that hold only plain point lights; after a write 'by-depth'. */
+  /**
+   * Number of quads (128 records), from the first on, that hold only plain point lights; set by a write 'by-depth'.
+   */
   plainQuads = 0;
-  /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first. */
+  /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first such write. */
   grid: LightGrid | null = null;
   /** Record of the first mask. */
   firstMask = 0;
   /**
-   * Records for the lights of fields, which the GPU writes: in the texture that shaders read they lie before record
-   * `firstSlot` of `table`. 0: there are none, and `table` is what shaders read.
+   * Number of records for the lights of fields, which the GPU writes before record `firstSlot` of the texture that
+   * shaders read. 0 without fields: shaders then read `table` itself.
    */
   slots = 0;
-  /** Whether those are plain point lights. */
+  /** Whether the lights of fields are plain point lights. */
   plainSlots = true;
   firstSlot = 0;
-  /** Records of `table`. */
+  /** Number of records of `table`. */
   recordCount = 0;
-  /** How the lights with a range lie. */
+  /** Order of the lights with a range, as last written. */
   order: LightOrder = 'by-volume';
   private ranks: Uint32Array = new Uint32Array(64);
   private readonly records = new LightRecords(this.table);
 
-  /** Directional lights. */
+  /** Number of directional lights. */
   get directional(): number {
     return this.directionals.length;
   }
 
-  /** Local lights without a range. */
+  /** Number of local lights without a range. */
   get unbounded(): number {
     return this.unboundeds.length;
   }
@@ -80,7 +84,7 @@ export class LightTable extends VisibleLights {
     return this.directional + this.unbounded;
   }
 
-  /** Records of lights with a range in the texture that shaders read, those of fields among them. */
+  /** Number of records of lights with a range in the texture that shaders read, lights of fields included. */
   get listed(): number {
     return this.bounded + this.slots;
   }
@@ -91,9 +95,9 @@ export class LightTable extends VisibleLights {
   }
 
   /**
-   * Fills the table with what was collected.
-   * @param masks - records of what masks lights; null for none
-   * @param rank - that of the order; null for 'by-volume'
+   * Fills the table with the lights collected.
+   * @param masks - masks of lights; null for none
+   * @param rank - function that ranks lights for the order; null for 'by-volume'
    */
   write(
     camera: Camera,
@@ -126,7 +130,7 @@ export class LightTable extends VisibleLights {
     table.used(this.recordCount * FLOATS_PER_RECORD);
   }
 
-  /** Sends what changed. */
+  /** Uploads the records that have changed. */
   upload(webgl: WebGLRenderer): void {
     this.table.upload(webgl);
   }
@@ -145,7 +149,7 @@ export class LightTable extends VisibleLights {
     this.table.dispose();
   }
 
-  /** Takes an array of at least `count` numbers as `rank`, the one before if it is long enough. @returns it */
+  /** Makes `rank` an array of at least `count` numbers, if it is shorter. @returns `rank` */
   makeRanks(count: number): Uint32Array {
     if (this.ranks.length < count) this.ranks = new Uint32Array(count * 2);
     return (this.rank = this.ranks);
@@ -160,7 +164,10 @@ export class LightTable extends VisibleLights {
     for (let i = 0; i < count; i++) ranks[axes[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
   }
 
-  /** Plain slots follow the plain point lights of quads of their own, all others the last light. */
+  /**
+   * Finds the first record for lights of fields: plain ones follow the quads of plain point lights, others the last
+   * light.
+   */
   private placeSlots(order: LightOrder): void {
     const { slots, plainQuads, bounded } = this;
     let before = bounded;
@@ -173,7 +180,7 @@ export class LightTable extends VisibleLights {
     this.firstSlot = this.firstBounded + before;
   }
 
-  /** @param i - place of a light with a range, or NO_LIGHT */
+  /** @param i - index of a light in `boundeds`, or NO_LIGHT */
   private writeBounded(record: number, i: number, view: Matrix4): void {
     const { bounds, plain, table } = this;
     const to = record * FLOATS_PER_RECORD;

@@ -5,10 +5,10 @@
 #include "lightAttenuation"
 
 struct FarolLight {
-  vec3 direction; // to the light, view space, unit length
+  vec3 direction; // direction to the light, view space, unit length
   vec3 color; // irradiance of a surface that faces the light
-  float distance; // to the light (m), 0 for a directional light
-  float attenuation; // factor of the colour, with distance and angle
+  float distance; // distance to the light (m), 0 for a directional light
+  float attenuation; // factor on the colour, by distance and angle
   int extension; // record of the extension, 0 when there is none; of an area light: less than 0
   int mask; // record of the mask (shadow map, cookie, layers), 0 when there is none
 };
@@ -77,7 +77,7 @@ FarolLight farol_localLight(const in int record, const in vec3 positionVS) {
   return light;
 }
 
-// record: of a directional light, or of a local one
+// light that arrives at a point; record: of a directional or local light
 FarolLight farol_lightAt(const in int record, const in vec3 positionVS) {
   if (record < farol_lightCounts.x) return farol_directionalLight(record);
   return farol_localLight(record, positionVS);

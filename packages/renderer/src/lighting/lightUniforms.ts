@@ -6,15 +6,18 @@ import type { IUniform, Texture } from 'three';
  */
 export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_lightTable: IUniform<Texture | null>;
-  /** Directional lights, local ones without a range, local ones with one, and of those all but plain point lights. */
+  /**
+   * Numbers of directional lights, local lights without a range, those with a range, and of these all but plain point
+   * lights.
+   */
   readonly farol_lightCounts: { value: number[] };
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly farol_ambient: { value: Float32Array };
-  /** Record of the one light. */
+  /** Record of the light that lightLoopOne.glsl shades by. */
   readonly farol_lightIndex: { value: number };
-  /** Linearly transformed cosines, where there are area lights. */
+  /** Linearly transformed cosines; null without area lights. */
   readonly farol_ltc: IUniform<Texture | null>;
-  /** Of the lights with a range: plain point lights, area lights. */
+  /** Number of plain point lights and of area lights, among those with a range. */
   readonly farol_areaCounts: { value: number[] };
 }
 

@@ -7,7 +7,7 @@ export interface MaskUniforms extends Record<string, IUniform> {
   /** Textures that spot lights throw, by sampler. */
   readonly farol_images: IUniform;
   readonly farol_atlasTexel: { value: number[] };
-  /** From view space to the world's axes. */
+  /** Rotation from view space to the world's axes. */
   readonly farol_worldAxes: { value: Matrix3 };
   readonly farol_masks: { value: number[] };
   readonly farol_layers: { value: number[] };

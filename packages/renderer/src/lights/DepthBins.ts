@@ -4,16 +4,16 @@ import { NO_LIGHT } from './lightRecord';
 export const BINS = 1024;
 /** Buckets of the sort by depth. */
 const KEYS = 4096;
-/** Added to the range of each light at both ends (bins): a GPU rounds depths. */
+/** Margin at both ends of each light's range (bins), since GPUs round depths. */
 const MARGIN = 1 / 32;
 /** Least range of depths that is cut into bins (units of the last place). */
 const LEAST_RANGE = 1 << 20;
-/** Most deep lights. */
+/** Most deep lights, see `DepthBins`. */
 const MOST_DEEP = 128;
 const EXTENTS = 256;
 /**
- * Lights of a page, which shaders read at once. Deep lights are tried from LONG times the pages a depth of like lights
- * on.
+ * Lights of a page, which shaders read at once. Deep lights are tried when a depth reads LONG times the pages of equal
+ * lights.
  */
 const PAGE = 128;
 const LONG = 1.5;
@@ -31,13 +31,13 @@ export class DepthBins {
   shift = 0;
   start = 0;
   scale = 0;
-  /** Of each bin: first rank | last rank << 16; first above last in a bin without lights. */
+  /** One number for each bin: first rank | last rank << 16; first above last in a bin without lights. */
   readonly bins = new Uint32Array(BINS);
-  /** Rank to light of `GridLights`; NO_LIGHT for the ranks that fill the last word of deep lights. */
+  /** Index in `GridLights` of the light of each rank; NO_LIGHT for ranks that fill the last word of deep lights. */
   order = new Uint32Array(0);
-  /** Ranks in use. */
+  /** Number of ranks in use. */
   count = 0;
-  /** Words (of 32 ranks) of deep lights. */
+  /** Number of words (of 32 ranks) of deep lights. */
   deepWords = 0;
   private first = new Uint16Array(0);
   private last = new Uint16Array(0);
@@ -184,7 +184,7 @@ function floatBits(value: number): number {
   return bits[0];
 }
 
-/** First bin at or after `bin` that is not set; halves the paths in `next` on the way. */
+/** First bin at or after `bin` that has no value yet; halves the paths in `next` on the way. */
 function follow(next: Uint16Array, bin: number): number {
   let at = bin;
   while (next[at] !== at) {

@@ -9,25 +9,25 @@ const rectangle = new Float64Array(4);
 /** Numbers a light in `GridLights.shapes`, and in `GridLights.tiles`. */
 export const SHAPE = 10;
 export const TILES = 4;
-/** Put round each light (tiles), beyond any rounding error. */
+/** Margin round each light (tiles), greater than any rounding error. */
 export const MARGIN = 1e-3;
 
 /**
- * Where each light is on screen. Lights that touch no tile are left out. Arrays grow to what is needed and are kept.
+ * Bounds of each light on screen; lights that touch no tile are left out. Arrays grow to what is needed and are kept.
  */
 export class GridLights {
   count = 0;
-  /** Nearest and farthest depth of all (m). */
+  /** Nearest and farthest depth of all lights (m). */
   nearest = 0;
   farthest = 0;
-  /** Place of each in the caller's list. */
+  /** Index of each light in the caller's list. */
   index = new Uint32Array(0);
   /**
-   * Of each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles), bottom, top
-   * (slopes); nearest and farthest depth (m) between near and far plane.
+   * Ten numbers for each light: x, y, depth, radius of a sphere round it (m); its rectangle: left, right (tiles),
+   * bottom, top (slopes); nearest and farthest depth (m) between near and far plane.
    */
   shapes = new Float64Array(0);
-  /** First column, last column, first row, last row. */
+  /** Tiles of each light: first column, last column, first row, last row. */
   tiles = new Uint16Array(0);
 
   /** Parameters as for `LightGrid.update`. */

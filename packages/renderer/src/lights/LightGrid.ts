@@ -28,9 +28,9 @@ export const MOST_LIGHTS = 65_504;
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class LightGrid {
-  /** Ranks in use. */
+  /** Number of ranks in use. */
   count = 0;
-  /** Rank to light; NO_LIGHT for ranks that stand empty. Only the first `count`. */
+  /** Index of the light of each rank; NO_LIGHT for empty ranks. Only the first `count` are valid. */
   order = new Uint32Array(0);
   private readonly frame = new GridFrame();
   private readonly lights = new GridLights();
@@ -51,38 +51,38 @@ export class LightGrid {
     return this.frame.tilesY;
   }
 
-  /** Words a tile, a multiple of 4. */
+  /** Number of 32-bit words of a tile, a multiple of 4. */
   get words(): number {
     return this.tileMasks.words;
   }
 
   /**
    * Word `w` of tile `(x, y)` at `((w >> 2) * tilesY * tilesX + y * tilesX + x) * 4 + (w & 3)`: a row of RGBA32UI
-   * texels is a row of tiles, four words a texel. Only the first `tilesX * tilesY * words`; longer than that as a rule.
+   * texels is a row of tiles, four words a texel. Only the first `tilesX * tilesY * words` are valid.
    */
   get masks(): Uint32Array {
     return this.tileMasks.masks;
   }
 
-  /** First rank | last rank << 16 of each of 1,024 bins; first above last where there is none. */
+  /** First rank | last rank << 16 of each of 1,024 bins; first above last in a bin without lights. */
   get bins(): Uint32Array {
     return this.depthBins.bins;
   }
 
-  /** Words, from 0 on, whose lights count for every depth. */
+  /** Number of first words whose lights count for every depth. */
   get deepWords(): number {
     return this.depthBins.deepWords;
   }
 
   /**
-   * Of a depth, -z in view space (m), GLSL finds its bin as
+   * GLSL finds the bin of a depth, -z in view space (m), as
    * `clamp(int(float(floatBitsToInt(max(depth + depthShift, 0.0)) - depthStart) * depthScale), 0, 1023)`.
    */
   get depthShift(): number {
     return this.depthBins.shift;
   }
 
-  /** A whole number. */
+  /** Float bits of the first bin's depth, see `depthShift`; a whole number. */
   get depthStart(): number {
     return this.depthBins.start;
   }
@@ -97,8 +97,9 @@ export class LightGrid {
    * @param projection - 16 elements, column-major: perspective, off-centre perspective or orthographic
    * @param near - depth of the near plane (m); above 0 for a perspective
    * @param far - depth of the far plane (m), or Infinity
-   * @param width - of the picture (pixels), with height
-   * @param cones - [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its cutoff,
+   * @param width - width of the picture (pixels), with height
+   * @param cones - [count, 4] unit vector from where the light shines to the light (view space), and the cosine of its
+   * cutoff,
    *   0 to 1; -1 for a sphere. Null: all are spheres
    * @throws RangeError for too many lights
    */

@@ -1,4 +1,4 @@
-/** Size of what is drawn (pixels). */
+/** Size of the picture that is drawn (pixels). */
 export interface PictureSize {
   readonly width: number;
   readonly height: number;

@@ -2,10 +2,10 @@ import { NO_LIGHT } from './lightRecord';
 import type { GridFrame } from './GridFrame';
 import { type GridLights, MARGIN, SHAPE, TILES } from './GridLights';
 
-/** Lights and words of a page. */
+/** Number of lights, and of words, of a page. */
 const PAGE_LIGHTS = 128;
 const PAGE_WORDS = 4;
-/** Lights a tile (mean over the picture) from which on a page's spans are written by their ends, then filled. */
+/** Mean lights of a tile from which on a page's spans are written by their ends, then filled. */
 const TOGGLE_FROM = 6;
 
 /**
@@ -15,12 +15,12 @@ const TOGGLE_FROM = 6;
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class TileMasks {
-  /** Words a tile, a multiple of 4. */
+  /** Number of 32-bit words of a tile, a multiple of 4. */
   words = 0;
   masks = new Uint32Array(0);
 
   /**
-   * @param order - rank to light, `count` of them; NO_LIGHT where a rank is not used
+   * @param order - index of the light of each of `count` ranks; NO_LIGHT for ranks without a light
    */
   fill(lights: GridLights, order: Uint32Array, count: number, frame: GridFrame): void {
     const pages = Math.ceil(count / PAGE_LIGHTS);

@@ -21,24 +21,26 @@ export class VisibleLights {
   readonly directionals: DirectionalLight[] = [];
   readonly unboundeds: Light[] = [];
   readonly boundeds: Light[] = [];
-  /** Lights of these three lists that may have a mask. */
+  /** Lights of `directionals`, `unboundeds` and `boundeds` that may have a mask. */
   readonly masked: Light[] = [];
-  /** Lights as data, whose records the GPU writes. */
+  /** Light fields, whose records the GPU writes. */
   readonly fields: LightFieldData[] = [];
-  /** Of each of `boundeds`: view-space sphere [x, y, z, r] (m), r its range. */
+  /** View-space sphere of each of `boundeds`: [x, y, z, r] (m), r its range. */
   bounds = new Float64Array(64);
-  /** Of each: view-space [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
+  /** View-space cone of each of `boundeds`: [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
   axes = new Float64Array(64);
-  /** Of each: colour times intensity, and decay if it is a plain point light, else -1. */
+  /** Light of each of `boundeds`: colour times intensity, and decay if it is a plain point light, else -1. */
   plain = new Float64Array(64);
-  /** How many of `boundeds` are drawn as spheres, and as cones. */
+  /** Number of `boundeds` drawn as spheres, and as cones. */
   spheres = 0;
   cones = 0;
-  /** How many of `boundeds` are area lights. */
+  /** Number of `boundeds` that are area lights. */
   areas = 0;
   /** Whether there are area lights, with a range or without. */
   hasAreas = false;
-  /** Managed lights in the scene, and those kept for this frame (ambient and hemisphere lights included). */
+  /**
+   * Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere lights included).
+   */
   total = 0;
   visible = 0;
   /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */

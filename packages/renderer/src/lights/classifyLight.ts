@@ -11,7 +11,7 @@ type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   };
 
 /**
- * What a light is to Farol; which record, volume and loop it gets follows.
+ * Class of a light, which decides its record, volume and loop.
  *
  * | class | is |
  * |---|---|
@@ -61,7 +61,9 @@ export function isAreaLight(light: Light): light is RectAreaLight {
   return (light as AnyLight).isRectAreaLight === true;
 }
 
-/** True for a light with an image to throw: a spot light's `map`, a point light's as `setLightOptions` gave it. */
+/**
+ * True for a light that throws an image: a spot light with a `map`, or a point light that `setLightOptions` gave one.
+ */
 export function hasCookie(light: Light): boolean {
   const spot = light as SpotLight;
   return spot.isSpotLight === true ? spot.map !== null : (light.userData.farolMap ?? null) !== null;
@@ -72,24 +74,24 @@ export function hasProfile(light: Light): boolean {
   return (light.userData.farolProfile ?? null) !== null;
 }
 
-/** What of the lights with a shadow map or an image is left to three. */
+/** Kinds of lights that three lights in place of Farol. */
 export interface LeftToThree {
-  /** Lights that cast shadows. */
+  /** Whether three lights those that cast shadows. */
   shadows: boolean;
-  /** Spot lights with a map. */
+  /** Whether three lights spot lights with a map. */
   cookies: boolean;
-  /** Area lights. */
+  /** Whether three lights area lights. */
   areas: boolean;
-  /** All lights: something in the scene has a shader that Farol's loop is not in. */
+  /** Whether three lights all: a material in the scene has a shader without Farol's light loop. */
   all: boolean;
 }
 
 /**
  * True for the lights that Farol keeps in its own table: they never change a program.
- * The others (probes) stay with three, and until their code is there those of `left`.
+ * three keeps the others: probes, and lights of the kinds in `left` until the code for them is loaded.
  */
 export function isManagedLight(light: Light, left: LeftToThree): boolean {
-  // three has no code for it
+  // three has no code for light fields
   if ((light as AnyLight).isLightField === true) return true;
   if (left.all) return false;
   const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight } = light as AnyLight;
@@ -108,12 +110,12 @@ export function hasShadowMap(light: Light, shadowed: ShadowedLights): boolean {
   return shadowed === 'all' || ((light as AnyLight).isPointLight !== true && !isAreaLight(light));
 }
 
-/** What lights of a frame may be masked by. */
+/** Scene data that may mask the lights of a frame. */
 export interface MaskSettings {
   readonly shadows: ShadowedLights;
-  /** Which lights do not reach all objects; null for none. */
+  /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
-  /** Null until their code is there: three draws them. Default null. */
+  /** Area lights; null until their code is loaded: three lights them. Default null. */
   readonly areas?: AreaLights | null;
 }
 

@@ -17,42 +17,49 @@ export type FarolAttenuation =
     };
 
 /**
- * What a RectAreaLight is. 'rectangle', as in three; 'disc': the ellipse in it; both shine along the light's -z. 'tube':
- * `width` long along the light's x, `height` thick, shines all round but not at its ends; right where it is thin against its
- * distance. Stock three draws all as rectangles.
+ * Shape of a RectAreaLight. 'rectangle', as in three; 'disc': the ellipse in it; both shine along the light's -z.
+ * 'tube': `width` long along the light's x, `height` thick, shines all round but not at its ends; right where it is
+ * thin against its distance. Stock three draws all as rectangles.
  */
 export type AreaLightShape = 'rectangle' | 'disc' | 'tube';
 
 /**
- * What a light of the thesis (3.2.5.3) or an area light has and a three.js light has not: options of `setLightOptions`, which
- * keeps them as plain JSON at `light.userData.farol`, read anew each frame.
+ * Properties of lights of the thesis (3.2.5.3) and area lights that three.js lights do not have. Set by
+ * `setLightOptions`, which keeps them as plain JSON at `light.userData.farol`, read anew each frame.
  */
 export interface FarolLightData {
   /**
-   * Times the light's intensity: light given to every surface in reach whatever its normal; also times the material's own
-   * ambient factor, where a material's shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
+   * Light on every surface in reach, whatever its normal, as a factor on the light's intensity; multiplied by the
+   * material's ambient factor, if its shader has one: `#define FAROL_AMBIENT_FACTOR`, a colour. Default black.
    */
   ambient?: LinearRGB;
-  /** Times the light's intensity: colour of the specular term. Default: the light's own colour. */
+  /** Colour of the specular term, as a factor on the light's intensity. Default: the light's own colour. */
   specular?: LinearRGB;
-  /** `cos(angle)^spotExponent` inside the cutoff angle, in place of three's penumbra. At least 0. */
+  /**
+   * Exponent of a spot light's falloff, `cos(angle)^spotExponent`, inside the cutoff angle, in place of three's
+   * penumbra. At least 0.
+   */
   spotExponent?: number;
-  /** Default: three's physical falloff by `distance` and `decay`. */
+  /** Falloff with distance. Default: three's physical falloff by `distance` and `decay`. */
   attenuation?: FarolAttenuation;
-  /** Of a RectAreaLight. Default 'rectangle', as in three. */
+  /** Shape of a RectAreaLight. Default 'rectangle', as in three. */
   shape?: AreaLightShape;
   /**
-   * Of a RectAreaLight: distance from its surface (m) from which on it gives nothing; up to half of that it gives what three
+   * Distance (m) from a RectAreaLight's surface beyond which it gives nothing; up to half of that it gives what three
    * has it give. Above 0; 0 for no end. Default: where `FarolRenderer.areaLightThreshold` puts it.
    */
   range?: number;
-  /** Of a RectAreaLight that casts shadows: texels across a face of its map, 16 to 8,192. Default 1,024. */
+  /** Texels across a face of the shadow map of a RectAreaLight, 16 to 8,192. Default 1,024. */
   shadowMapSize?: number;
-  /** Of such a light: how far off a surface, along its normal, the map is looked up (m). At least 0. Default 0.03. */
+  /**
+   * Offset along the surface's normal (m) at which a RectAreaLight's shadow map is looked up. At least 0. Default 0.03.
+   */
   shadowNormalBias?: number;
-  /** Of a point or spot light that @farol/bake bakes: radius of the ball that shines (m), for soft shadows. Default 0. */
+  /** Radius (m) of the shining ball of a point or spot light that @farol/bake bakes, for soft shadows. Default 0. */
   radius?: number;
-  /** Of a directional light that @farol/bake bakes: angle that the sun covers (rad), for soft shadows. Default 0. */
+  /**
+   * Angle (rad) that the sun covers, for a directional light that @farol/bake bakes with soft shadows. Default 0.
+   */
   angle?: number;
 }
 

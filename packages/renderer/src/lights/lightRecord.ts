@@ -14,13 +14,13 @@ export const TEXELS_PER_RECORD = 4;
 export const RECORDS_PER_ROW = 256;
 export const FLOATS_PER_RECORD = TEXELS_PER_RECORD * 4;
 
-/** In place of a light's index: a record that lights nothing. */
+/** Stands for a light's index, for a record that lights nothing. */
 export const NO_LIGHT = 0xffffffff;
 
 /** In place of a point light's cone: the cosine of its cutoff, and that of its penumbra, which no spot light has. */
 export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;
-/** The same of an area light. */
+/** Penumbra that marks an area light, as POINT_PENUMBRA does a point light. */
 export const AREA_PENUMBRA = -3;
 /** Spot exponent of a light that has three's penumbra. */
 export const NO_EXPONENT = -1;
@@ -33,66 +33,68 @@ export const attenuationKinds = { physical: 0, nearFar: 1, polynomial: 2 } as co
 /** One light. Vectors are in view space; lengths in metres; angles as cosines. */
 export const lightRecord = {
   sphere: {
-    /** Directional: to the light, unit length. */
+    /** Directional light: direction to the light, unit length. */
     direction: 'xyz',
     position: 'xyz',
-    /** 0: none. */
+    /** Range (m); 0 for none. */
     range: 'w',
   },
   emission: {
     /** Colour × intensity. */
     color: 'rgb',
-    /** Local: a point light as three has it, that nothing masks; its cone and details are not written. */
+    /**
+     * Local light: whether it is a point light as three has it, without a mask; its cone and details are not written.
+     */
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
-    /** Of a light that is not plain. */
+    /** Decay, for a light that is not plain. */
     otherDecay: ['float', '-64.0 - t.w'],
     decay: ['float', 't.w >= 0.0 ? t.w : -64.0 - t.w'],
-    /** Directional: it has a mask or an extension. */
+    /** Directional light: whether it has a mask or an extension. */
     hasDetails: ['bool', 't.w != 0.0'],
   },
   cone: {
-    /** From the target to the light, unit length. */
+    /** Direction from the target to the light, unit length. */
     axis: 'xyz',
     cutoff: 'w',
     isCone: ['bool', 't.w > -1.0'],
   },
   details: {
     penumbra: 'x',
-    /** Of the thesis's spot light, or NO_EXPONENT. */
+    /** Exponent of the thesis's spot light, or NO_EXPONENT. */
     exponent: 'y',
-    /** 0: none. */
+    /** Record of the light's mask; 0 for none. */
     maskRecord: ['int', 'int(t.z)'],
     extensionRecord: ['int', 'int(t.w)'],
     isSpot: ['bool', 't.x >= -1.0'],
     isMasked: ['bool', 't.z > 0.0'],
-    /** A point light as three has it, at the place of its mask. */
+    /** Whether it is a point light as three has it, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
-    /** Its extension is that of an area light. */
+    /** Whether the extension is that of an area light. */
     isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;
 
-/** What only a light of the thesis has. Colours are linear. */
+/** Record of what only a light of the thesis has. Colours are linear. */
 export const extensionRecord = {
-  /** Times the light's colour: what diffuse surfaces take. */
+  /** Factor on the light's colour, for the diffuse term. */
   diffuse: { diffuse: 'rgb' },
-  /** Times the light's colour: what the specular term takes. */
+  /** Factor on the light's colour, for the specular term. */
   specular: { specular: 'rgb' },
-  /** Given to every surface in reach, whatever its normal. */
+  /** Ambient light, given to every surface in reach, whatever its normal. */
   ambient: { ambient: 'rgb' },
   falloff: {
     near: 'x',
     far: 'y',
-    /** Constant, linear (1/m), quadratic (1/m²). */
+    /** Factors of the polynomial: constant, linear (1/m), quadratic (1/m²). */
     factors: 'xyz',
-    // of attenuationKinds, as texts: what is put together here would be part of what a page loads
+    // kinds of attenuationKinds as text: an expression would be code that pages load
     isNearFar: ['bool', 't.w == 1.0'],
     isPolynomial: ['bool', 't.w == 2.0'],
   },
 } as const satisfies RecordLayout;
 
-/** Where the texels of a record begin (floats); the tables themselves are no part of what a page loads. */
+/** Offsets of the texels in a record (floats); written out here, so that a page need not load the tables. */
 export const LIGHT = { sphere: 0, emission: 4, cone: 8, details: 12 } as const satisfies Offsets<typeof lightRecord>;
 export const EXTENSION = {
   diffuse: 0,
@@ -102,7 +104,7 @@ export const EXTENSION = {
 } as const satisfies Offsets<typeof extensionRecord>;
 
 /**
- * What the fourth number of `emission` holds of a local light: below 0 where it is not plain.
+ * Fourth number of a local light's `emission`: its decay, coded as below 0 for a light that is not plain.
  * @param decay - as three has it; below 0 light grows with distance, which no plain light does
  */
 export function emissionDecay(decay: number, isPlain: boolean): number {

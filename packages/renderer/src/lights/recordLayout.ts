@@ -1,5 +1,5 @@
 /**
- * What the four numbers of a texel mean, by name: which of them a value is (`'xyz'`), or its type in GLSL and an
+ * Named values of a texel's four numbers: which of the numbers a value is (`'xyz'`), or its type in GLSL and an
  * expression in which `t` is the texel.
  */
 export type TexelValues = Readonly<Record<string, string | readonly [type: string, expression: string]>>;
@@ -7,7 +7,7 @@ export type TexelValues = Readonly<Record<string, string | readonly [type: strin
 /** The texels of a record of a float texture, by name, in order. */
 export type RecordLayout = Readonly<Record<string, TexelValues>>;
 
-/** Where each texel of a record begins (floats from the record's start). */
+/** Offset of each texel of a record (floats from the record's start). */
 export function texelOffsets<Layout extends RecordLayout>(
   layout: Layout,
 ): { readonly [texel in keyof Layout]: number } {

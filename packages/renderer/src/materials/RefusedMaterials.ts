@@ -4,7 +4,7 @@ import { threeChunks } from '../three/ThreeChunks';
 /** Frames for which three goes on lighting a scene in which no refused material is seen any more. */
 const KEPT_FRAMES = 600;
 
-/** Of three's arrays of lights, and what it makes of its ambient light. */
+/** Matches GLSL that reads three's arrays of lights or its ambient light. */
 const READS_LIGHTS = /\b(directional|point|spot|hemisphere)Lights\b|ambientLightColor/;
 
 const versionOf = ({ version }: Material) => version * 65536 + threeChunks.revision;

@@ -1,6 +1,6 @@
 import type { Material, WebGLProgramParametersWithUniforms } from 'three';
 
-/** What a twin's shader is made from; the object of `Material.onBeforeCompile`. */
+/** Shader that a twin patches; the object of `Material.onBeforeCompile`. */
 export type TwinShader = Pick<WebGLProgramParametersWithUniforms, 'uniforms' | 'vertexShader' | 'fragmentShader'>;
 
 /** Writes the G-buffer; shades an item by a light loop; shades an item by the light buffer. */
@@ -10,7 +10,10 @@ export type TwinRole = 'gbuffer' | 'forward' | 'light-buffer';
 export interface TwinKind {
   /** Part of the program's cache key: one kind, one key. */
   readonly key: string;
-  /** What a draw with it is for, by which effects know what they may adapt. Default none: effects leave it as it is. */
+  /**
+   * Purpose of a draw with the twin, by which effects know what they may adapt. Default none: effects leave it as it
+   * is.
+   */
   readonly role?: TwinRole;
   /** Microshaders whose headers the fragment shader of a source's twin gets; a live edit of any compiles the twins anew. */
   chunks(source: Material): readonly string[];

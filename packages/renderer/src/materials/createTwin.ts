@@ -16,7 +16,7 @@ import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
 
-/** What twins of one renderer share. */
+/** State that all twins of one renderer share. */
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
   readonly uniforms: Record<string, { value: unknown }>;

@@ -14,7 +14,7 @@ export const depthTwin: TwinKind = {
   },
 };
 
-/** The same, some rounding steps farther, so that what is then drawn at these depths is not hidden by them. */
+/** Depth twin pushed back by some rounding steps, so that a later draw at equal depth is not hidden. */
 export const depthBehindTwin: TwinKind = {
   ...depthTwin,
   properties: { colorWrite: false, polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: 4 },

@@ -27,7 +27,7 @@ export interface WornSurfaces {
 const worn = new WeakMap<Material, WornSurfaces>();
 let some = false;
 
-/** What a material of the host's wears; one that was made with another as its prototype wears what that does. */
+/** Surfaces of a host's material; a material made with another one as its prototype inherits that one's. */
 export function surfacesOf(material: Material): WornSurfaces | undefined {
   return some ? (worn.get(material) ?? inherited(material)) : undefined;
 }

@@ -11,7 +11,7 @@ export interface MicroShader {
   readonly header: string;
   /** Statements of `main()`; '' for none. */
   readonly main: string;
-  /** Where it may be used. Default 'both'. */
+  /** Shader stage that may include it. Default 'both'. */
   readonly stage?: MicroShaderStage;
   /** Chunks whose headers must come before this one's; those that the header includes are added to these. */
   readonly dependencies: readonly string[];

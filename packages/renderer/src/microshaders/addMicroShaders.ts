@@ -6,7 +6,7 @@ interface Added {
   readonly text: string;
 }
 
-/** What was added to each registry, by name: a live edit may have replaced the text since. */
+/** Microshaders added to each registry, by name, as they were: a live edit may have replaced the text since. */
 const added = new WeakMap<MicroShaderRegistry, Map<string, Added>>();
 
 /**

@@ -5,7 +5,7 @@ import { shortText } from './shortText';
 /** Chunks that may need one another in a row: they are followed by recursion. */
 const DEEPEST = 200;
 
-/** Where chunks are looked up. */
+/** Looks chunks up by name. */
 export interface MicroShaderSource {
   get(name: string): MicroShader | undefined;
   names(): readonly string[];

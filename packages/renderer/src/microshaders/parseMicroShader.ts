@@ -30,7 +30,7 @@ export function parseMicroShader(name: string, text: string): MicroShader {
 }
 
 /**
- * The same chunk with every included name among its dependencies, each once, checked.
+ * Checks a chunk and adds the names that it includes to its dependencies, each once.
  * @throws Error for an include in the main part, or a stage or name that cannot be
  */
 export function completeMicroShader(chunk: MicroShader): MicroShader {

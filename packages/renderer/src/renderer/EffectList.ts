@@ -4,16 +4,16 @@ import type { FarolEffect } from '../frame/FarolEffect';
 import { gbufferLayout } from '../gbuffer/gbufferLayout';
 import { drawBuffersOf } from '../gpu/checkDevice';
 
-/** The host's effects, and which of them can be drawn; what is left out is warned of once. */
+/** The host's effects, and those that can be drawn; warns once of each effect that is left out. */
 export class EffectList {
   private list: readonly FarolEffect[] = [];
-  /** The list and target that `active` is for; the host may push to its list. */
+  /** Copy of the list, and the target, for which `active` was made; the host may push to its list. */
   private known: readonly FarolEffect[] = [];
   private count = 0;
   private several = false;
   private active: ActiveEffects = NO_EFFECTS;
   private readonly told = new WeakSet<FarolEffect>();
-  /** All effects that were ever in the list: the host may put those that it has taken out back in. */
+  /** All effects that were ever in the list: the host may put removed ones back in. */
   private met: WeakRef<FarolEffect>[] = [];
 
   constructor(private readonly webgl: WebGLRenderer) {}
@@ -30,7 +30,7 @@ export class EffectList {
 
   /**
    * The effects that draw a frame.
-   * @param target - what is drawn to
+   * @param target - the host's target
    * @throws Error when two effects conflict, of which one was pushed to the list
    */
   of(target: WebGLRenderTarget | null): ActiveEffects {
@@ -49,7 +49,7 @@ export class EffectList {
 
   /** Frees the GPU resources of all effects that were ever in the list; a later frame makes them anew. */
   dispose(): void {
-    // what can be drawn is judged anew once a lost context is back
+    // support is judged anew once a lost context is restored
     this.count = -1;
     for (const reference of this.met) reference.deref()?.dispose();
   }

@@ -1,4 +1,4 @@
-/** What one pass did in the last frame. */
+/** Work of one pass in the last frame. */
 export interface PassInfo {
   readonly name: string;
   drawCalls: number;
@@ -13,11 +13,11 @@ export interface PassInfo {
 export interface FarolInfo {
   /** Key of the technique that drew. */
   technique: string;
-  /** Why it was chosen. */
+  /** Reason why the technique was chosen. */
   reason: string;
   /**
-   * Names of the parts of Farol's code that the frame asked for and that have not come since: they are being fetched, or will
-   * be once more after a failure. None when there is nothing to wait for. The array is another each time.
+   * Names of the parts of Farol's code that the frame asked for and that are not loaded yet: being fetched, or to be
+   * fetched again after a failure. A new array at each read.
    */
   readonly pending: readonly string[];
   readonly passes: PassInfo[];
@@ -27,11 +27,13 @@ export interface FarolInfo {
   cpuMs: number;
   /** Sum of the passes (ms), or null. */
   gpuMs: number | null;
-  /** Lights of the scene, and those kept for this frame; of a LightField all that it draws, in both. */
+  /**
+   * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.
+   */
   lights: { total: number; visible: number };
   /**
-   * Shadow maps drawn in this frame and the texels that were drawn to for them, maps of lit lights that were kept from earlier
-   * ones, of them those whose bounds of depths spare look-ups, and bytes of the atlases.
+   * Shadow maps drawn in this frame and their texels; maps kept from earlier frames; of these, maps whose depth bounds
+   * spare look-ups; bytes of the atlases.
    */
   shadows: { drawn: number; texels: number; kept: number; bounded: number; bytes: number };
   /** Programs alive in the WebGLRenderer. */

@@ -3,7 +3,7 @@ import type { View } from '../frame/views';
 import type { FarolEffect } from '../frame/FarolEffect';
 import type { TechniqueName } from '../techniques';
 
-/** Options of a FarolRenderer; each is a property of it too, which may change at any time and counts from the next frame on. */
+/** Options of a FarolRenderer. Each is also a property of the renderer; changes apply from the next frame on. */
 export interface FarolOptions {
   /** Key of `techniques`. Default 'auto'. */
   technique?: TechniqueName;
@@ -30,8 +30,9 @@ export interface FarolOptions {
   shadowCascades?: number;
   /**
    * Whether a directional, point or spot light reaches only objects that share a layer with it (`light.layers`,
-   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. What has other layers than
-   * most objects is then drawn forward, by every technique. Default false, as in three: all lights reach all objects.
+   * `object.layers`); a light is lit at all if the camera shares a layer with it, as in three. Objects with other
+   * layers than most are then drawn forward, by every technique. Default false, as in three: all lights reach all
+   * objects.
    */
   lightLayers?: boolean;
   /**
@@ -54,7 +55,7 @@ export interface FarolOptions {
   heatMapMaximum?: number;
 }
 
-/** By name, of every option. */
+/** Default of every option, by name. */
 export const defaultOptions: Required<FarolOptions> = {
   technique: 'auto',
   view: 'final',

@@ -46,7 +46,7 @@ const FEW = 16;
 export class FarolRenderer extends EventDispatcher<FarolEvents> implements Required<FarolOptions> {
   /** Parts of the code that are fetched when a scene or setting first needs them, by the names that `preload` takes. */
   static readonly parts: readonly LazyPart[] = lazyCode.map(({ name }) => name);
-  /** The shader pieces everything is drawn with; replace one and the picture follows. */
+  /** Shader pieces of all draws; replacing one changes the next frame. */
   readonly microshaders: MicroShaderRegistry;
   declare timing: boolean;
   declare heatMapMaximum: number;
@@ -67,7 +67,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly picker: TechniquePicker;
   private viewName: View = 'final';
   private disposed = false;
-  /** Within `render`: what a callback of the host's draws by this renderer then, three draws. */
+  /** True within `render`: three then draws what the host's callbacks draw by this renderer. */
   private isDrawing = false;
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
@@ -110,7 +110,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     webgl.getContext().canvas.addEventListener('webglcontextlost', this.free);
   }
 
-  /** @throws Error when unknown, or the device cannot run it */
+  /** Key of the technique. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
     return this.picker.technique;
   }
@@ -119,15 +119,15 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.picker.technique = name;
   }
 
-  /** What `technique` can be: the built-in ones, and those that were added. */
+  /** Techniques that `technique` may name: the built-in ones, and those that were added. */
   get techniques(): Readonly<Record<string, Technique>> {
     return this.set.known;
   }
 
   /**
    * Adds a technique to this renderer.
-   * @returns its name, as `technique` takes it
-   * @throws Error when there is one of that name
+   * @returns its name, for `technique`
+   * @throws Error when a technique has that name already
    */
   addTechnique(name: string, technique: Technique): TechniqueName {
     this.set.add(name, technique);
@@ -135,7 +135,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Takes a technique out that was added, and gives back what its passes hold. Where it is in use, 'auto' takes its place.
+   * Removes an added technique and frees its passes. If it is in use, 'auto' takes its place.
    * @throws Error when none was added by that name
    */
   removeTechnique(name: string): void {
@@ -220,14 +220,14 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     } finally {
       Lazy.lacking = outer;
       this.isDrawing = false;
-      // called by a callback of the host's
+      // the host's callback has disposed this renderer
       if (this.disposed) this.end();
     }
   }
 
-  /** @param seenBy - whose layers count too: the array of cameras that the camera is of. Default the camera */
+  /** @param seenBy - array of cameras that contains the camera; its layers select lights too. Default the camera */
   private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
-    if (this.disposed) return; // by a callback that another camera of an array has had called
+    if (this.disposed) return; // by a callback of the host's for another camera of an array
     this.recorder.begin(this.timing);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
@@ -267,7 +267,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       if (!done || webgl.getRenderTarget() !== target) webgl.setRenderTarget(target, face, level);
       this.recorder.endPass();
     }
-    // lets the GPU begin while the host goes on; a call to another process, which a small frame is not worth
+    // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // until the code of node materials is there three draws all of it
@@ -285,7 +285,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.webgl.setSize(width, height, updateStyle);
   }
 
-  /** Sets the WebGLRenderer's pixels a CSS pixel. */
+  /** Sets the WebGLRenderer's pixel ratio. */
   setPixelRatio(ratio: number): void {
     this.webgl.setPixelRatio(ratio);
   }
@@ -316,7 +316,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   }
 
   /**
-   * Takes the GPU times of the last frame that have come since into `info`; `render` does so for the frames before it.
+   * Writes GPU times of the last frame that have arrived since to `info`; `render` does so for the frames before it.
    * @returns whether there were any
    */
   updateTimes(): boolean {
@@ -333,7 +333,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     return warmUpCode.load().then((code) => code.compileByDrawing(this, last, finder, scene, camera));
   }
 
-  /** Frees all GPU resources of Farol; the host's stay. Called while it draws, it does so after the frame. */
+  /** Frees all GPU resources of Farol; the host's stay. While a frame is drawn, frees them after it. */
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;

@@ -26,7 +26,7 @@ function rankOf(order: LightOrder): RankLights | null {
   return order === 'by-grid' ? gridCode.required.rankByGrid : tileCode.required.rankByDepth;
 }
 
-/** The lights of a frame: sorted out, masked, written to the table and sent. */
+/** The lights of a frame: collected, masked, written to the light table and uploaded. */
 export class FrameLights {
   readonly table = new LightTable();
   private fields: LightFields | null = null;
@@ -39,8 +39,8 @@ export class FrameLights {
 
   /**
    * Brings the lights of a frame up to date.
-   * @param finder - has found the lights of the scene
-   * @param pick - picks the technique, by the lights that are seen. @returns the order that it wants them in
+   * @param finder - holds the lights found in the scene
+   * @param pick - picks the technique by the visible lights; returns the order of lights that it needs
    */
   update(scene: Object3D, frame: Frame, finder: LightFinder, settings: LightSettings, pick: () => LightOrder): void {
     const { table, masks } = this;
@@ -75,7 +75,7 @@ export class FrameLights {
     this.uniforms.set(webgl, frame, shadows, settings.heatMapMaximum);
   }
 
-  /** Null until their code is there. */
+  /** Makes the draws of light fields; null until their code is loaded. */
   private makeFields(frame: Frame): LightFields | null {
     return (this.fields ??= lightFieldCode.use((code) => code.makeLightFields(frame)));
   }

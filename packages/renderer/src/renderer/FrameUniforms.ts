@@ -4,7 +4,7 @@ import { sharedUniforms } from '../frame/sharedUniforms';
 import type { LightTable } from '../lighting/LightTable';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Brings the shared uniforms of a renderer up to each frame. */
+/** Sets the shared uniforms of a renderer for each frame. */
 export class FrameUniforms {
   readonly values;
 
@@ -12,7 +12,7 @@ export class FrameUniforms {
     this.values = sharedUniforms(lights.ambient);
   }
 
-  /** Sends the light table, and sets what tells of it. @param heatMaximum - hottest count of the count views */
+  /** Uploads the light table, and sets its uniforms. @param heatMaximum - count that count views show hottest */
   set(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null, heatMaximum: number): void {
     const { lights, values } = this;
     lights.upload(webgl);
@@ -30,7 +30,7 @@ export class FrameUniforms {
     values.farol_heatScale.value = 1 / heatMaximum;
   }
 
-  /** Lets go of the textures of shadow maps, which are disposed: three would make anew what is still bound. */
+  /** Clears the uniforms of disposed shadow maps' textures: three would create bound textures again. */
   freeMasks(): void {
     const { values } = this;
     values.farol_images.value = [null];

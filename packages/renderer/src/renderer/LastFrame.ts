@@ -1,23 +1,23 @@
 import { Lazy } from '../frame/Lazy';
 
-/** Whether the last frame of a renderer had all code that it asked for. */
+/** Code that the last frame of a renderer asked for and lacked. */
 export class LastFrame {
-  /** Parts of the code that it asked for and lacked. */
+  /** Parts of the code that the last frame asked for and lacked. */
   readonly lacking = new Set<Lazy<object>>();
   /** False before the first frame, and from the loss of the context to the next frame. */
   isDrawn = false;
-  /** Called once each, after the next frame or when the renderer is disposed. */
+  /** Callbacks, each called once after the next frame or when the renderer is disposed. */
   readonly waiting: (() => void)[] = [];
 
-  /** @param redraw - called when a part has come that the last frame lacked */
+  /** @param redraw - called when a part is loaded that the last frame lacked */
   constructor(readonly redraw: () => void) {}
 
-  /** Names of the parts that have not come since. */
+  /** Names of the lacking parts that are not loaded since. */
   get pending(): string[] {
     return [...this.lacking].filter((part) => !part.isThere).map((part) => part.name);
   }
 
-  /** Begins a frame. @returns where the frame that it lies within, of another renderer, notes what it lacks */
+  /** Begins a frame. @returns the set in which an enclosing frame of another renderer notes lacking parts */
   begin(): typeof Lazy.lacking {
     const outer = Lazy.lacking;
     Lazy.lacking = this.lacking;
@@ -25,14 +25,14 @@ export class LastFrame {
     return outer;
   }
 
-  /** The frame is drawn. */
+  /** Ends the frame. */
   end(): void {
     this.isDrawn = true;
     this.lacking.forEach(this.await);
     this.tell();
   }
 
-  /** Calls those who wait for a frame. */
+  /** Calls the `waiting` callbacks. */
   tell(): void {
     while (this.waiting.length > 0) this.waiting.pop()!();
   }

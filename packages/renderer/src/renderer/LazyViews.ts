@@ -3,14 +3,14 @@ import { isTechniqueView, type View } from '../frame/views';
 import type { MicroShaderRegistry } from '../microshaders';
 import { viewCode } from './lazyCode';
 
-/** Draws the views that no technique draws, once such a view was asked for and its code is there. */
+/** Fetches and holds the passes of views that no technique draws. */
 export class LazyViews {
-  /** Null until then. */
+  /** Passes of those views; null until their code is loaded. */
   passes: ViewPasses | null = null;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @returns the view to draw for the one asked for: the final picture while its code is not there */
+  /** @returns the view to draw: the one asked for, or the final picture while its code is not loaded */
   available(view: View): View {
     if (isTechniqueView(view)) return view;
     this.passes ??= viewCode.use(({ makeViewPasses }) => makeViewPasses(this.microshaders));

@@ -5,10 +5,12 @@ import type { AreaLights } from '../lights/lightData';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
-/** Lights with a shadow or an image that three has texture units for; more go without until Farol draws them. */
+/**
+ * Most lights with a shadow or an image for which three has texture units; others have none until Farol draws them.
+ */
 const FEW_MASKS = 4;
 
-/** Vectors of three's lit shaders but for lights, and of a spot light. */
+/** Uniform vectors of three's lit shaders besides lights, and of one spot light. */
 const UNIFORMS = 100;
 const UNIFORMS_PER_LIGHT = 7;
 
@@ -27,11 +29,11 @@ export class LightFinder {
     left: 0,
     hasArea: false,
   };
-  /** Which lights three goes on drawing: those with shadows, those with cookies, area lights, or all of them. */
+  /** Kinds of lights that three still lights: with shadows, with cookies, area lights, or all. */
   readonly left = { shadows: false, cookies: true, areas: true, all: false };
-  /** Null until a scene has an area light, and their code is there. */
+  /** Area lights; null until a scene has one and their code is loaded. */
   areas: AreaLights | null = null;
-  /** Null until a scene needs shadow maps, cookies or light layers, and their code is there. */
+  /** Shadow maps; null until a scene needs maps, cookies or light layers, and their code is loaded. */
   shadows: ShadowMaps | null = null;
   private warned = false;
 
@@ -43,7 +45,7 @@ export class LightFinder {
 
   /**
    * @param layers - whether lights reach only objects of their layers
-   * @param update - brings the world matrices of the scene up to date. Default false
+   * @param update - whether to update the world matrices of the scene. Default false
    * @param byThree - whether three is to draw all lights. Default false
    */
   find(scene: Object3D, camera: Camera, layers: boolean, update = false, byThree = false): void {
@@ -70,7 +72,7 @@ export class LightFinder {
     collectLights(scene, camera, left, found);
   }
 
-  /** Frees the shadow maps, and what area lights need; a scene may ask for them again. */
+  /** Frees the shadow maps and area lights; a scene may ask for them again. */
   dispose(): void {
     this.shadows?.dispose();
     this.shadows = null;
@@ -80,7 +82,7 @@ export class LightFinder {
     this.found.seeksMasks = true;
   }
 
-  /** Whether the lights are more than three's shaders have uniforms for, which is told once. */
+  /** Whether three's shaders have too few uniforms for the lights; warns once. */
   private exceedThree(): boolean {
     const most = Math.floor((this.webgl.capabilities.maxFragmentUniforms - UNIFORMS) / UNIFORMS_PER_LIGHT);
     if (this.found.left <= most) return false;

@@ -23,10 +23,15 @@ export class SceneDraws {
   /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
   edges: SmoothEdges | null = null;
   private antialias = false;
-  /** What is seen through transmissive things is drawn at another size than light lists are for. */
+  /**
+   * Twins for what is seen through transmissive things: they loop over all lights, since that picture's size is not
+   * that of the light lists.
+   */
   private readonly transmittedTwins = forwardTwins('lightLoopAll');
 
-  /** @param background - uniform that gets what three would have cleared the target to, its alpha -1 where three has */
+  /**
+   * @param background - uniform that gets the colour that three would have cleared to; alpha -1 if three has cleared
+   */
   constructor(
     private readonly frame: Frame,
     private readonly recorder: InfoRecorder,
@@ -47,7 +52,7 @@ export class SceneDraws {
     this.frame.gbufferExtras = effects.attachments;
   }
 
-  /** Called by the scene's view: for three's transmission target if something transmits, then for the host's target. */
+  /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
@@ -61,7 +66,7 @@ export class SceneDraws {
     else this.drawFrame();
   };
 
-  /** The effects of the frame, with anti-aliasing where it is to be and the technique does not do it itself. */
+  /** Effects of the frame, with SMAA if `antialias` asks for it and the technique does not smooth edges. */
   effectsOf(technique: string): ActiveEffects {
     const { effects, frame } = this;
     if (!this.antialias || frame.view !== 'final' || frame.hostSamples === 0) return effects;
@@ -70,7 +75,7 @@ export class SceneDraws {
     return this.edges?.addTo(effects, frame) ?? effects;
   }
 
-  /** Draws what has figures of its own in `FarolInfo.passes`. */
+  /** Runs draws that have an entry of their own in `FarolInfo.passes`. */
   run(name: string, render: () => void): void {
     this.recorder.beginPass(name);
     render();
@@ -96,15 +101,17 @@ export class SceneDraws {
     frame.bindTarget();
   }
 
-  /** What is seen through transmissive things, into three's transmission target. */
+  /** Draws what is seen through transmissive things, into three's transmission target. */
   private drawTransmitted(): void {
     const { queue } = this.frame;
     for (const item of queue.opaque) this.frame.drawForward(item, this.transmittedTwins('final'));
-    // those of nodes: they are yet to be drawn into the host's target
+    // items of node materials must still be drawn into the host's target
     for (const item of queue.opaque) item.drawn = false;
   }
 
-  /** The back faces of what transmits, into three's transmission target after that: it is seen through them. */
+  /**
+   * Draws back faces of transmissive objects over that into three's transmission target, since front faces show it.
+   */
   private drawTransmittedBacks(): void {
     const { frame } = this;
     const { back } = this.transmittedTwins('final');
@@ -117,7 +124,7 @@ export class SceneDraws {
     if (drawn) frame.resolveTransmission();
   }
 
-  /** What a technique that fills the target writes where nothing is: what three would have cleared it to. */
+  /** Sets the colour that three would have cleared to, for techniques that write every pixel. */
   private setBackground(): void {
     const { frame, background } = this;
     frame.fills = this.sceneView.uncleared;

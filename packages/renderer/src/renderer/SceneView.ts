@@ -17,28 +17,30 @@ import type { ShadowMapCalls } from '../shadows/draw/ShadowMapCalls';
 import { standInOf } from '../three/standInOf';
 import { TechniqueChooser } from './TechniqueChooser';
 
-/** Maps to be drawn inside three's `render`, and proxies of casters that the camera may not see. */
+/** Draws shadow maps inside three's `render`; has proxies of casters that the camera may not see. */
 export interface ShadowDraws {
   readonly proxies: readonly Object3D[];
   readonly calls: ShadowMapCalls;
 }
 
-/** @param backs - only the back faces of what transmits and is double-sided, into three's transmission target */
+/**
+ * @param backs - whether to draw only back faces of double-sided transmissive objects, into three's transmission target
+ */
 export type DrawScene = (backs: boolean) => void;
 
-/** A host's scene as three is shown it by Farol. */
+/** Stand-in for a host's scene that three's `render` is given. */
 export type FarolView = Object3D & { readonly isFarolView?: true };
 
 const NOTHING = () => undefined;
 const NEVER = [false, false, false, false];
 
 /**
- * A host's scene as three's own `render` is shown it: the same objects, but three's traversal, culling, geometry updates,
- * background and shadow maps run while its draws of the scene's objects and its managed lights are taken from it.
- * The host's scene is only read. `draw` is called back inside `render`, where `renderBufferDirect` works.
+ * Stand-in for a host's scene that three's own `render` is given: three does traversal, culling, geometry updates,
+ * background and shadow maps, but neither draws the scene's objects nor sees managed lights. The host's scene is only
+ * read. `draw` is called back inside `render`, where `renderBufferDirect` works.
  */
 export class SceneView {
-  /** What 'auto' has picked for the scene. */
+  /** Picks the scene's technique for 'auto'. */
   readonly chooser = new TechniqueChooser<WarmUp>();
   private readonly view: Object3D & { overrideMaterial?: Material | null };
   private readonly children: Object3D[] = [];
@@ -46,30 +48,33 @@ export class SceneView {
   private readonly masks: number[] = [];
   private readonly driver: Mesh;
   private list!: RenderList;
-  /** Where the list is from: another one once a lost context is restored. */
+  /** Lists that `list` is taken from; replaced when a lost context is restored. */
   private lists!: RenderLists;
   private getList!: RenderLists['get'];
-  /** What the host's code has thrown in this frame, kept until three's `render` has put its stacks in order. */
+  /**
+   * Whether the host's code has thrown in this frame; `error` is rethrown when three's `render` has put its stacks in
+   * order.
+   */
   private failed = false;
   private error: unknown;
-  /** Stands for all that transmits: three fills its transmission target only if something does. */
+  /** Stands for all transmissive objects: three fills its transmission target only if there is one. */
   private readonly glass: Mesh;
   private transmits = false;
-  /** Whose layers an object is to share, beside those of the camera. */
+  /** Camera whose layers an object must share too: the array of cameras that contains the camera. */
   seenBy!: Camera;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
   private readonly autoClear = [true, true, true, true];
   private keeps = false;
-  /** How what draws must fill the target, since three was kept from clearing it; null if it was not. */
+  /** Pixels that draws must write, since three was kept from clearing the target; null if three clears. */
   uncleared: Fills | null = null;
   private draw: DrawScene | null = null;
 
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly source: Object3D,
-    /** Called inside `render` when the lists are there and nothing is drawn yet. */
+    /** Called inside `render` when the lists are complete and nothing is drawn yet. */
     private readonly begun: () => void,
   ) {
     const scene = source as Scene;
@@ -89,19 +94,19 @@ export class SceneView {
       this.drawAll(false);
     });
     this.glass = makeDriver(() => this.drawAll(true));
-    // where three would draw the back faces of what is like this
+    // makes three draw back faces at this item
     Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeList();
   }
 
   /**
    * Runs three's `render`.
-   * @param lights - the lights to hide that three's traversal would meet below the root
-   * @param rest - what three's traversal meets of the root: its children without managed lights, see `FoundLights`
+   * @param lights - lights below the root that are hidden from three's traversal
+   * @param rest - children of the root for three's traversal, without managed lights, see `FoundLights`
    * @param queue - gets the items in three's order
-   * @param draw - does the drawing; called for three's transmission target too if something transmits
-   * @param fills - how what draws can fill the target, so that three need not clear it
-   * @param shadows - what is to be drawn where three draws its shadow maps
+   * @param draw - draws the scene; also called for three's transmission target if an object transmits
+   * @param fills - pixels that draws write, so that three need not clear them
+   * @param shadows - maps to draw when three draws its own
    */
   render(
     camera: Camera,
@@ -149,7 +154,7 @@ export class SceneView {
     this.failed = true;
   };
 
-  /** Leaves out what three still has to draw of the transmissive list: Farol draws it. */
+  /** Empties the transmissive list, so that three draws nothing of it: Farol does. */
   dropTransmissive(): void {
     this.list.transmissive.length = 0;
   }
@@ -158,7 +163,7 @@ export class SceneView {
     Object.defineProperty(this.view, name, { value, writable: true, configurable: true });
   }
 
-  /** Hides the lights from the traversal, which begins: the scene's `onBeforeRender` has run. */
+  /** Hides the lights as three's traversal begins; the scene's `onBeforeRender` has run. */
   private hide(): void {
     for (const { layers } of this.lights) {
       this.masks.push(layers.mask);
@@ -166,13 +171,13 @@ export class SceneView {
     }
   }
 
-  /** Gives the lights their layers back; the traversal is over before any callback of the host runs. */
+  /** Restores the layers of the lights; three's traversal ends before any callback of the host runs. */
   private restore(): void {
     for (let i = 0; i < this.masks.length; i++) this.lights[i].layers.mask = this.masks[i];
     this.masks.length = 0;
   }
 
-  /** What three would clear to is set all the same. */
+  /** Keeps three from clearing what draws will fill anyway; three's clear colour is set all the same. */
   private keepFromClearing(): void {
     const { webgl, autoClear, queue } = this;
     const fills = queue?.transmissive.length === 0 && !queue.ordered && this.clearsPlainly() ? this.fills : null;
@@ -222,7 +227,9 @@ export class SceneView {
     }
   }
 
-  /** Takes one of three's lists, for all frames: at whatever depth three counts them, it is given this. */
+  /**
+   * Takes one of three's render lists for all frames, and gives it to three whatever its depth of nested renders.
+   */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);
     const list = (this.list = this.lists.get(this.view, 0));
@@ -266,7 +273,7 @@ export class SceneView {
   private readonly anyCamera = { reversedDepth: false } as unknown as Camera;
 }
 
-/** An item that draws nothing. three asks for its layers where it would draw it: that is the place where Farol draws. */
+/** Makes an item without triangles; three reads its layers when it would draw it, and Farol draws at that moment. */
 function makeDriver(draw: () => void): Mesh {
   const driver = new Mesh(new BufferGeometry(), new Material());
   driver.layers.test = () => {

@@ -1,14 +1,14 @@
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
-  /** Lights with a range, in view. */
+  /** Number of lights with a range in view. */
   readonly bounded: number;
-  /** Lights that reach every pixel: directional ones and those without a range. */
+  /** Number of lights that reach every pixel: directional ones and those without a range. */
   readonly everywhere: number;
-  /** Lights with a range over a pixel, whatever its depth, on average. */
+  /** Mean number of lights with a range over a pixel, whatever its depth. */
   readonly coverage: number;
-  /** Opaque things drawn. */
+  /** Number of opaque items drawn. */
   readonly objects: number;
-  /** Whether lit things that transmit or are transparent were drawn: tile lists made on the GPU do not know them. */
+  /** Whether lit transmissive or transparent items were drawn: tile lists made on the GPU do not cover them. */
   readonly transparents: boolean;
   /** Whether float colour targets can be drawn to. */
   readonly floatTargets: boolean;
@@ -16,7 +16,7 @@ export interface SceneFigures {
   readonly surfaces: boolean;
 }
 
-/** What the chooser picks from. */
+/** Techniques that the chooser picks from. */
 export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
 
 /** Makes a technique ready. */
@@ -29,24 +29,33 @@ export interface Choice {
   readonly reason: string;
 }
 
-/** Few enough lights that a list costs more than it saves; measured, as all bounds here: see docs/performance.md. */
+/** Up to this many lights a list costs more than it saves; measured, as all bounds here: see docs/performance.md. */
 const FEW_LIGHTS = 2;
-/** The same where a pixel is drawn about once. */
+/** FEW_LIGHTS for a scene in which a pixel is drawn about once. */
 const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
-/** Few enough opaque things that a pixel is drawn about once. */
+/** Up to this many opaque items a pixel is drawn about once. */
 const FEW_OBJECTS = 8;
-/** Lights over a pixel from which a G-buffer pays. */
+/** Mean number of lights over a pixel from which on a G-buffer pays. */
 const MANY_OVER_A_PIXEL = 3;
-/** Lights with a range from which lists of tiles, made on the GPU, cost less than those of clusters, if the lights are small. */
+/** Number of small lights with a range from which on tile lists, made on the GPU, cost less than cluster lists. */
 const MANY_LIGHTS = 90;
-/** Share of the picture that a small light lies over. Larger ones fill whole tiles, and only a cluster tells their depths apart. */
+/**
+ * Greatest share of the picture that a small light covers. Larger lights fill whole tiles; only clusters separate their
+ * depths.
+ */
 const SMALL_LIGHT = 0.125;
-/** Lights with a range, whatever their size, that are put into clusters on the CPU for longer than the GPU draws. */
+/**
+ * Number of lights with a range, of any size, from which on the CPU sorts them into clusters for longer than the GPU
+ * draws.
+ */
 const VERY_MANY_LIGHTS = 1500;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
-/** Passed by this factor in the first frames of a scene, a bound is not waited at: it loads, and who knows when it is drawn again. */
+/**
+ * A bound passed by this factor counts at once in a scene's first frames: it is loading, and may not be drawn again
+ * soon.
+ */
 const FAR = 4;
 
 const choices: Record<ChosenTechnique, Choice> = {
@@ -73,9 +82,9 @@ const choices: Record<ChosenTechnique, Choice> = {
  * frames, or is far better while the scene is new. Without allocation.
  */
 export class TechniqueChooser<P extends Preparation = Preparation> {
-  /** What is to be drawn by as soon as it is ready; null when the choice is to stay. */
+  /** Choice that the user draws by as soon as it is ready; null when the choice is to stay. */
   next: Choice | null = null;
-  /** What makes `next` ready, to be set by the user; dropped when `next` changes. */
+  /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;
   private current: Choice | null = null;
   private waited = 0;
@@ -116,7 +125,7 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     return this.current!;
   }
 
-  /** Whether the choice is best when seen with that much in its favour. */
+  /** Whether the current choice stays best with its bounds widened by the factor `slack`. */
   private holds(figures: SceneFigures, slack: number): boolean {
     const { technique } = this.current!;
     return this.best(figures, slack) === technique || this.best(figures, 1 / slack) === technique;

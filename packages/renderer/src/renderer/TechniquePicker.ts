@@ -9,21 +9,21 @@ import type { TechniqueName } from '../techniques';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
 
-/** Lights that a technique without light lists draws fast enough until the code of another is there. */
+/** Up to this many lights a technique without light lists is fast enough until another's code is loaded. */
 const FEW = 16;
 
-/** Tells the effects of a frame, by the technique that draws it. */
+/** Gives the effects of a frame, by the technique that draws it. */
 interface EffectsByTechnique {
   effectsOf(technique: string): ActiveEffects;
 }
 
-/** Picks what draws each frame of a renderer, and has what 'auto' is to draw by next made ready. */
+/** Picks the technique of each frame of a renderer, and prepares the next one of 'auto'. */
 export class TechniquePicker {
-  /** What draws this frame: the technique asked for, or what 'auto' picked. */
+  /** Technique that draws this frame: the one asked for, or the one that 'auto' picked. */
   active: TechniqueName = 'deferred';
-  /** Why that one. */
+  /** Reason for `active`. */
   reason = '';
-  /** Whether 'auto' may draw by another one soon. */
+  /** Whether 'auto' may change to another technique soon. */
   isChanging = false;
   private asked: TechniqueName = 'auto';
 
@@ -32,7 +32,7 @@ export class TechniquePicker {
     private readonly set: TechniqueSet,
   ) {}
 
-  /** What is asked for. @throws Error when unknown, or the device cannot run it */
+  /** Technique asked for. @throws Error when unknown, or the device cannot run it */
   get technique(): TechniqueName {
     return this.asked;
   }
@@ -44,8 +44,8 @@ export class TechniquePicker {
   }
 
   /**
-   * Sets `active` and `reason`; to be called when the lights of the frame are collected.
-   * @param chooser - of the scene that is drawn
+   * Sets `active` and `reason`. Call when the lights of the frame are collected.
+   * @param chooser - chooser of the scene that is drawn
    */
   pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
     this.active = this.asked;
@@ -66,7 +66,7 @@ export class TechniquePicker {
     this.reason = `the code of "${active}" is being fetched`;
   }
 
-  /** Sets what 'auto' draws by. */
+  /** Sets the technique that 'auto' draws by. */
   private choose(
     chooser: TechniqueChooser<WarmUp>,
     frame: Frame,
@@ -92,7 +92,7 @@ export class TechniquePicker {
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
   }
 
-  /** Has what 'auto' is to draw by next made ready, a little in each frame; to be called when the frame is drawn. */
+  /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
     if (chooser.next === null || this.asked !== 'auto') return;
     const { technique } = chooser.next;

@@ -8,9 +8,9 @@ import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { Technique } from '../frame/Technique';
 
-/** The techniques of one renderer, and the passes of those that it has drawn by. */
+/** The techniques of one renderer, and the passes of those used so far. */
 export class TechniqueSet {
-  /** By name: the built-in ones, and those that were added. */
+  /** Techniques by name: the built-in ones, and those that were added. */
   readonly known: Record<string, Technique> = { ...techniques };
   private readonly lists = new Map<string, Pass[]>();
 
@@ -22,7 +22,7 @@ export class TechniqueSet {
     this.known[name] = technique;
   }
 
-  /** Takes an added technique out, and gives back what its passes hold. @throws Error when none was added by that name */
+  /** Removes an added technique and frees its passes. @throws Error when none was added by that name */
   remove(name: string): void {
     if (!Object.hasOwn(this.known, name) || Object.hasOwn(techniques, name))
       throw new Error(`Farol: no technique "${name}" was added; only added ones can be removed.`);
@@ -37,7 +37,7 @@ export class TechniqueSet {
     return this.known[name];
   }
 
-  /** Code that a technique needs: its own, or that of the order in which it wants the lights. */
+  /** Late code that a technique needs: its own, or that of its light order. */
   codeOf(name: string): Lazy<object> | undefined {
     const { lazy, lightOrder } = this.known[name];
     return lazy ?? (lightOrder === 'by-grid' ? gridCode : lightOrder === 'by-depth' ? tileCode : undefined);
@@ -55,7 +55,7 @@ export class TechniqueSet {
     return passes;
   }
 
-  /** Whether a technique draws the depth of opaque things into the target before it shades them. */
+  /** Whether a technique draws the depth of opaque items into the target before it shades them. */
   drawsDepthFirst(name: string): boolean {
     return this.passesOf(name).some(({ writes }) => writes.includes('scene-depth') && writes.includes('target'));
   }

@@ -3,35 +3,38 @@ import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } 
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export interface FoundLights {
-  /** All managed lights, then whatever earlier frames left. */
+  /** All managed lights of the frame, the first `count`; the rest is left from earlier frames. */
   readonly all: Light[];
-  /** How many of `all` are of this frame. */
+  /** Number of lights of this frame in `all`. */
   count: number;
-  /** Those of them that three's traversal would meet: not children of the root itself, or with children of their own. */
+  /**
+   * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
+   */
   readonly nested: Light[];
-  /** Children of a root that is a Scene, without managed lights that have none of their own; of another root, itself. */
+  /** Children of a Scene as root, without managed lights that have no children; for another root, that root. */
   readonly rest: Object3D[];
   /** Whether to look for lights that may cast a shadow, throw an image or have a profile, and how many there were. */
   seeksMasks: boolean;
   masks: number;
-  /** How many lights were left to three. */
+  /** Number of lights left to three. */
   left: number;
-  /** Whether one of those left is an area light. */
+  /** Whether a light left to three is an area light. */
   hasArea: boolean;
 }
 
 const { updateMatrixWorld } = Object3D.prototype;
 const identity = new Matrix4();
 
-/** What is done to the world matrices of children: nothing, what each asks for, or all of them. */
+/** Update of the world matrices of children: none, those that ask for it, or all. */
 const KEPT = 0;
 const UPDATED = 1;
 const FORCED = 2;
 
 /**
  * Finds the managed lights that the camera's layers see, parents before children.
- * @param camera - or the array of cameras that it is of
- * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in memory
+ * @param camera - the camera, or the array of cameras that contains it
+ * @param update - brings world matrices up to date on the way, as `root.updateMatrixWorld()` would: what lights have in
+ * memory
  *   is fetched once, not twice. Default false
  */
 export function collectLights(
@@ -56,11 +59,11 @@ export function collectLights(
     // three's traversal meets the lights that are its children too
     if (root.visible) visit(root, camera, left, found);
   }
-  // what earlier frames had more of is let go
+  // drops references to lights of larger earlier frames
   if (found.all.length > found.count) found.all.length = found.count;
 }
 
-/** As three's `updateMatrixWorld`, without the children. @returns whether theirs must follow */
+/** As three's `updateMatrixWorld`, without the children. @returns whether the children's matrices must be updated */
 function updateOne(object: Object3D, force: boolean): boolean {
   if (object.matrixAutoUpdate) object.updateMatrix();
   if (!(object.matrixWorldNeedsUpdate || force)) return false;

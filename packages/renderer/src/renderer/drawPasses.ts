@@ -28,7 +28,7 @@ export function drawPasses(
   }
   for (const effect of effects) {
     if (effect.end === undefined) continue;
-    // what draws after passes has its figures already
+    // effects with `after` have their figures already
     if (effect.after === undefined) recorder.beginPass(effect.name);
     effect.end(frame);
     recorder.endPass();

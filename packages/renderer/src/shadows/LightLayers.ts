@@ -7,13 +7,13 @@ type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean
  * layers that objects have, and the most frequent set. Ambient and hemisphere lights reach all objects.
  */
 export class LightLayers {
-  /** Layers of most objects, as bits; 0 when each light of the frame reaches all objects. */
+  /** Most frequent set of layers among objects, as bits; 0 when each light of the frame reaches all objects. */
   reference = 0;
   private enabled = false;
   /** Sets of layers that objects have, as bits, and how many objects have each. */
   private readonly sets: number[] = [];
   private readonly counts: number[] = [];
-  /** Some light does not reach all objects. */
+  /** Whether a light of the frame does not reach all objects. */
   private hasLimited = false;
 
   /** Begins a frame. @param enabled - whether lights keep to their layers */
@@ -36,7 +36,7 @@ export class LightLayers {
     return false;
   }
 
-  /** Finds `reference`, once `separates` was asked of all lights. */
+  /** Finds `reference`. Call after `separates` was called for all lights. */
   end(): void {
     if (!this.hasLimited) return;
     let most = 0;

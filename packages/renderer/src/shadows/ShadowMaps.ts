@@ -49,22 +49,22 @@ export class ShadowMaps implements LightMasks, TileShadows {
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
-  /** Texels a side of the atlas of depths, at most; null: by the pictures that are drawn, see `atlasLimit`. */
+  /** Greatest side of the atlas of depths (texels); null: chosen by the size of pictures, see `atlasLimit`. */
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
-  /** Tells how far area lights reach; null while no scene has had one. */
+  /** Gives the range of area lights; null while no scene has had such a light. */
   areas: AreaLights | null = null;
-  /** Layers of casters, as bits, where a shadow's camera names none: those that the frame's lights are seen by. */
+  /** Layers of casters, as bits, for shadows whose camera names none: the layers of the frame's camera. */
   layersSeen = 1;
-  /** Maps that the frame draws (a point light has one, of six faces). */
+  /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
-  /** Maps that light the frame as earlier frames drew them. */
+  /** Number of maps that the frame uses as earlier frames drew them. */
   kept = 0;
-  /** Texels that the frame draws to for its maps. */
+  /** Number of texels of maps that the frame draws. */
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
-  /** Has the maps drawn where three draws its own; set by `makeShadowMaps`. */
+  /** Draws the maps at the moment when three draws its own; set by `makeShadowMaps`. */
   calls!: ShadowMapCalls;
   private readonly slots: LightSlots;
   private readonly samplers: ImageSamplers;
@@ -83,7 +83,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private frame = 0;
   /** Size of the frame's picture (pixels). */
   private picture: PictureSize = { width: 1, height: 1 };
-  /** Maps that the last frame needed. */
+  /** Number of maps that the last frame needed. */
   private mapCount = 0;
 
   constructor(
@@ -150,7 +150,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   }
 
   /**
-   * Points the uniforms at what lights the frame, once the light table is written.
+   * Sets the uniforms of masks for the frame. Call once the light table is written.
    * @param firstMask - record of the light table
    */
   setUniforms(uniforms: MaskUniforms, firstMask: number, camera: Camera): void {
@@ -196,7 +196,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.planned.planImages(this.slots);
   }
 
-  /** Draws what the frame has to draw. Call inside three's `render`, where three draws its own shadow maps. */
+  /**
+   * Draws the frame's maps, images and bounds. Call inside three's `render`, where three draws its own shadow maps.
+   */
   render(): void {
     this.planned.render(this.type);
   }
@@ -206,7 +208,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.tiles.render(frame, gbuffer, this.bounds.target);
   }
 
-  /** Ends a frame: takes back `needsUpdate`, by which the host asks for maps once. */
+  /** Ends a frame: resets `needsUpdate` of shadows, by which the host asks for one draw of a map. */
   end(): void {
     const { shadowMap } = this.webgl;
     if (this.slots.lit.length > 0 && shadowMap.needsUpdate) shadowMap.needsUpdate = false;
@@ -233,7 +235,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   // ---- Collect: a slot for each light that casts shadows or throws an image ----
 
-  /** Has all maps drawn anew where `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
+  /** Draws all maps anew after `shadowMap.type` has changed; variance shadow maps lie in the other atlas. */
   private followType(): void {
     const { type } = this.webgl.shadowMap;
     if (type === this.type) return;
@@ -271,12 +273,12 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   // ---- Keep: which of the maps that are there still hold ----
 
-  /** A lost context has taken the maps along. */
+  /** Marks all maps as lost when the context has lost the atlases. */
   private noteLoss(): void {
     if (this.atlases.isLost) this.slots.lose(false);
   }
 
-  /** Marks the maps that show a place where something has changed, also those of lights that are not lit now. */
+  /** Marks maps as stale that show a place where a caster has changed, also maps of lights that are not lit now. */
   private noteChanges(root: Object3D, camera: Camera): void {
     let casters = this.casters.get(root);
     if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
@@ -336,7 +338,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     atlases.colours.arrange(slots.colours, slots.keptColours, rebalances);
   }
 
-  /** Decides whether a lit map is drawn, kept, or copied for three's addons, and gives its mask a record. */
+  /** Decides whether the map of a lit slot is drawn, kept, or copied for three's addons; gives its mask a record. */
   private assign(slot: ShadowSlot, updates: boolean): void {
     const { map, shadow } = slot;
     const mayDraw = (updates && (shadow.autoUpdate || shadow.needsUpdate)) || (!map.isThere && wasAskedFor(slot));
@@ -349,7 +351,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.masks.assign(slot, this.type);
   }
 
-  /** Plans the draw of a map where it has to be drawn. @returns whether it has */
+  /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
     // soft shadows look up places far from the receivers
@@ -375,7 +377,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.atlasOfMaps.release(slot);
   }
 
-  /** Releases the maps of a scene, and its casters. */
+  /** Releases the maps and casters of a scene. */
   private releaseScene(root: Object3D): void {
     this.slots.releaseScene(root);
     const casters = this.casters.get(root);

@@ -44,7 +44,7 @@ function whiteTexture(): DataTexture {
  * @see thesis 3.1.2
  */
 export class Surface {
-  /** Of its names and chunks; another one for each surface of the page. */
+  /** Number in the surface's names and chunks; unique on the page. */
   readonly id = ++count;
   /** Time (s) as its hooks see it: to be set each frame, where they move. */
   readonly time: IUniform<number>;

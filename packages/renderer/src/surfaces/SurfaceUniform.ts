@@ -4,7 +4,7 @@ export type SurfaceUniformType = 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'v
 export interface SurfaceUniform {
   readonly name: string;
   readonly type: SurfaceUniformType;
-  /** Of vec3: a colour. Linear in the API, written as #rrggbb in sRGB. */
+  /** True for a vec3 that is a colour. Linear in the API, written as #rrggbb in sRGB. */
   readonly isColor: boolean;
   /** A number, a boolean, the numbers of a vector, or null for a texture. */
   readonly default: number | boolean | readonly number[] | null;

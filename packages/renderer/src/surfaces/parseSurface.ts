@@ -4,7 +4,7 @@ import { readUniforms, threeUniforms, UNIFORM_LINE } from './readUniforms';
 import { surfaceError } from './surfaceError';
 import type { SurfaceUniform } from './SurfaceUniform';
 
-/** What the text of a surface says. */
+/** Parsed text of a surface. */
 export interface ParsedSurface {
   readonly uniforms: readonly SurfaceUniform[];
   /** Whether it has `void surface(inout SurfaceData s)`, `void displace(inout VertexData v)`. */
@@ -105,13 +105,16 @@ function withoutComments(text: string): string {
 
 interface Head {
   readonly name: string;
-  /** Where the declaration, its name and, of a function, its body end; 0 for what is no function with a body. */
+  /**
+   * Start of the declaration, of its name, and the end of a function's body (characters); 0 for what is no function
+   * with a body.
+   */
   readonly start: number;
   readonly at: number;
   readonly end: number;
 }
 
-/** What code without comments declares outside of braces: functions, constants, globals, structures. */
+/** Declarations outside of braces in code without comments: functions, constants, globals, structures. */
 function topLevel(code: string): Head[] {
   // lines of the preprocessor are no code
   const text = code.replace(/^[ \t]*#(?:.*\\\n)*.*/gm, (line) => line.replace(/[^\n]/g, ' '));

@@ -12,7 +12,7 @@ const sizes: Readonly<Record<SurfaceUniformType, number>> = {
   sampler2D: 0,
 };
 
-/** What three gives every shader by these names; a surface that declares them gets three's. */
+/** Names that three gives every shader; a surface that declares one gets three's value. */
 export const threeUniforms: readonly string[] = [
   ...['modelMatrix', 'modelViewMatrix', 'projectionMatrix', 'viewMatrix', 'normalMatrix'],
   ...['cameraPosition', 'isOrthographic'],

@@ -32,10 +32,10 @@ function surfacesOf(material: Material): MaterialSurfaces {
 }
 
 /**
- * Has a material wear a surface, in place of all that it wore: whatever draws it by Farol draws it so, in every technique, its
- * G-buffer, depth and motion, its shadows included. Nothing of the material is changed: stock three draws it without the surface.
- * Where vertices move farther than their geometry's bounding sphere reaches, set `frustumCulled` of the objects to false, or
- * give them a `boundingSphere` that is larger by `surfaceReach(material)`.
+ * Gives a material a surface in place of all that it wore: whatever draws it by Farol draws it so, in every technique,
+ * its G-buffer, depth and motion, its shadows included. Nothing of the material is changed: stock three draws it
+ * without the surface. Where vertices move farther than their geometry's bounding sphere reaches, set `frustumCulled`
+ * of the objects to false, or give them a `boundingSphere` that is larger by `surfaceReach(material)`.
  * @param surface - null for none
  * @param values - of its uniforms, in place of their defaults; vectors and linear colours may be lists of numbers
  * @returns the values, which may be changed at any time
@@ -46,7 +46,7 @@ export function setSurface(material: Material, surface: Surface | null, values: 
 }
 
 /**
- * Has a material wear one more surface, applied after those that it wears; as `setSurface` but for that.
+ * Gives a material one more surface, applied after those that it wears; else as `setSurface`.
  * @returns the values of the added one
  */
 export function addSurface(material: Material, surface: Surface, values: SurfaceValues = {}): SurfaceUniforms {
@@ -56,9 +56,9 @@ export function addSurface(material: Material, surface: Surface, values: Surface
 }
 
 /**
- * Has a material wear all that another one wears, by the values of that one, and one more surface of its own after them; a
- * surface that both wear is worn once, by the own values. For a material that is a copy of the other one, for some of its objects.
- * To be called again when the other one wears other surfaces.
+ * Gives a material all surfaces of another one, by the values of that one, and one more surface of its own after them;
+ * a surface that both wear is worn once, by the own values. For a material that is a copy of the other one, for some of
+ * its objects. To be called again when the other one wears other surfaces.
  * @returns the values of the own one
  */
 export function layerSurface(
@@ -79,7 +79,7 @@ export function surfaceReach(material: Material): number {
   return wornBy(material)?.reach() ?? 0;
 }
 
-/** What a material wears, in the order in which it is applied. */
+/** Surfaces of a material, in the order in which they are applied. */
 export function getSurfaces(material: Material): readonly WornSurface[] {
   const known = wornBy(material);
   return known instanceof MaterialSurfaces ? known.list : [];

@@ -3,8 +3,8 @@ import type { Pass, Resource } from '../frame/Pass';
 import type { LightLoop } from '../materials/LightLoop';
 
 /**
- * What ends every technique: the opaque items it has not drawn, then what transmits, then what is transparent, back to
- * front, each lit by all the lights that the loop gives it.
+ * Passes that end every technique: the opaque items it has not drawn, then what transmits, then what is transparent,
+ * back to front, each lit by all the lights that the loop gives it.
  * @param loop - microshader that loops over the lights
  * @param behind - the loop of what transmits or is transparent, where lists hold opaque depths alone; default `loop`
  */

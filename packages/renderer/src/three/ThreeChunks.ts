@@ -102,5 +102,5 @@ export class ThreeChunks {
   }
 }
 
-/** Of the page: three has one `ShaderChunk`. */
+/** One for the page, as three has one `ShaderChunk`. */
 export const threeChunks = new ThreeChunks();

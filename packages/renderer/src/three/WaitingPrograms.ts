@@ -29,7 +29,7 @@ export class WaitingPrograms {
     program.getUniforms = stop;
   }
 
-  /** Has three's calls for the uniforms of waiting programs throw: they would wait for the link. */
+  /** Makes three's calls for the uniforms of waiting programs throw: they would wait for the link. */
   block(stop: () => never): void {
     for (const program of this.programs) program.getUniforms = stop;
   }
@@ -38,7 +38,7 @@ export class WaitingPrograms {
     for (let i = 0; i < this.programs.length; i++) this.programs[i].getUniforms = this.getters[i];
   }
 
-  /** Has three ask for uniforms and attributes of the first program, as its first draw would, once the device has linked it. */
+  /** Asks for uniforms and attributes of the first program that the device has linked, as its first draw would. */
   finishOne(): void {
     const { programs, getters } = this;
     if (programs.length === 0) return;
@@ -67,7 +67,7 @@ export function programsOf(webgl: WebGLRenderer): ProgramList {
   return webgl.info.programs as unknown as ProgramList;
 }
 
-/** Has a function called with each program that three sets to compile. @returns ends that */
+/** Calls a function with each program that three starts to compile. @returns ends that */
 export function watchNewPrograms(programs: ProgramList, tell: (program: Program) => void): () => void {
   programs.push = (program: Program) => {
     tell(program);
@@ -76,7 +76,7 @@ export function watchNewPrograms(programs: ProgramList, tell: (program: Program)
   return () => void Reflect.deleteProperty(programs, 'push');
 }
 
-/** Has three's draws end, by an exception, where they would first use their program. @returns lets them go on */
+/** Ends three's draws by an exception where they would first use their program. @returns lets them go on */
 export function stopUsingPrograms({ state }: WebGLRenderer, stop: () => never): () => void {
   const { useProgram } = state;
   state.useProgram = stop;

@@ -1,6 +1,6 @@
 import type { BatchedMesh, DataTexture } from 'three';
 
-/** What a BatchedMesh keeps of its instances. */
+/** Private properties of a BatchedMesh that hold its instances. */
 interface Batch {
   readonly _matricesTexture: DataTexture;
   readonly _indirectTexture: DataTexture;

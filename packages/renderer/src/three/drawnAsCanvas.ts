@@ -9,7 +9,7 @@ export function isDrawnAsCanvas(target: RenderTarget): boolean {
   return (target as Marked).isXRRenderTarget ?? false;
 }
 
-/** Has three draw to a target of Farol's as to the canvas. */
+/** Marks a target of Farol's as drawn to as the canvas is. */
 export function setDrawnAsCanvas(target: RenderTarget, does: boolean): void {
   (target as Marked).isXRRenderTarget = does;
 }

@@ -1,7 +1,10 @@
 /** Depths, positions and words of 32 bits need it, whatever the host's materials are computed in. */
 export const FULL_PRECISION = 'precision highp float;\nprecision highp int;\n';
 
-/** What three puts before its shaders, by the `precision` of renderer or material. Integers stay as they are: three has few. */
+/**
+ * Precision statement that three puts before its shaders, by the `precision` of renderer or material. Integers stay as
+ * they are: three has few.
+ */
 const BACK = `#ifdef MEDIUM_PRECISION
 precision mediump float;
 #elif defined( LOW_PRECISION )

@@ -41,7 +41,7 @@ export function renderArray(webgl: WebGLRenderer, { cameras }: ArrayCamera, rend
   }
 }
 
-/** What two rectangles (x, y, width, height) have in common. */
+/** Intersection of two rectangles (x, y, width, height). */
 function common(a: Vector4, b: Vector4): Vector4 {
   const x = Math.max(a.x, b.x);
   const y = Math.max(a.y, b.y);

@@ -3,7 +3,9 @@ import { TwinRefusal } from './TwinRefusal';
 
 type ChunkName = keyof typeof ShaderChunk;
 
-/** What stands for a chunk in a shader: its include, or, where the host has expanded that, three's own text; null for neither. */
+/**
+ * Text of a chunk in a shader: its include, or, where the host has expanded that, three's own text; null for neither.
+ */
 export function findChunk(shader: string, name: ChunkName): string | null {
   const include = `#include <${name}>`;
   if (shader.includes(include)) return include;

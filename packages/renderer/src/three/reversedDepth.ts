@@ -1,6 +1,6 @@
 import type { Camera } from 'three';
 
-/** What `Camera.reversedDepth` reads. */
+/** Private property that `Camera.reversedDepth` reads. */
 interface DepthOfCamera {
   _reversedDepth: boolean;
 }

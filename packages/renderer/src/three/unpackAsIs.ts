@@ -5,7 +5,9 @@ interface PixelStore {
   pixelStorei?(name: number, value: number | boolean): void;
 }
 
-/** Has the uploads to come take rows of 4-byte words as they are: not flipped, colours not multiplied by alpha. */
+/**
+ * Sets the following uploads to take rows of 4-byte words as they are: not flipped, colours not multiplied by alpha.
+ */
 export function unpackAsIs(webgl: WebGLRenderer, gl: WebGL2RenderingContext): void {
   const store = webgl.state as PixelStore;
   const to = store.pixelStorei === undefined ? gl : store;

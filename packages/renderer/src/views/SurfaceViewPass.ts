@@ -21,7 +21,9 @@ const CODES: Partial<Record<View, number>> = {
   emissive: 6,
 };
 
-/** Where 'grid' puts its panels, in halves of the viewport; the final picture is at the lower right (thesis 4.1). */
+/**
+ * Place of each panel of 'grid', in halves of the viewport; the final picture is at the lower right (thesis 4.1).
+ */
 const PANELS = [
   { view: 'albedo', x: 0, y: 1 },
   { view: 'normal', x: 1, y: 1 },

@@ -7,7 +7,7 @@ import { SurfaceViewPass } from './SurfaceViewPass';
 /** Its chunks, by name. */
 export const microShaders = { ...chunks };
 
-/** What draws the views that no technique draws. */
+/** Passes of the views that no technique draws. */
 export interface ViewPasses {
   readonly overdraw: OverdrawPass;
   readonly surfaceView: SurfaceViewPass;

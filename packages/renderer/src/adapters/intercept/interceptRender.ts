@@ -15,8 +15,8 @@ export interface Interception {
 const chains = new WeakMap<WebGLRenderer, RenderChain>();
 
 /**
- * Has a function stand in for `render` of one renderer; of several the last one comes first. What is drawn from inside of
- * it, Farol's own calls and those of callbacks among them, goes to three.
+ * Replaces `render` of one renderer by a function; the function set last runs first. Calls to `render` from inside of
+ * it, by Farol or by callbacks of the host, go to three.
  */
 export function interceptRender(webgl: WebGLRenderer, interceptor: Interceptor): Interception {
   let chain = chains.get(webgl);
@@ -24,12 +24,12 @@ export function interceptRender(webgl: WebGLRenderer, interceptor: Interceptor):
   return chain.add(interceptor);
 }
 
-/** What stands in for `render` of one renderer. */
+/** The replacement of `render` of one WebGLRenderer. */
 class RenderChain {
   private readonly original: Render;
   private readonly hooked: Render = (scene, camera) => this.render(scene, camera);
   private readonly interceptors: Interceptor[] = [];
-  /** What draws when each of `interceptors` passes a call on; the last entry draws first. */
+  /** Functions that draw when each of `interceptors` passes a call on; the last entry draws first. */
   private readonly draws: Render[];
   private depth = 0;
 

@@ -8,7 +8,7 @@ import { isWorthFarol } from './isWorthFarol';
 /** How one component wants to be drawn. */
 export interface FarolSettings {
   readonly options: FarolOptions;
-  /** What it is for: a scene, or null for all that the canvas draws. */
+  /** Scene that the settings apply to, or null for all that the canvas draws. */
   readonly scene: Object3D | null;
   /** Asks for a frame. */
   readonly invalidate: () => void;
@@ -46,7 +46,7 @@ export class CanvasFarol {
   readonly current = (): FarolRenderer | null => this.farol;
 
   /**
-   * Has a component's settings followed from the next draw on.
+   * Applies a component's settings from the next draw on.
    * @param owner - stands for the component
    * @throws Error as FarolRenderer does
    */

@@ -23,7 +23,10 @@ const isSame = (a: FarolSettings, b: FarolSettings): boolean =>
   a.scene === b.scene &&
   a.invalidate === b.invalidate;
 
-/** Has a scene of the canvas drawn by Farol while the component is mounted. @param scene - null for all that the canvas draws */
+/**
+ * Lets Farol draw a scene of the canvas while the component is mounted.
+ * @param scene - null for all that the canvas draws
+ */
 export function useFarolSettings(props: FarolProps, scene: Object3D | null): void {
   const { enabled = true, ref, ...options } = props;
   const webgl = useThree((state) => state.gl);

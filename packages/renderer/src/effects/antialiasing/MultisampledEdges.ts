@@ -109,7 +109,10 @@ export class MultisampledEdges implements FarolEffect {
     this.shared?.dispose();
   }
 
-  /** What is laid over the picture, or changes its light, is not known to what is shaded here. */
+  /**
+   * Sets the uniforms for a frame: edges take a nearby pixel's colour where transparent objects, decals, effects or too
+   * many lights are not part of a new shading.
+   */
   private setReuse(frame: Frame): void {
     const { queue, lights } = frame;
     let laidOver = false;

@@ -151,7 +151,7 @@ function displacementOf(object: Object3D): number {
   return material === undefined ? 0 : displacementOfOne(material);
 }
 
-/** Of several materials with surfaces, the times of the last. */
+/** Copies the times of an object's surfaces to `times`; of several materials, those of the last. */
 function copyTimes(object: Object3D, times: number[]): void {
   const { material } = object as Mesh;
   if (!Array.isArray(material)) surfacesOf(material)?.copyTimes(times);

@@ -25,12 +25,12 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     return bytes;
   }
 
-  /** Of this frame; null where nothing is reactive. */
+  /** Mask of this frame; null when nothing in it is reactive. */
   get now(): Texture | null {
     return this.isDrawn ? this.targets[0]!.texture : null;
   }
 
-  /** Of the last frame. */
+  /** Mask of the last frame; null when nothing in it was reactive. */
   get before(): Texture | null {
     return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
   }

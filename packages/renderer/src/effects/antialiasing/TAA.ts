@@ -22,7 +22,7 @@ import { contextLists } from '../../three/contextLists';
 
 /** Places in the pixel that the frames take in turns. */
 const SAMPLES = 32;
-/** Of `share`, in a pixel that does not move while others do. */
+/** Factor on the new frame's share in pixels that do not move while others do. */
 const STILL = 0.5;
 /** Frames after a change of light or looks in which the past is nowhere believed as it is. */
 const RELIT = 8;

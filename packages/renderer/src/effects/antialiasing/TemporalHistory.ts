@@ -18,11 +18,11 @@ import { ReactiveMasks } from './ReactiveMasks';
 const CELLS = { type: HalfFloatType, minFilter: LinearFilter, magFilter: LinearFilter } as const;
 const REACH = { type: HalfFloatType, format: RGFormat } as const;
 
-/** What temporal anti-aliasing keeps of the frames of one camera and scene. */
+/** State that temporal anti-aliasing keeps from frame to frame, for one camera and scene. */
 export class TemporalHistory {
   /** How objects stood in the last frame. */
   readonly motions = new ObjectMotions();
-  /** What is not looked for in the past. */
+  /** Pixels whose past is ignored: particles and others that change without motion. */
   readonly reactive = new ReactiveMasks();
   /** How lights were. */
   readonly lights = new LightWatch();
@@ -38,7 +38,7 @@ export class TemporalHistory {
   known = Infinity;
   /** Number of the last frame, never put back. */
   frame = 0;
-  /** Of the last frame, by `looksOf`. */
+  /** Hash of the last frame's settings, by `looksOf`. */
   looks = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();

@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { DecalGeometry } from 'three/addons/geometries/DecalGeometry.js';
 
-/** What three draws of a decal: nothing. */
+/** Geometry and material that three draws for a decal: nothing visible; Farol projects it. */
 const nothing = new RawShaderMaterial({
   name: 'Farol decal',
   depthTest: false,
@@ -52,9 +52,9 @@ export class Decal extends Mesh {
   }
 
   /**
-   * The same as a mesh of its own, cut from another by three's DecalGeometry, for techniques without a G-buffer: add it to
-   * the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's to dispose.
-   * Where it blends otherwise than NormalBlending, it does so with the lit colour of what is behind it.
+   * Copy of the decal as a mesh, cut from another mesh by three's DecalGeometry, for techniques without a G-buffer: add
+   * it to the scene in place of the decal. Right as long as neither moves; its geometry and material are the caller's
+   * to dispose. Where it blends otherwise than NormalBlending, it does so with the lit colour of what is behind it.
    * @param mesh - that the decal lies on; matrices are brought up to date
    */
   toMesh(mesh: Mesh): Mesh<DecalGeometry, MeshStandardMaterial> {

@@ -8,7 +8,7 @@ import { probedTwin } from './probedTwin';
 
 /** Light of a scene that was baked, besides its lightmaps. */
 export interface BakedSurroundings {
-  /** What lights materials without a lightmap; null for nothing. */
+  /** Probes that light materials without a lightmap; null for none. */
   readonly grid: ProbeGrid | null;
   /**
    * Whether the light of the scene's environment is in lightmaps and probes: diffuse reflection of the environment is then
@@ -25,7 +25,7 @@ export function setBakedSurroundings(scene: Scene, baked: BakedSurroundings | nu
   else surroundings.set(scene, baked);
 }
 
-/** Of scenes without probes: darkness. */
+/** Makes a black probe texture, for scenes without probes. */
 function noProbes(): Data3DTexture {
   const texture = new Data3DTexture(new Uint16Array(4), 1, 1, 1);
   texture.type = HalfFloatType;

@@ -1,4 +1,4 @@
-/** Where the probes of a grid are: the box is cut into equal cells, with a probe in the middle of each. World space. */
+/** Box of a probe grid (world space): cut into equal cells, with a probe in the middle of each. */
 export interface ProbeBox {
   /** Corners of the box (m). */
   readonly min: readonly [number, number, number];

@@ -20,7 +20,7 @@ import { particleDefaults } from './particleDefaults';
 import type { ParticleSettings } from './ParticleSettings';
 import { PendingSteps } from './PendingSteps';
 
-/** What three draws of an emitter: nothing. */
+/** Material that three draws an emitter with: nothing visible; Farol draws the particles. */
 const nothing = new RawShaderMaterial({
   name: 'Farol particles',
   transparent: true,
@@ -38,7 +38,7 @@ const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);
 DARK.needsUpdate = true;
 const NO_LIGHTS: LightTextures = { sphere: DARK, emission: DARK };
 
-/** What is done when a setting gets another value; nothing for the others, which are read when they are needed. */
+/** Actions after a setting has changed; settings that are not listed are read each frame. */
 const CONSEQUENCES: { readonly [Name in keyof ParticleSettings]?: (emitter: ParticleEmitter) => void } = {
   capacity(emitter) {
     emitter.restart();
@@ -222,7 +222,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.add(this.field);
   }
 
-  /** Where the lights lie; null: none is on. @internal */
+  /** Textures that hold the lights of particles; null when no light is on. @internal */
   setLightTextures(textures: LightTextures | null): void {
     if (this.field !== null) this.field.textures = textures ?? NO_LIGHTS;
   }

@@ -7,7 +7,10 @@ export type CurveKey = readonly [time: number, value: number];
 /** A key of a gradient: time (0 to 1, ascending), linear colour, and opacity (0 to 1). */
 export type GradientKey = readonly [time: number, color: LinearRGB, opacity: number];
 
-/** Where particles begin; lengths in metres, in the emitter's space. They leave a point and a sphere outwards, else along +Y. */
+/**
+ * Region in which particles begin; lengths in metres, in the emitter's space. From a point and a sphere they leave
+ * outwards, else along +Y.
+ */
 export type EmitterShape =
   | { readonly kind: 'point' }
   /** `thickness` 0: from the surface; 1: from all of it. */
@@ -28,7 +31,7 @@ export interface ParticleBurst {
   readonly count: number;
 }
 
-/** What the centres of particles bounce off: a plane, on the side to which its normal points, or a sphere, from outside. */
+/** Obstacle that particles' centres bounce off: a plane, on the side of its normal, or a sphere, from outside. */
 export type ParticleCollider = {
   /** Share of the speed towards the surface that is kept, 0 to 1. */
   readonly bounce: number;
@@ -37,7 +40,7 @@ export type ParticleCollider = {
 } & (
   | {
       readonly kind: 'plane';
-      /** Of any length but 0. */
+      /** Normal of the plane, of any length but 0. */
       readonly normal: readonly [number, number, number];
       /** Height along the normal (m). */
       readonly height: number;
@@ -60,8 +63,8 @@ export interface FlipBook {
 }
 
 /**
- * What a ParticleEmitter makes, and how it looks. SI units, radians, linear colours; world space where nothing else is said.
- * Ranges `[least, most]` are drawn evenly for each particle, by the seed.
+ * Behaviour and look of the particles of a ParticleEmitter. SI units, radians, linear colours; world space where
+ * nothing else is said. Ranges `[least, most]` are drawn evenly for each particle, by the seed.
  */
 export interface ParticleSettings {
   /**
@@ -69,7 +72,7 @@ export interface ParticleSettings {
    * `rate` × the longest life is enough. Default 1000. Another one begins anew.
    */
   capacity: number;
-  /** Of all random numbers: the same seed and steps give the same particles. Default 1. */
+  /** Seed of all random numbers: equal seeds and steps give equal particles. Default 1. */
   seed: number;
   /** Particles a second. Default 100. */
   rate: number;
@@ -89,7 +92,9 @@ export interface ParticleSettings {
   life: readonly [number, number];
   /** Speed at the beginning (m/s). Default [1, 2]. */
   speed: readonly [number, number];
-  /** What living particles stay with: the world, or the emitter as it moves, turns and is scaled. Default 'world'. */
+  /**
+   * Space in which living particles stay: the world, or the emitter as it moves, turns and is scaled. Default 'world'.
+   */
   space: 'world' | 'local';
   /** Share of the emitter's own velocity that particles begin with, in the space 'world'. Default 0. */
   inheritVelocity: number;
@@ -133,8 +138,8 @@ export interface ParticleSettings {
    */
   orientation: 'random' | 'emitter' | 'velocity';
   /**
-   * What is drawn by render 'mesh', 1 m for a diameter of 1 m. It is copied when it is set: it stays the caller's, and may be
-   * drawn by other meshes, changed or disposed of. Default null: nothing is drawn.
+   * Geometry of a particle for render 'mesh'; 1 m of it is one diameter. Copied when set: the geometry stays the
+   * caller's, and may be drawn by other meshes, changed or disposed of. Default null: nothing is drawn.
    */
   particleGeometry: BufferGeometry | null;
   /**

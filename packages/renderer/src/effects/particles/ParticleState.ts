@@ -72,7 +72,7 @@ export interface ParticleTextures {
   readonly velocities: Texture;
 }
 
-/** What one emitter has on the GPU: its particles, their light, their curves, and what they are drawn with. */
+/** GPU state of one emitter: its particles, their light, their curves, and their material. */
 export class ParticleState {
   private particles: [WebGLRenderTarget, WebGLRenderTarget] | null = null;
   private slots = 0;
@@ -153,7 +153,7 @@ export class ParticleState {
     return changed;
   }
 
-  /** Has the light of each particle found, by the loop of a pass, and that from all around. Binds a target. */
+  /** Computes the light on each particle, by a pass's light loop and by the surroundings. Binds a target. */
   findLight(frame: Frame, pass: ParticleLightingPass, surroundings: ParticleSurroundings): void {
     const { uniforms } = pass;
     this.around ??= new SurroundingLight();
@@ -207,7 +207,7 @@ export class ParticleState {
     return true;
   }
 
-  /** Has an item of the queue draw the particles. */
+  /** Sets an item of the queue up to draw the particles. */
   giveTo(item: RenderItem, frame: Frame): void {
     const { emitter, uniforms } = this;
     const { schedule } = emitter.pending;
@@ -243,7 +243,7 @@ export class ParticleState {
     uniforms.farol_softness.value.set(1 / this.emitter.softness, near, frame.width, frame.height);
   }
 
-  /** Has the uniforms sent with the draw to come. */
+  /** Makes three send the uniforms again with the next draw. */
   touch(): void {
     if (this.material !== null) this.material.uniformsNeedUpdate = true;
   }
@@ -294,7 +294,7 @@ export class ParticleState {
     curves.needsUpdate = true;
   }
 
-  /** Has the triangles of a mesh shape, with those of the last restart. */
+  /** Uploads the triangles of a mesh shape after a restart of the emitter. */
   private takeSurface(): void {
     const { emitter } = this;
     if (this.surfaceRestart === emitter.restarts) return;
@@ -314,7 +314,7 @@ export class ParticleState {
     this.surfaceTriangles = table.triangles;
   }
 
-  /** What is the same for all steps of a frame. */
+  /** Sets the uniforms that all steps of a frame share. */
   private setStepUniforms({ uniforms }: ReturnType<typeof particleStepPass>): void {
     const { emitter } = this;
     const { shape, gravity, drag, colliders, life, speed } = emitter;

@@ -1,6 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** What a value has to be, in words that follow "give"; null for a value that is. */
+/** Says which values are allowed, in words that follow "give"; null when the value is allowed. */
 type Check = (value: unknown) => string | null;
 
 /** Most particles of an emitter: 1024 × 1024 texels. */

@@ -54,7 +54,7 @@ export function particleUniforms() {
   };
 }
 
-/** What the program and the blending of an emitter's material depend on. */
+/** Settings that decide an emitter's program and blending. */
 export type ParticleLook = Pick<ParticleSettings, 'render' | 'blending' | 'lit'> & {
   readonly map: boolean;
   readonly soft: boolean;
@@ -72,7 +72,7 @@ const OVER = {
   blendDstAlpha: OneMinusSrcAlphaFactor,
 } as const;
 
-/** Of the reactive mask. */
+/** Blending of the reactive mask: keeps the greater value. */
 const GREATEST = {
   blending: CustomBlending,
   blendEquation: MaxEquation,
@@ -86,7 +86,7 @@ const BLENDINGS = {
   weighted: { blending: NormalBlending },
 } as const;
 
-/** What an emitter's particles are drawn with, by three's tone mapping, colour space, fog and clipping. */
+/** Material of an emitter's particles, with three's tone mapping, colour space, fog and clipping. */
 export function particleMaterial(
   frame: Frame,
   look: ParticleLook,

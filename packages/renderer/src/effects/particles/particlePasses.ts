@@ -13,7 +13,7 @@ import particleShape from './particleShape.glsl?raw';
 import particleStep from './particleStep.glsl?raw';
 
 const noTexture = () => ({ value: null as Texture | null });
-/** Where particles are, and how they move. */
+/** Textures with the position and velocity of each particle. */
 const particles = () => ({ farol_particlePositions: noTexture(), farol_particleVelocities: noTexture() });
 
 /** One step of all particles of an emitter. */

@@ -7,19 +7,19 @@ import { needShape } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';
 import { makeTransforms } from './makeTransforms';
 
-/** In place of a reach without an end (m). */
+/** Stands for a reach without an end (m). */
 const ENDLESS = 1e30;
 const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 
-/** Area lights as the light table needs them. */
+/** Measures area lights and writes their extension records. */
 export class AreaLightTable implements AreaLights {
   threshold = 0;
   private readonly transforms;
 
   /**
-   * @param uniform - gets the linearly transformed cosines
-   * @param microshaders - get code for the shapes that are met
+   * @param uniform - uniform that gets the linearly transformed cosines
+   * @param microshaders - registry that gets code for the shapes of lights
    */
   constructor(
     webgl: WebGLRenderer,
@@ -60,12 +60,12 @@ export class AreaLightTable implements AreaLights {
     this.uniform.value = null;
   }
 
-  /** Distance from the light's surface from which on it gives nothing (m), 0 for no end. */
+  /** Distance from the light's surface beyond which it gives nothing (m); 0 for no end. */
   private reachOf(light: RectAreaLight): number {
     const { range, shape } = dataOf(light);
     if (range !== undefined && range >= 0) return range;
     if (!(this.threshold > 0)) return 0;
-    // far off its irradiance is radiance times area by squared distance, nearer less than that
+    // far off, irradiance is radiance × area / distance²; nearer, less than that
     const { r, g, b } = light.color;
     const area = light.width * light.height * (shape === 'disc' ? Math.PI / 4 : 1);
     return Math.sqrt((Math.max(r, g, b) * Math.abs(light.intensity) * area) / this.threshold) || NaN;

@@ -20,7 +20,7 @@ export function areaFeaturesChunk(shapes: number): string {
   return `${lines.join('\n')}\n`;
 }
 
-/** Has shaders know a shape: code for others would slow them down. @param shape - one of `areaShapes` */
+/** Adds a shape to the shaders, which leave out shapes that no light has. @param shape - one of `areaShapes` */
 export function needShape(registry: MicroShaderRegistry, shape: number): void {
   const before = known.get(registry) ?? 0;
   const shapes = before | (1 << shape);

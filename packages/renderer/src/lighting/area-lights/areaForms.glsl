@@ -21,7 +21,7 @@ struct FarolArea {
 
 // The lobes of a surface.
 struct FarolAreaLobe {
-  mat3 tangents; // view space to tangent space
+  mat3 tangents; // transform from view space to tangent space
   vec4 ltc; // the specular lobe's inverse transform: of farol_ltcAt, table 0
 };
 
@@ -58,7 +58,7 @@ FarolArea farol_areaAt(const in int extension, const in vec3 toLight, const in v
 #endif
   // rectangles and discs shine to one side; a surface without a normal (NaN) is lit by none
   if (!(dot(normalVS, normalVS) > 0.5) || (!isTube && dot(cross(u, v), toLight) < 0.0)) return area;
-  // to the nearest place of the light: its edges are at right angles
+  // vector to the nearest point of the light, whose edges are at right angles
   vec2 squared = vec2(dot(u, u), dot(v, v));
   vec2 along = vec2(dot(toLight, u), dot(toLight, v));
   vec2 nearest = clamp(-along / squared, -1.0, 1.0);
@@ -74,7 +74,7 @@ FarolArea farol_toTangentSpace(const in FarolArea area, const in mat3 tangents) 
     area.window);
 }
 
-// from tangent space to where the specular lobe is a cosine
+// transform from tangent space to the space in which the specular lobe is a cosine
 vec3 farol_toLobe(const in vec4 ltc, const in vec3 v) {
   return vec3(ltc.x * v.x + ltc.z * v.z, v.y, ltc.y * v.x + ltc.w * v.z);
 }
@@ -88,7 +88,7 @@ float farol_discShare(const in vec3 centre, const in vec3 u, const in vec3 v) {
 }
 #endif
 
-// share of the cosine lobe; area: in tangent space
+// share of the cosine lobe that a light fills; area: in tangent space
 float farol_areaDiffuse(const in FarolArea area) {
 #ifdef FAROL_AREA_DISCS
   if (area.shape == FAROL_AREA_DISC) return farol_discShare(area.centre, area.halfWidth, area.halfHeight);
@@ -104,7 +104,7 @@ float farol_areaDiffuse(const in FarolArea area) {
   return 0.0;
 }
 
-// share of the specular lobe; area: in tangent space
+// share of the specular lobe that a light fills; area: in tangent space
 float farol_areaSpecular(const in FarolArea area, const in vec4 ltc) {
   vec3 centre = farol_toLobe(ltc, area.centre);
   vec3 u = farol_toLobe(ltc, area.halfWidth);

@@ -1,26 +1,26 @@
 import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 import { recordGetters } from '../recordGetters';
 
-/** What an area light is, as its record says it. */
+/** Shape of an area light, as its record stores it. */
 export const areaShapes = { rectangle: 0, disc: 1, tube: 2 } as const;
 
 /** The extension record of an area light. Vectors in view space, of half its size (m). */
 export const areaRecord = {
   across: {
-    /** Of a tube: half its axis. */
+    /** Half the light's width; for a tube, half its axis. */
     halfWidth: 'xyz',
     /** One of `areaShapes`. */
     shape: ['int', 'int(t.w)'],
   },
   up: {
-    /** Of a tube: its radius long. */
+    /** Half the light's height; for a tube, a vector as long as its radius. */
     halfHeight: 'xyz',
-    /** Distance from the surface of the light from which on it gives nothing (m). */
+    /** Distance from the light's surface beyond which it gives nothing (m). */
     reach: 'w',
   },
 } as const satisfies RecordLayout;
 
-/** Where the texels of the record begin (floats). */
+/** Offsets of the texels in the record (floats). */
 export const AREA = texelOffsets(areaRecord);
 
 /** The microshader `areaRecord`. */

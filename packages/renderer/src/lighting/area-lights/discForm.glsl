@@ -41,7 +41,7 @@ vec2 farol_discForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec3 y = v;
   float a = 1.0 / uu;
   float b = 1.0 / vv;
-  if (abs(uv) > 1e-4 * sqrt(uu * vv)) { // its axes, by the eigenvectors
+  if (abs(uv) > 1e-4 * sqrt(uu * vv)) { // the ellipse's axes, by eigenvectors
     float trace = uu + vv;
     float determinant = sqrt(max(uu * vv - uv * uv, 0.0));
     float p = 0.5 * sqrt(max(trace - 2.0 * determinant, 0.0));
@@ -66,7 +66,7 @@ vec2 farol_discForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   float y0 = dot(y, centre) / height;
   a *= height * height;
   b *= height * height;
-  // the cone over the ellipse: its eigenvalues
+  // eigenvalues of the cone over the ellipse
   vec3 roots = farol_cubicRoots((1.0 - a * (1.0 + x0 * x0) - b * (1.0 + y0 * y0)) / 3.0,
     (a * b * (1.0 + x0 * x0 + y0 * y0) - a - b) / 3.0, a * b);
   vec3 direction = normalize(mat3(x, y, z) * vec3(a * x0 / (a - roots.y), b * y0 / (b - roots.y), 1.0));

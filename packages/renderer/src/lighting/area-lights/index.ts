@@ -21,10 +21,13 @@ export const microShaders = {
   tubeForm,
 };
 
-/** Registries whose shaders know area lights; once they do, they keep to it, so that nothing is compiled twice. */
+/** Registries whose shaders have code for area lights. The code stays, so that nothing is compiled twice. */
 const adapted = new WeakSet<MicroShaderRegistry>();
 
-/** Makes what area lights need, and has shaders know of them. @param uniform - gets the linearly transformed cosines */
+/**
+ * Makes the table of area lights, and adds code for them to shaders.
+ * @param uniform - uniform that gets the linearly transformed cosines
+ */
 export function makeAreaLights(
   webgl: WebGLRenderer,
   registry: MicroShaderRegistry,

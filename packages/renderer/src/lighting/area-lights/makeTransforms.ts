@@ -1,7 +1,7 @@
 import { DataTexture, FloatType, HalfFloatType, LinearFilter, RGBAFormat, type WebGLRenderer } from 'three';
 import { RectAreaLightTexturesLib } from 'three/addons/lights/RectAreaLightTexturesLib.js';
 
-/** Texels a side of either table. */
+/** Side of each of the two tables (texels). */
 const SIZE = 64;
 
 /**
@@ -17,7 +17,7 @@ export function makeTransforms(webgl: WebGLRenderer): DataTexture {
   data.set(first);
   data.set(second, first.length);
   const texture = new DataTexture(data, SIZE, 2 * SIZE, RGBAFormat, isFloat ? FloatType : HalfFloatType);
-  // smaller on screen than in the texture it is not filtered: three's is not
+  // not filtered when minified, as three's tables are not
   texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
   return texture;

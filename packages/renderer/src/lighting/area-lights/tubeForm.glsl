@@ -6,7 +6,7 @@
 //? farol_tubeForm(vec3(-1.0, 1.0, -0.5), vec3(1.0, 0.5, 1.5), 0.04) == 0.019618
 //? farol_tubeForm(vec3(4.0, 5.0, 1.0), vec3(4.0, 5.0, 9.0), 0.1) == 0.003182
 
-// how much wider a tube is in the space of m; centre and half the axis: before m
+// factor on a tube's width by the transform m; centre, half the axis: before the transform
 float farol_tubeWidth(const in mat3 m, const in vec3 centre, const in vec3 halfAxis) {
   vec3 across = cross(centre - halfAxis, centre + halfAxis);
   float size = length(across);

@@ -4,7 +4,7 @@ import type { IUniform, Texture } from 'three';
 export interface GridUniforms extends Record<string, IUniform> {
   /** Side of a tile (pixels, as a power of two), tiles in y, words of deep lights, first record of the listed lights. */
   readonly farol_grid: { value: number[] };
-  /** Of the depth bins: shift (m), the float whose bits are the start, scale. */
+  /** Mapping of depth to bins: shift (m), the float whose bits are the start, scale. */
   readonly farol_gridDepth: { value: number[] };
   readonly farol_gridMasks: IUniform<Texture | null>;
   readonly farol_gridBins: IUniform<Texture | null>;

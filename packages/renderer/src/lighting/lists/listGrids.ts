@@ -1,11 +1,11 @@
 import type { WebGLRenderTarget } from 'three';
 
-/** Texels a row of a list texture, at most; WebGL 2's least MAX_TEXTURE_SIZE. */
+/** Greatest width of a list texture (texels): the least MAX_TEXTURE_SIZE of WebGL 2. */
 const ROW = 2048;
 
 /**
- * Sets farol_tiles. As many grids lie side by side in list textures as there are quads, if they fit; as many as before
- * where fewer would do, so that a light more or less takes no other textures.
+ * Sets farol_tiles. List textures hold a grid for each quad side by side, if they fit. The number is kept when fewer
+ * would do, so that a light more or less needs no new textures.
  * @param tiles - the uniform's value
  * @param x - tiles in x
  * @param y - tiles in y
@@ -20,8 +20,9 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
 }
 
 /**
- * Gives a list texture room for rows of grids of x × y texels, some more when it grows, and limits drawing to so many.
- * @param shift - grids in a row, as a power of two
+ * Makes a list texture large enough for rows of grids of x × y texels, with some spare rows when it grows, and limits
+ * drawing to those.
+ * @param shift - base-2 logarithm of the grids in a row
  */
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
   const width = x << shift;

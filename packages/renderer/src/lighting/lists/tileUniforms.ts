@@ -1,6 +1,6 @@
 import { Vector2, type IUniform, type Texture } from 'three';
 
-/** Pixels of a tile's side, as a power of two; FAROL_TILE_SHIFT in lightTiles.glsl. */
+/** Base-2 logarithm of a tile's side (pixels); FAROL_TILE_SHIFT in lightTiles.glsl. */
 export const TILE_SHIFT = 4;
 
 /** Uniforms of lightTiles.glsl, lightLoopTiled.glsl and viewport.glsl; one set a FarolRenderer. */

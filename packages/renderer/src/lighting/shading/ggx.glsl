@@ -6,7 +6,7 @@
 //? farol_blinnPhongLobe(2.0, 0.5) == 0.03978874
 //? farol_schlickPower(0.0) == 1.0
 
-// of the height-correlated Smith term, for the cosine of one direction with the normal; alphaSquared: roughness⁴
+// one direction's part of the height-correlated Smith term, by its cosine with the normal; alphaSquared: roughness⁴
 float farol_smithLambda(const in float alphaSquared, const in float cosine) {
   return sqrt(alphaSquared + (1.0 - alphaSquared) * cosine * cosine);
 }

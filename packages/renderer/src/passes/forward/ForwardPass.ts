@@ -12,7 +12,7 @@ export interface ForwardPassOptions {
   readonly name: string;
   readonly list: 'opaque' | 'transmissive' | 'transparent';
   readonly loop: LightLoop;
-  /** The same for opaque items that no pass before has drawn the depth of; default `loop`. */
+  /** Light loop for opaque items whose depth no pass has drawn before; default `loop`. */
   readonly loopOutside?: LightLoop;
   readonly reads?: readonly Resource[];
 }

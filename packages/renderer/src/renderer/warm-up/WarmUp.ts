@@ -15,7 +15,7 @@ import {
   type WaitingPrograms,
 } from '../../three/WaitingPrograms';
 
-/** Draws that are tried in one frame at most: some tenths of a millisecond. */
+/** Most draws tried in one frame: some tenths of a millisecond. */
 const DRAWS = 128;
 const STOP = new Error('Farol: warmed up');
 const stop = (): never => {
@@ -32,11 +32,11 @@ export class WarmUp implements Preparation {
   /** True when all programs that the technique needs for the scene, as of the last `step`, are linked. */
   ready = false;
   private readonly dry: Frame;
-  /** Of each material the geometries that were tried; the objects where the shader depends on the object too. */
+  /** Geometries tried for each material; objects instead where the shader depends on the object too. */
   private readonly seen = new Map<Material, Set<object>>();
   private programs: ProgramList | null = null;
   private waiting!: WaitingPrograms;
-  /** Draws that this frame may still try. */
+  /** Number of draws that this frame may still try. */
   private left = 0;
   /** Whether a draw was left for a later frame. */
   private cut = true;
@@ -69,11 +69,11 @@ export class WarmUp implements Preparation {
     });
   }
 
-  /** To be called inside three's `render`, when all is drawn; the target may be another one after it. */
+  /** Call inside three's `render`, when all is drawn; may leave another target bound. */
   step(effects: readonly FarolEffect[]): void {
     const programs = programsOf(this.frame.webgl);
     if (programs !== this.programs) {
-      // also after a lost context
+      // passes are new, also after a lost context
       this.programs = programs;
       this.waiting = waitingPrograms(programs);
       this.seen.clear();

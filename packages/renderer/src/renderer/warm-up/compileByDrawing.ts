@@ -10,7 +10,7 @@ interface LightSearch {
   find(scene: Object3D, camera: Camera, lightLayers: boolean): void;
 }
 
-/** A FarolRenderer as {@link compileByDrawing} sees it. */
+/** Parts of a FarolRenderer that {@link compileByDrawing} uses. */
 export interface Compiled {
   readonly webgl: WebGLRenderer;
   readonly techniques: Readonly<Record<string, { readonly lazy?: Lazy<object> }>>;
@@ -35,7 +35,7 @@ export async function compileByDrawing(
 ): Promise<void> {
   const outer = Lazy.lacking;
   const asked = (Lazy.lacking = new Set());
-  // most code is asked for by lights; a frame without it would compile in vain
+  // lights ask for most code; a frame without that code would compile in vain
   finder.find(scene, camera, farol.lightLayers);
   Lazy.lacking = outer;
   await Promise.all([load(asked), farol.techniques[farol.technique].lazy?.load()]);

@@ -1,10 +1,10 @@
 /**
- * What the region of an atlas holds of one shadow map (or image).
+ * State of an atlas region that holds one shadow map (or image).
  *
  * | state | the region |
  * |---|---|
  * | none | there is none |
- * | empty | is new: nothing is drawn in it |
+ * || empty | is new: holds nothing | |
  * | lost | has lost what was drawn, with the context or the atlas' texture; the scene is as it was then |
  * | partial | holds the map where receivers can be seen |
  * | whole | holds all of the map |
@@ -32,9 +32,9 @@ const AFTER_LOSS: Record<MapState, MapState> = {
   'stale-whole': 'empty',
 };
 
-/** The state of a map, which only these methods change; README.md says who calls each. */
+/** State of a map; only these methods change it. README.md says who calls each. */
 export class AtlasMap {
-  /** Last frame that found the map out of date, by `noteAge`. */
+  /** Last frame in which the map was out of date, by `noteAge`. */
   since = 0;
   private current: MapState = 'none';
   private planned: 'partial' | 'whole' | null = null;
@@ -51,12 +51,12 @@ export class AtlasMap {
     return current !== 'none' && current !== 'empty' && current !== 'lost';
   }
 
-  /** The region holds what it should, as far as that was planned. */
+  /** Whether the region holds all that was planned for it, up to date. */
   get isCurrent(): boolean {
     return this.current === 'partial' || this.current === 'whole';
   }
 
-  /** Something has changed since the map was drawn, or nothing was drawn. */
+  /** Whether a caster has changed since the map was drawn, or nothing was drawn. */
   get isStale(): boolean {
     const { current } = this;
     return current !== 'partial' && current !== 'whole' && current !== 'lost';
@@ -72,7 +72,7 @@ export class AtlasMap {
     return this.bounds;
   }
 
-  /** The map has been drawn at least once: where it is lost, it is drawn anew whatever the host says of updates. */
+  /** Whether the map was drawn at least once: a lost map is drawn anew even when the host has turned updates off. */
   get wasDrawn(): boolean {
     return this.drawn;
   }
@@ -91,13 +91,13 @@ export class AtlasMap {
     this.bounds = false;
   }
 
-  /** What was drawn is gone. */
+  /** Marks the drawn content as lost. */
   lose(): void {
     this.current = AFTER_LOSS[this.current];
     if (!this.isThere) this.bounds = false;
   }
 
-  /** Something that the map shows has changed. */
+  /** Marks the map as stale: a caster in it has changed. */
   change(): void {
     this.current = AFTER_CHANGE[this.current];
   }

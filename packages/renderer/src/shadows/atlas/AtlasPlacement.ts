@@ -6,7 +6,7 @@ export interface Region {
   height: number;
 }
 
-/** Where a map lies in its atlas; written by the atlas alone. */
+/** Region of a map in its atlas; written by the atlas alone. */
 export class AtlasPlacement {
   private rectangle: Region | null = null;
   private width = 0;
@@ -14,22 +14,22 @@ export class AtlasPlacement {
   private edge = 0;
   private halved = 0;
 
-  /** The place of all faces together, null while there is none. */
+  /** Rectangle of all faces together; null while the map has no region. */
   get region(): Region | null {
     return this.rectangle;
   }
 
-  /** Texels across a face that the last region was made for, without borders. */
+  /** Width of a face in the last region, without borders (texels). */
   get faceWidth(): number {
     return this.width;
   }
 
-  /** Texels up a face that the last region was made for, without borders. */
+  /** Height of a face in the last region, without borders (texels). */
   get faceHeight(): number {
     return this.height;
   }
 
-  /** Texels round each face of a cube; 0 round other maps. */
+  /** Width of the border round each face of a cube (texels); 0 for other maps. */
   get border(): number {
     return this.edge;
   }
@@ -56,7 +56,7 @@ export class AtlasPlacement {
     this.halved++;
   }
 
-  /** Asks for the full size again. */
+  /** Resets `halvings`, so that the map gets its full size again. */
   restore(): void {
     this.halved = 0;
   }

@@ -1,4 +1,4 @@
-/** Frames (of any camera) for which a map has more texels than they show, before it is halved. */
+/** Frames (of any camera) for which a map must have more texels than pictures show, before it is halved. */
 const PATIENCE = 30;
 /** Eighths of a halving by which a map must be too fine before it is halved. */
 const MARGIN = 2;
@@ -10,7 +10,7 @@ const MARGIN = 2;
 export class MapDetail {
   private applied = 0;
   private wanted = 0;
-  /** Frames for which the level could have been higher, and the least level that it could have been in them. */
+  /** Frames in a row in which a higher level would have done, and the least of those levels. */
   private patience = 0;
   private least = 0;
 
@@ -24,16 +24,16 @@ export class MapDetail {
     return this.wanted;
   }
 
-  /** Sets the level of a map without a region, which nothing keeps from any level. */
+  /** Sets the level of a map without a region, at once. */
   start(level: number): void {
     this.patience = 0;
     this.applied = this.wanted = level;
   }
 
   /**
-   * Finds the target of a map that has a region.
-   * @param eighths - of halvings after which the map would still do for this camera
-   * @param updates - the map is drawn whenever something changes; one that is not must do for all cameras
+   * Sets `target` for a map that has a region.
+   * @param eighths - eighths of halvings that this camera's picture allows
+   * @param updates - whether the map is redrawn on changes; a map that is not must do for all cameras
    */
   aim(eighths: number, updates: boolean): void {
     const { applied } = this;
@@ -48,13 +48,16 @@ export class MapDetail {
     this.wanted = this.patience > PATIENCE ? this.least : applied;
   }
 
-  /** Has the map go to the target. */
+  /** Applies the target level. */
   reach(): void {
     this.applied = this.wanted;
     this.patience = 0;
   }
 
-  /** The same as all maps of a full atlas are sized anew; the frames waited for count on. */
+  /**
+   * Applies the target level while all maps of a full atlas are resized; unlike `reach`, does not restart the wait for
+   * a higher level.
+   */
   settle(): void {
     this.applied = this.wanted;
   }

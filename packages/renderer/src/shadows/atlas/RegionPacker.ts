@@ -1,8 +1,8 @@
 import type { Region } from './AtlasPlacement';
 
 /**
- * Places rectangles in a square and takes them back: guillotine cuts, best fit by the shorter side left over, and free
- * rectangles joined where two share a whole side.
+ * Packs rectangles into a square and frees them again: guillotine cuts, best fit by the shorter side left over, and
+ * free rectangles joined where two share a whole side.
  * @see Jylänki 2010, A Thousand Ways to Pack the Bin
  */
 export class RegionPacker {
@@ -13,13 +13,13 @@ export class RegionPacker {
     this.clear(size);
   }
 
-  /** Forgets all that was placed. */
+  /** Frees all rectangles and sets the side (texels). */
   clear(size: number): void {
     this.size = size;
     this.free = [{ x: 0, y: 0, width: size, height: size }];
   }
 
-  /** A place of that size, or null when there is none. */
+  /** Finds and takes a free rectangle of a size (texels); null when there is none. */
   place(width: number, height: number): Region | null {
     let best = -1;
     let least = Infinity;
@@ -45,7 +45,7 @@ export class RegionPacker {
     return { x, y, width, height };
   }
 
-  /** Gives a place back. */
+  /** Frees a rectangle. */
   release(region: Region): void {
     let { x, y, width, height } = region;
     for (let i = 0; i < this.free.length;) {

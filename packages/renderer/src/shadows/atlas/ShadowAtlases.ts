@@ -5,7 +5,7 @@ import { depthTarget } from './depthTarget';
 import { TextureAtlas } from './TextureAtlas';
 import { textureHandle } from '../../three/handles';
 
-/** Texels a side of the atlas of colours at most. */
+/** Greatest side of the atlas of colours (texels). */
 const LARGEST_COLOURS = 4096;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
@@ -28,7 +28,7 @@ export class ShadowAtlases {
     );
   }
 
-  /** Depths have 24 bits; 16 before. */
+  /** Whether depths have 24 bits, not 16. */
   get isFine(): boolean {
     return this.fine;
   }
@@ -37,7 +37,7 @@ export class ShadowAtlases {
     return this.depths.bytes + this.colours.bytes;
   }
 
-  /** Has depths of 24 bits from now on; what the atlas of depths held is lost. */
+  /** Switches the atlas of depths to 24 bits; the maps in it are lost. */
   refine(): void {
     this.fine = true;
     this.depths.remake();

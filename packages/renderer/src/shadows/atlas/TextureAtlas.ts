@@ -5,39 +5,42 @@ import type { MapDetail } from './MapDetail';
 import { mipmapBlockHeight, mipmapBlockWidth } from './mipmapBlock';
 import { RegionPacker } from './RegionPacker';
 
-/** What has a region in an atlas: a map, or the six faces of a cube, three by two, with borders. */
+/** Owner of an atlas region: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
-  /** Maps a side of a square of several; 1 when absent. */
+  /** Maps along a side, for a square of several maps; 1 when absent. */
   readonly side?: number;
-  /** Texels a side that are asked for. */
+  /** Side that the light asks for (texels). */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
-  /** Share of the picture that the map matters for, 0 to 1. */
+  /** Share of the picture that the light covers, 0 to 1. */
   readonly coverage: number;
-  /** Where the map lies; written by the atlas. */
+  /** Region of the map; written by the atlas. */
   readonly placement: AtlasPlacement;
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map: AtlasMap;
-  /** How far the size asked for is reduced, because pictures show no more; not at all when absent. */
+  /** Reduction of the size asked for to what pictures show; none when absent. */
   readonly detail?: MapDetail;
-  /** Levels of mipmaps that lie beside an image, each with a border; no borders when absent. */
+  /** Mipmap levels that lie beside an image, each with a border; no borders when absent. */
   readonly levels?: number;
-  /** Texels round each face of a cube of this size, from what lies beside the face, so that filters cross its edges. */
+  /**
+   * Border round each face of a cube of this size (texels): it repeats the neighbouring faces, so that filters cross
+   * edges.
+   */
   borderOf(faceWidth: number): number;
-  /** Called when the map has got another region. */
+  /** Called when the map has moved to another region. */
   placed?(): void;
 }
 
-/** Texels a side of the smallest atlas. */
+/** Side of the smallest atlas (texels). */
 const SMALLEST = 512;
-/** Texels a side of an atlas from which on it grows by less than its size. */
+/** Side of an atlas (texels) beyond which it grows in steps of less than its size. */
 const FINE_STEPS = 4096;
-/** Texels a side below which a map is not halved. */
+/** Side of a map (texels) below which it is not halved. */
 const SMALLEST_MAP = 16;
-/** Rebalancings of a full atlas, of which one may place all maps anew. */
+/** Of this many rebalancings of a full atlas, one may place all maps anew. */
 const REBALANCINGS = 10;
-/** Part of the atlas that regions of mixed sizes are counted on to fill. */
+/** Share of the atlas that regions of mixed sizes are expected to fill. */
 const FILLED = 0.9;
 
 /**
@@ -48,11 +51,11 @@ export class TextureAtlas {
   target: WebGLRenderTarget | null = null;
   private readonly packer = new RegionPacker(SMALLEST);
   private readonly order: AtlasTenant[] = [];
-  /** Some maps are halved because the atlas is full. */
+  /** Whether some maps are halved because the atlas is full. */
   reduced = false;
-  /** Rebalancings so far. */
+  /** Number of rebalancings so far. */
   private rebalancings = 0;
-  /** Part of the largest atlas that maps are reduced to: less once they did not fit. */
+  /** Share of the largest atlas that maps are reduced to: lowered when they did not fit. */
   private filled = 1;
 
   /**
@@ -66,12 +69,15 @@ export class TextureAtlas {
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
 
-  /** What shaders read: the target's depths if it has a texture of them, else its colours; null while there is no target. */
+  /**
+   * Texture that shaders read: the target's depths if it has a texture of them, else its colours; null while there is
+   * no target.
+   */
   get texture(): Texture | null {
     return this.target?.depthTexture ?? this.target?.texture ?? null;
   }
 
-  /** Texels a side. */
+  /** Side of the atlas (texels). */
   get size(): number {
     return this.target?.width ?? 1;
   }
@@ -81,7 +87,7 @@ export class TextureAtlas {
   }
 
   /**
-   * Gives every tenant a region of the size that it asks for, or of a half, a quarter… of that where there is no room.
+   * Gives every tenant a region of the size that it asks for, or, when there is no room, of a half, a quarter… of it.
    * @param tenants - those of lit lights
    * @param kept - tenants of lights that are not lit now; their regions are taken when room is needed
    * @param rebalances - whether a full atlas chooses anew which maps are halved
@@ -114,14 +120,14 @@ export class TextureAtlas {
     this.limit = Math.max(this.limit, limit);
   }
 
-  /** Begins anew, without a target and a limit; all regions were given back. */
+  /** Resets the atlas to no target and no limit. All regions must have been released. */
   clear(): void {
     this.dispose();
     this.limit = 0;
     this.reduced = false;
   }
 
-  /** Gives a tenant's region back. */
+  /** Releases a tenant's region. */
   release(tenant: AtlasTenant): void {
     const { region } = tenant.placement;
     if (region === null) return;
@@ -129,7 +135,7 @@ export class TextureAtlas {
     drop(tenant);
   }
 
-  /** Makes the target anew, by `make`; what the regions held is lost. */
+  /** Makes a new target by `make`; the contents of regions are lost. */
   remake(): void {
     if (this.target !== null) this.resize(this.target.width);
   }
@@ -149,7 +155,7 @@ export class TextureAtlas {
     return true;
   }
 
-  /** Places a map with a half, a quarter… of its texels, where there is room for that. */
+  /** Places a map with a half, a quarter… of its texels, if there is room. @returns whether there was */
   private squeeze(tenant: AtlasTenant): boolean {
     const { limit } = this;
     while (Math.min(mapWidth(tenant, limit), mapHeight(tenant, limit)) > SMALLEST_MAP) {
@@ -165,7 +171,10 @@ export class TextureAtlas {
     this.order.sort((a, b) => blockHeight(b, mapHeight(b, limit)) - blockHeight(a, mapHeight(a, limit)));
   }
 
-  /** Places all anew, the largest first, in the smallest atlas that has room, with maps halved where the largest has none. */
+  /**
+   * Places all maps anew, the largest first, in the smallest atlas that has room; halves maps if even the largest has
+   * none.
+   */
   private repack(tenants: readonly AtlasTenant[], kept: readonly AtlasTenant[]): void {
     const { limit, order } = this;
     for (const tenant of kept) drop(tenant);
@@ -187,7 +196,7 @@ export class TextureAtlas {
     }
   }
 
-  /** Halves the maps that have most texels for what their lights cover of the picture, until all may fit. */
+  /** Halves the maps with most texels for the share of the picture that their lights cover, until all may fit. */
   private reduce(tenants: readonly AtlasTenant[]): void {
     const { limit } = this;
     let area = 0;
@@ -214,7 +223,10 @@ export class TextureAtlas {
     return true;
   }
 
-  /** Halves the map that has most texels for what its light covers of the picture. @returns the texels freed */
+  /**
+   * Halves the map with most texels for the share of the picture that its light covers.
+   * @returns the texels freed
+   */
   private halve(tenants: readonly AtlasTenant[]): number {
     let worst: AtlasTenant | null = null;
     let most = 0;
@@ -239,7 +251,7 @@ export class TextureAtlas {
   }
 }
 
-/** The next size of an atlas: twice as wide, but where that is much memory a quarter of a power of two more. */
+/** Next size of an atlas: twice as wide, or, beyond FINE_STEPS, a quarter of a power of two more. */
 function larger(size: number): number {
   return size < FINE_STEPS ? 2 * size : size + (1 << (29 - Math.clz32(size)));
 }
@@ -249,7 +261,7 @@ function drop({ placement, map }: AtlasTenant): void {
   map.release();
 }
 
-/** True when a tenant has a region for faces of this size, with the borders and levels that they need now. */
+/** True when a tenant's region fits faces of this size (texels), with the borders and levels that they need now. */
 function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
   const { region, faceWidth, faceHeight } = tenant.placement;
   if (region === null || faceWidth !== width || faceHeight !== height) return false;
@@ -264,7 +276,10 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
   return sideOf(tenant.wantedHeight, tenant, limit);
 }
 
-/** Texels a side of a face: as the light asks or pictures show, but no more than fit alone, halved while the atlas is full. */
+/**
+ * Side of a face (texels): the lesser of the light's and the pictures' need, limited to the atlas, halved while it is
+ * full.
+ */
 function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
   const wanted = asked >> (tenant.detail?.level ?? 0);
   const third = Math.floor(limit / 3);

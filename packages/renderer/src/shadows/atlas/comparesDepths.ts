@@ -2,7 +2,9 @@ import type { Texture, WebGLRenderer } from 'three';
 import { textureHandle } from '../../three/handles';
 import { bindTexture, unbindTexture } from '../../three/state';
 
-/** Has samplers of a depth texture give the outcome of a comparison, or (`does` false) the depths. */
+/**
+ * Switches depth comparison in samplers of a depth texture on, or (`does` false) off, so that they return the depth.
+ */
 export function comparesDepths(webgl: WebGLRenderer, texture: Texture, does: boolean): void {
   const gl = webgl.getContext() as WebGL2RenderingContext;
   bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, texture)!);

@@ -9,27 +9,27 @@ export interface Caster {
   y: number;
   z: number;
   radius: number;
-  /** World-space box, as `casterBox` gives it; what it holds counts only where `hasBox`. */
+  /** World-space box, by `casterBox`; valid only if `hasBox`. */
   readonly box: Float64Array;
   hasBox: boolean;
   /** World matrix, 16 numbers. */
   readonly matrix: Float64Array;
-  /** See `casterSignature`. */
+  /** Hash of the state that the shadow depends on, besides the matrix; see `casterSignature`. */
   signature: number;
-  /** Last walk that met the object, see `ShadowCasters.walks`. */
+  /** Last walk over the scene that met the object, see `ShadowCasters.walks`. */
   lastWalk: number;
-  /** What three's traversal is given to bring the object's buffers up to date, see `casterProxy`. */
+  /** Object given to three's traversal, which uploads the buffers of the caster, see `casterProxy`. */
   proxy: Object3D | null;
   /** Frame for which `proxy` was handed out. */
   proxyFrame: number;
-  /** Counts changes of the world matrix (or of what moves the box). */
+  /** Counts changes of the world matrix, and other changes of the box. */
   matrixVersion: number;
-  /** Counts changes of the signature; and the walk that met the last. */
+  /** Counts changes of the signature; `signatureWalk` is the walk that met the last change. */
   signatureVersion: number;
   signatureWalk: number;
-  /** The object among the merged casters, null while it is drawn by itself. */
+  /** Entry of the object among the merged casters; null while the object is drawn by itself. */
   merged: MergedCaster | null;
-  /** The `signatureVersion` that last asked to be merged, -1 for none. */
+  /** `signatureVersion` for which the caster last asked to be merged; -1 for none. */
   queuedVersion: number;
 }
 
@@ -40,15 +40,15 @@ export interface MergedCaster {
   /** Index of the page that holds the triangles, and number of the object in that page. */
   readonly page: number;
   readonly object: number;
-  /** First of the caster's indices in the page. */
+  /** First of the caster's vertex indices in the page. */
   readonly first: number;
-  /** `Caster.signatureVersion` that was merged. */
+  /** `Caster.signatureVersion` at the time of merging. */
   signatureVersion: number;
-  /** World-space boxes of the clusters, 6 numbers each, and the `Caster.matrixVersion` that they are of. */
+  /** World-space boxes of the clusters, 6 numbers each; found at `Caster.matrixVersion` = `matrixVersion`. */
   readonly boxes: Float64Array;
   /** World-space boxes of each `CLUSTERS_PER_GROUP` clusters that follow one another, 6 numbers each. */
   readonly groups: Float64Array;
   matrixVersion: number;
-  /** The world matrix turns triangles the other way. */
+  /** Whether the world matrix mirrors, which turns triangles the other way round. */
   isMirrored: boolean;
 }

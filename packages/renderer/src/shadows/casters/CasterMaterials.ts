@@ -29,11 +29,11 @@ type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
 
 /** Materials that write depths, or those that write distances. */
 interface CasterMaterialSet {
-  /** By the program that the mesh needs, see `sharedFor`. */
+  /** Materials by the program that the mesh needs, see `sharedFor`. */
   readonly shared: CasterMaterial[];
-  /** By the caster's material, where that discards or displaces. */
+  /** Depth materials by the caster's material, for materials that discard or displace. */
   readonly unique: Map<Material, CasterMaterial>;
-  /** By the caster's material, where its surfaces do. */
+  /** Depth materials by the caster's material, for materials whose surfaces discard or displace. */
   readonly worn: Map<Material, CasterMaterial>;
 }
 
@@ -46,7 +46,7 @@ type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatc
  */
 export class CasterMaterials {
   private readonly depths: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
-  /** For point lights where depth is logarithmic: these keep depth linear. */
+  /** Materials that write linear distances, for point lights when the depth buffer is logarithmic. */
   private readonly distances: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
 
   constructor(
@@ -55,7 +55,7 @@ export class CasterMaterials {
   ) {}
 
   /**
-   * @param light - whose map is drawn
+   * @param light - light whose map is drawn
    * @param bothSides - draws the sides that pictures show, as three does for variance shadow maps
    */
   get(object: Object3D, source: Material, light: Light, bothSides: boolean): Material {

@@ -20,14 +20,14 @@ export class ShadowCasters {
   changeCount = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  /** Walks over the scene so far, and the scene that the last one went over. */
+  /** Number of walks over the scene so far; `walked` is the scene of the last walk. */
   walks = 0;
   walked: Object3D | null = null;
   private receiversCast = false;
 
   /**
    * Walks over the scene.
-   * @param camera - by which LODs choose their level
+   * @param camera - camera by which LODs choose their level
    * @param receiversCast - true for variance shadow maps, into which three draws objects that receive shadows too
    */
   update(root: Object3D, camera: Camera, receiversCast: boolean): void {

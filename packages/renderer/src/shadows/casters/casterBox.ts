@@ -14,12 +14,12 @@ import { moveBox } from './moveBox';
 
 type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
-/** Boxes of geometries in their own space (m), and `attributeState` of the positions that each box is of. */
+/** Box of each geometry in its own space (m), with the `attributeState` of its positions when the box was found. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; state: number }>();
 
 const own = new Float64Array(6);
 
-/** Box of a geometry; null where there is none, or the CPU cannot read the positions and the page tells of no box. */
+/** Box of a geometry; null without positions, or when the CPU cannot read them and the page has set no box. */
 function boxOf(geometry: BufferGeometry): Box3 | null {
   const { position } = geometry.attributes;
   if (position === undefined) return null;
@@ -34,7 +34,9 @@ function boxOf(geometry: BufferGeometry): Box3 | null {
   return known.box;
 }
 
-/** How far the shaders of a material may displace vertices (m, in the object's own space); Infinity where nobody says. */
+/**
+ * Greatest displacement of vertices by a material's shaders (m, in the object's own space); Infinity if not declared.
+ */
 function reachOf(material: Material): number {
   return (material as MeshStandardMaterial).displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
 }

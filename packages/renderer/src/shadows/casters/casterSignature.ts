@@ -17,7 +17,7 @@ import { attributeId, attributeVersion, isOnGPU, type VertexAttribute } from '..
 type Caster = Mesh & Partial<InstancedMesh> & Partial<BatchedMesh> & { isSkinnedMesh?: boolean };
 type CasterMaterial = Material & Partial<MeshStandardMaterial>;
 
-/** Name of the attribute by a texture's channel. */
+/** Names of uv attributes, by a texture's `channel`. */
 const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
 
 let hash = 0;
@@ -31,7 +31,7 @@ function mixFraction(value: number): void {
   mix(value * 65536);
 }
 
-/** Mixes in a texture, and how it lies on a geometry. */
+/** Mixes a texture, its transform and its uv attribute into the hash. */
 function mixTexture(texture: Texture | null | undefined, geometry: BufferGeometry): void {
   if (!texture) return;
   const { id, version, offset, repeat, center, rotation, channel } = texture;

@@ -28,11 +28,11 @@ import { isDepthReversed, unmaskColour, unmaskDepth } from '../../three/state';
 const WHITE = [1, 1, 1, 1];
 const BLACK = [0, 0, 0, 0];
 
-/** What Farol knows of a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
+/** Farol's notes on a light's `shadow.map`; kept beside the map, since a host could see a property of it. */
 interface Watched {
-  /** `shadowMap.type` that the map is of. */
+  /** `shadowMap.type` for which the map was made. */
   readonly type: number;
-  /** Somebody has asked for the map's texture or depths. */
+  /** Whether somebody has read the map's texture or depths. */
   isWanted: boolean;
   /** The map holds a copy. */
   isFilled: boolean;
@@ -41,8 +41,8 @@ interface Watched {
 const watched = new WeakMap<RenderTarget, Watched>();
 
 /**
- * Notes from now on when somebody asks for the texture of a map, or for its depths: three's ShadowMapViewer, or stock three. The
- * map stays the same object, since others may hold it.
+ * Notes from now on when somebody reads the texture or depths of a map, such as three's ShadowMapViewer or stock three.
+ * The map stays the same object, since others may hold it.
  */
 function watch(map: RenderTarget, type: number): Watched {
   const state = { type, isWanted: false, isFilled: false };
@@ -73,7 +73,7 @@ function watch(map: RenderTarget, type: number): Watched {
   return state;
 }
 
-/** Takes the watch off a map, which is then as three makes them. */
+/** Ends `watch`: the map is then as three makes maps. */
 function unwatch(map: RenderTarget): void {
   watched.delete(map);
   delete (map as Partial<RenderTarget>).texture;

@@ -45,7 +45,7 @@ export class MomentDraws {
     return this.depths === null ? 0 : this.depths.width * this.depths.height * 9;
   }
 
-  /** Draws the map of a light into the map's region. */
+  /** Draws a light's map, blurs it, and writes its moments to the map's region. */
   render(slot: ShadowSlot, atlas: TextureAtlas): void {
     const { webgl } = this;
     const [face] = slot.faces;

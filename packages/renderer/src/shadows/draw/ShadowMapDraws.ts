@@ -34,7 +34,7 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Frames without a change after which a partial map is drawn whole. */
+/** Frames without a change in a partial map after which the whole map is drawn. */
 const REST = 60;
 
 const rectangle = new Vector4();
@@ -84,7 +84,7 @@ export class ShadowMapDraws {
     this.hasMerged = this.hasReceivers = false;
   }
 
-  /** Finds what each face of a light's map will draw, and has three bring its buffers up to date. */
+  /** Finds the casters that each face of a light's map will draw, and lets three upload their buffers. */
   prepare(slot: ShadowSlot): void {
     const merged = this.beginMerged();
     for (const face of slot.faces) face.clear();
@@ -130,12 +130,12 @@ export class ShadowMapDraws {
     return this.receivers.findParts(slot);
   }
 
-  /** Sends the data of the merged casters. */
+  /** Uploads the data of the merged casters. */
   send(): void {
     this.mergedCasters?.prepare();
   }
 
-  /** Has the sampler of an atlas of depths compare in the direction of the depth buffer, reversed or not. */
+  /** Sets the comparison of the depth atlas's sampler to the direction of the depth buffer, reversed or not. */
   setComparison(atlas: TextureAtlas): void {
     const texture = atlas.target?.depthTexture;
     const wanted = isDepthReversed(this.webgl) ? GreaterEqualCompare : LessEqualCompare;
@@ -157,7 +157,7 @@ export class ShadowMapDraws {
     testScissor(this.webgl, false);
   }
 
-  /** Lets go of the casters of a scene. */
+  /** Frees the casters of a scene. */
   release(casters: ShadowCasters): void {
     this.merged.get(casters)?.dispose();
     this.merged.delete(casters);

@@ -7,10 +7,10 @@ uniform highp samplerCube farol_cookieImage;
 #else
 uniform highp sampler2D farol_cookieImage;
 #endif
-// corner without border, size (texels); of a cube: corner, side of a face, from face to face
+// corner without border, size (texels); for a cube: corner, side of a face, distance of faces
 uniform highp vec4 farol_cookieRegion;
-uniform highp float farol_cookieFlip; // of x
-uniform highp float farol_cookieLevel; // of the image's mipmaps
+uniform highp float farol_cookieFlip; // direction of x
+uniform highp float farol_cookieLevel; // mipmap level of the image
 layout(location = 0) out highp vec4 farol_cookie;
 //# main
 vec2 at = gl_FragCoord.xy - farol_cookieRegion.xy;

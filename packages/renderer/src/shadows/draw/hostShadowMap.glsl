@@ -2,7 +2,7 @@
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
 uniform highp vec4 farol_hostMapRegion; // corner (texels), texels of the region for one of the map
-uniform highp float farol_hostMapFar; // depth where nothing is
+uniform highp float farol_hostMapFar; // depth where no caster is
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy);

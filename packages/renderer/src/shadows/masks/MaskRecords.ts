@@ -15,7 +15,7 @@ import { shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
 /** The masks of a frame's lights: which light has one, and their records in the light table. */
 export class MaskRecords {
   records = 0;
-  /** Records of lights that have no slot, but do not reach all layers. */
+  /** Mask record of each light that has no slot, but does not reach all layers. */
   private readonly layered = new Map<Light, number>();
 
   constructor(
@@ -38,7 +38,7 @@ export class MaskRecords {
     if (this.layers.separates(light)) this.layered.set(light, -1);
   }
 
-  /** Gives a lit slot its record, once it is known whether its light has a shadow. @param type - of maps, as `shadowMap.type` */
+  /** Gives a lit slot its record. Call once `hasShadow` is known. @param type - of maps, as `shadowMap.type` */
   assign(slot: ShadowSlot, type: number): void {
     const isMasked =
       slot.hasShadow || slot.cookie !== null || slot.profile !== null || this.layers.separates(slot.light);
@@ -48,7 +48,7 @@ export class MaskRecords {
     this.shaders.need(maskFeaturesOf(slot, type));
   }
 
-  /** Gives the lights without slot their records, after those of slots, and has shaders know all masks. */
+  /** Gives the lights without a slot their records, after those of slots, and adapts shaders to all masks. */
   end(): void {
     for (const light of this.layered.keys()) {
       this.shaders.need(maskFeatures.unshadowed | maskLoopOf(light));

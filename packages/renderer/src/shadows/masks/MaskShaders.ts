@@ -3,11 +3,13 @@ import { parseMicroShader } from '../../microshaders/parseMicroShader';
 import { imageSamplersChunk } from './imageSamplersChunk';
 import { maskFeatures, maskFeaturesChunk } from './maskFeatures';
 
-/** What shaders have code for. That grows with the masks that are met and never shrinks, so that nothing is compiled twice. */
+/**
+ * Mask features that shaders are compiled with. They only grow, as masks are met, so that nothing is compiled twice.
+ */
 export class MaskShaders {
   /** Level of the chunk `lightMask`. 0: no masks; 1: shadows and cookies; 2: layers too. */
   private level = 0;
-  /** Bits of `maskFeatures` in shaders, and those that frames have needed. */
+  /** Bits of `maskFeatures` that shaders have, and bits that frames have needed. */
   private features = 0;
   private neededFeatures = 0;
   private readonly before: MicroShader;
@@ -25,7 +27,7 @@ export class MaskShaders {
     this.neededFeatures |= features;
   }
 
-  /** Gives shaders what the frame needs. */
+  /** Adapts shaders to the frame's masks, by `need` and these flags. */
   adapt(hasMasks: boolean, hasLayers: boolean): void {
     if (this.neededFeatures !== this.features) {
       this.features = this.neededFeatures;
@@ -43,7 +45,7 @@ export class MaskShaders {
     this.microshaders.swap(name, parseMicroShader(name, text));
   }
 
-  /** Takes all code for masks out of shaders: there are no maps to sample any more. */
+  /** Removes all code for masks from shaders; there are no maps any more. */
   dispose(): void {
     if (this.level > 0) this.microshaders.swap('lightMask', this.before);
     this.level = 0;

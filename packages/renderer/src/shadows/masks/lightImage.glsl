@@ -14,7 +14,7 @@ vec3 farol_planeVS = vec3(0.0);
 #ifdef FAROL_LIGHT_COOKIES
 #define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
 
-// colour of a level of an image; region as farol_maskCookie gives it; levels lie as atlas/mipmapBlock.ts has them
+// colour of an image in one mipmap level; region: by farol_maskCookie; layout of levels: atlas/mipmapBlock.ts
 vec3 farol_imageLevel(const in vec4 region, const in vec2 uv, const in int level, const in bool nearest) {
   ivec2 base = ivec2(region.zw);
   ivec2 size = max(base >> level, 1);
@@ -26,7 +26,7 @@ vec3 farol_imageLevel(const in vec4 region, const in vec2 uv, const in int level
   return textureLod(farol_lightAtlas, (vec2(corner) + texel) * farol_atlasTexel.y, 0.0).rgb;
 }
 
-// level: of mipmaps, as a texture's derivatives give it; filtering: see slots/imageFilter.ts
+// colour of an image; level: mipmap level by a texture's derivatives; filtering: see slots/imageFilter.ts
 vec3 farol_imageAt(const in vec4 region, const in vec2 uv, const in float level, const in int filtering) {
   bool minifiesNearest = (filtering & 2) != 0;
   float magnified = (filtering & 15) == 6 || (filtering & 15) == 10 ? 0.5 : 0.0;
@@ -51,7 +51,7 @@ struct FarolQuad {
   vec2 above;
 };
 
-// place in a map of a pixel so many pixels right and up of a surface's; coord: of the surface
+// place in a map of the pixel at an offset (pixels right and up) from a surface's; coord: place of the surface
 vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 pixels, const in vec2 pixelSpan,
   const in vec3 positionVS, const in vec3 normalVS) {
   vec3 shift = vec3(pixels * abs(pixelSpan), 0.0);
@@ -65,7 +65,7 @@ vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 
   return moved.xy / moved.w;
 }
 
-// in a G-buffer: change of position to the next pixel, by the neighbour that is less far off in depth
+// G-buffer: change of position to the next pixel, by the neighbour that is nearer in depth
 vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS) {
   ivec2 last = ivec2(farol_readSize) - 1;
   vec3 next = FAROL_POSITION_AT(min(farol_readPixel + along, last)) - positionVS;
@@ -109,7 +109,7 @@ vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 posit
     return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
   }
   region.xy += 1.0;
-  // one filter for all sizes
+  // the same filter for magnified and minified images
   if ((filtering & 255) == 0 || (filtering & 255) == 3)
     return farol_imageLevel(region, across.xy, 0, (filtering & 1) != 0);
   FarolQuad quad = farol_quadOf(record, coord, positionVS, normalVS);

@@ -4,10 +4,10 @@
 #ifdef FAROL_PER_VERTEX
 #define FAROL_OBJECT_LAYERS farol_layersAttribute
 #elif defined( FAROL_LAYERS_OF_OBJECT )
-flat in highp vec2 farol_objectLayers; // 16 bits each
+flat in highp vec2 farol_objectLayers; // layers of the drawn object, as two numbers of 16 bits
 #define FAROL_OBJECT_LAYERS farol_objectLayers
 #else
-uniform highp vec2 farol_layers; // of all objects in the G-buffer
+uniform highp vec2 farol_layers; // layers of all objects in the G-buffer
 #define FAROL_OBJECT_LAYERS farol_layers
 #endif
 #include "lightShadow"

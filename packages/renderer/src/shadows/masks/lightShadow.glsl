@@ -9,11 +9,11 @@
 uniform highp mat3 farol_worldAxes; // view space to the world's axes
 uniform highp sampler2DShadow farol_shadowAtlas;
 
-// the five samples of three's disk before it is turned
+// the five sample offsets of three's PCF disk, before the disk is turned
 const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36998127), vec2(0.06181932, -0.70439930),
   vec2(0.50905647, 0.66397403), vec2(-0.93418124, -0.16524351));
 
-// where a direction meets a cube map: x and y in the face (0..1), index of the face (+x -x +y -y +z -z)
+// place at which a direction meets a cube map: x and y in the face (0..1), index of the face (+x -x +y -y +z -z)
 vec3 farol_cubeFace(const in vec3 direction) {
   vec3 size = abs(direction);
   vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0);
@@ -46,7 +46,7 @@ vec2 farol_diskTurn() {
 }
 
 #ifdef FAROL_ONE_TURN
-vec2 farol_turn; // worked out once a pixel
+vec2 farol_turn; // the turn of the disk is found once a pixel
 #define FAROL_TURN farol_turn
 #else
 #define FAROL_TURN farol_diskTurn()
@@ -60,7 +60,7 @@ struct FarolDisk {
   vec4 bounds; // least and most x and y of samples
 };
 
-// without branches, so that lighting goes on while the samples come
+// without branches, so that other lighting is computed while samples are fetched
 float farol_diskShadow(const in FarolDisk disk) {
   float lit = 0.0;
   for (int i = 0; i < 5; i++) {
@@ -261,11 +261,11 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 }
 
 #ifdef FAROL_SOFT_SHADOWS
-const int FAROL_SEARCHES = 16; // directions in which blockers are looked for
-const int FAROL_HALVINGS = 4; // of the distance to the surface, until a blocker is found
+const int FAROL_SEARCHES = 16; // number of directions in which blockers are searched
+const int FAROL_HALVINGS = 4; // halvings of the distance to the surface in a search for a blocker
 const int FAROL_SOFT_TAPS = 20;
 
-// 0 behind what the map shows in the direction of a place (m, from the light), 1 before it
+// 0 if the map has a blocker before a place (m, relative to the light), else 1
 float farol_softTap(const in FarolMask mask, const in vec3 place) {
   float depth = mask.filtering.x + mask.filtering.y / max(max(abs(place.x), abs(place.y)), abs(place.z));
   return farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(place), false),
@@ -288,12 +288,12 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
   vec3 right = normalize(cross(forward, abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
   vec3 up = cross(right, forward);
   float facing = min(dot(normal, forward), -0.05);
-  float size = mask.filtering.z / away; // of the light, from the surface
+  float size = mask.filtering.z / away; // angular size of the light, seen from the surface
   vec2 turn = FAROL_TURN;
   float blockers = 0.0;
-  float distances = 0.0; // of blockers, as parts of the distance to the surface
+  float distances = 0.0; // distance of blockers, as parts of the distance to the surface
   for (int i = 0; i < FAROL_SEARCHES; i++) {
-    // more of them near the middle, where blockers near the surface are
+    // more directions near the middle, where blockers near the surface are
     float part = (float(i) + 0.5) / float(FAROL_SEARCHES);
     vec2 at = farol_spiral(i, turn) * (part * min(2.0 * size, 1.0));
     vec3 direction = forward + at.x * right + at.y * up;
@@ -322,7 +322,7 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
 }
 #endif
 
-// share of a light that its map lets through, as its mask has it filtered
+// share of a light that its map lets through, by the filter of its mask
 float farol_filteredAt(const in int record, const in FarolMask mask, const in bool isPoint, const in vec4 coord,
   const in vec3 shadowNormalVS) {
 #ifdef FAROL_SOFT_SHADOWS
@@ -331,7 +331,7 @@ float farol_filteredAt(const in int record, const in FarolMask mask, const in bo
   return farol_litAt(record, mask, isPoint, coord);
 }
 
-// share of a light that its map lets through, for what has the mask alone
+// share of a light that its map lets through; reads the mask by its record
 float farol_lightLit(const in int record, const in vec3 positionVS, const in vec3 shadowNormalVS) {
   FarolMask mask = farol_readMask(record);
   vec3 toLight = farol_maskPosition(record) - positionVS;

@@ -3,7 +3,10 @@ import { classifyLight } from '../../lights/classifyLight';
 import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
-/** Bits of what shaders can have code for; `defines` has the name of each in maskFeatures.glsl; for `images` there are samplers. */
+/**
+ * Features of masks that shaders can have code for, as bits. `defines` has their names in maskFeatures.glsl; `images`
+ * stands for samplers instead.
+ */
 export const maskFeatures = {
   maps: 1,
   cubes: 2,
@@ -44,15 +47,18 @@ export function maskLoopOf(light: Light): number {
   return kind === 'point' ? maskFeatures.point : maskFeatures.bounded;
 }
 
-/** What shaders need code for because of a light. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
+/**
+ * Shader features that a light needs, as bits of `maskFeatures`.
+ * @param type - of maps, as `WebGLRenderer.shadowMap.type`
+ */
 export function maskFeaturesOf(
   { hasShadow, isCube, cascades, cookie, profile, light, hasLeftMap }: ShadowSlot,
   type: number,
 ): number {
-  // area lights ask for their masks themselves
+  // the shaders of area lights call for masks themselves
   if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
   let features = maskLoopOf(light);
-  // shaders then take the path of lights that are no plain points
+  // shaders treat such a light as one that is not a plain point light
   if (hasLeftMap) features |= maskFeatures.bounded;
   if (profile !== null) features |= maskFeatures.profiles;
   if (!hasShadow && cookie === null) return features | maskFeatures.unshadowed;
@@ -66,7 +72,7 @@ export function maskFeaturesOf(
   return features | (type === BasicShadowMap ? maskFeatures.basic : maskFeatures.pcf);
 }
 
-/** Text of the chunk `maskFeatures` for some features: code for others would slow shaders down. */
+/** Text of the chunk `maskFeatures` for the given features; other features' code would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
   const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
   for (const [name, define] of Object.entries(defines)) {

@@ -1,13 +1,15 @@
 import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
 import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 
-/** What a mask does with its shadow map. */
+/** Ways in which a mask reads its shadow map. */
 export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/** What a mask has of an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
+/**
+ * Ways in which a mask reads an image. `profile`: a photometric profile, and the image that `profileAcross` says.
+ */
 export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
-/** Where the whole number in `place` has its parts (bits); the width of a face has those below `lookup`. */
+/** First bit of each part of the whole number in `place`; the bits below `lookup` are a face's width. */
 export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
 
 /**
@@ -16,9 +18,9 @@ export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } a
  * `place`, `filtering` and what of the matrix it needs of every light that reaches it, the others seldom.
  */
 export const maskRecord = {
-  /** Of a map: columns of the matrix from view space to the map (0 to 1, depth 0 to 1). Of a cube: only `position`. */
+  /** Columns of the matrix from view space to the map (0 to 1, depth 0 to 1); for a cube only `position`. */
   columnX: {
-    /** Where a point light was as its map was drawn (view space, m). */
+    /** Position of a point light when its map was drawn (view space, m). */
     position: 'xyz',
   },
   columnY: {},
@@ -27,17 +29,17 @@ export const maskRecord = {
   place: {
     /** Corner of the map's region (texels). */
     corner: 'xy',
-    /** Texels across a face. */
+    /** Width of a face (texels). */
     width: ['int', `int(t.z) & ${(1 << PLACE_BITS.lookup) - 1}`],
     /** One of `shadowLookups`. */
     lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
     /** One of `cookieShapes`. */
     cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
-    /** Of a map: `extent` counts. Of a cube: `position` counts, since the light has left its map. */
+    /** Whether `extent` counts; for a cube, whether `position` counts, since the light has left its map. */
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
-    /** Texels round a face of a cube. */
+    /** Width of the border round a cube's face (texels). */
     border: ['int', `1 << (int(t.z) >> ${PLACE_BITS.border})`],
-    /** How far along their normals surfaces look the map up (m). */
+    /** Offset along the surface's normal at which the map is looked up (m). */
     normalBias: 'w',
   },
   /**
@@ -46,11 +48,11 @@ export const maskRecord = {
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
-  /** Of a map, but for `cookieFilter`. */
+  /** Size of the map and sampling of its cookie; not for a cube, but for `cookieFilter`. */
   extent: {
     /** Texels up the map, and number of its cascades. */
     heightAndCascades: 'xy',
-    /** `ShadowBounds` knows the depths. */
+    /** Whether `ShadowBounds` has depth bounds for the map. */
     hasBounds: ['bool', 't.z != 0.0'],
     /** Sampling of the cookie's copy, see `imageFilter`; below 0 the texture itself is sampled: -1 - its sampler. */
     cookieFilter: ['int', 'int(t.w)'],
@@ -62,12 +64,15 @@ export const maskRecord = {
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
     layers: 'xy',
-    /** From a pixel to the next, across and up: change of the view ray at distance 1, or, below 0, of an orthographic one (m). */
+    /**
+     * Step from a pixel to the next, across and up: change of the view ray at distance 1; negative: of an orthographic
+     * ray (m).
+     */
     pixelSpan: 'zw',
   },
   /**
-   * How coordinates of the whole map become those of a cascade: scale and shift of x, scale and shift of y. Of a light with a
-   * profile: where its horizontal angle is 0, and where its vertical angle is 0 (view space, unit length).
+   * Transform of the whole map's coordinates to a cascade's: scale and shift of x, scale and shift of y. For a light
+   * with a profile: directions of horizontal angle 0 and of vertical angle 0 (view space, unit length).
    */
   firstFit: {
     profileAcross: 'xyz',
@@ -77,11 +82,11 @@ export const maskRecord = {
   secondFit: { profileDown: 'xyz' },
 } as const satisfies RecordLayout;
 
-/** Where the texels of a mask begin (floats). */
+/** Offsets of a mask's texels (floats). */
 export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
 
-/** Cascades that a directional light has at most beside the whole map, and where their fits lie (floats). */
+/** Most cascades of a directional light beside the whole map, and the offsets of their fits (floats). */
 export const MOST_CASCADES = 3;
 export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

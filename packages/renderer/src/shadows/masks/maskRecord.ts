@@ -15,8 +15,8 @@ const down = new Vector3();
 /**
  * Writes the mask of a light, for positions in view space.
  * @param lookup - one of `shadowLookups`
- * @param reversed - the depth buffer is
- * @param layers - that the light reaches, as bits; 0 for all
+ * @param reversed - whether the depth buffer is reversed
+ * @param layers - layers that the light reaches, as bits; 0 for all
  * @param picture - size (pixels)
  */
 export function writeMask(
@@ -37,7 +37,7 @@ export function writeMask(
     position.setFromMatrixPosition(slot.matrix).negate().applyMatrix4(camera.matrixWorldInverse);
     table.set4(at + MASK.columnX, position.x, position.y, position.z, 1);
   } else {
-    // not the camera's world matrix: three leaves its scale out of the view
+    // not the camera's world matrix: three leaves that matrix's scale out of the view
     const e = matrix.copy(camera.matrixWorldInverse).invert().premultiply(slot.matrix).elements;
     for (let i = 0; i < 16; i += 4) table.set4(at + MASK.columnX + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
@@ -96,7 +96,7 @@ function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: num
   return true;
 }
 
-/** What a light's mask does with its map. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
+/** Lookup of a light's mask, one of `shadowLookups`. @param type - of maps, as `WebGLRenderer.shadowMap.type` */
 export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: number): number {
   if (!hasShadow) return shadowLookups.none;
   if (softSizeOf(light) > 0) return shadowLookups.soft;
@@ -114,7 +114,7 @@ export function writeLayerMask(table: DataTable, record: number, layers: number)
   writeLayers(table, at, layers);
 }
 
-/** The whole number in `place`. @param border - texels, a power of two, or 0 */
+/** Packs the whole number in `place`. @param border - texels, a power of two, or 0 */
 export function packPlace(width: number, lookup: number, shape: number, isExtended: boolean, border: number): number {
   const { lookup: lookupBit, cookie, extended, border: borderBit } = PLACE_BITS;
   const power = 31 - Math.clz32(border | 1);

@@ -2,7 +2,7 @@ import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
 import { recordGetters } from '../../lighting/recordGetters';
 import { cookieShapes, FITS, maskRecord, RECORDS_PER_MASK, shadowLookups } from './maskLayout';
 
-/** Records before the one that holds the fits, and texels of the fits in that record. */
+/** Record of a mask that holds the fits, counted from its first, and number of texels of the fits. */
 const FIT_RECORD = 2;
 const [first, second, third] = FITS.map((float) => float / 4 - FIT_RECORD * TEXELS_PER_RECORD);
 

@@ -13,9 +13,12 @@ import { cubeFaceParts, openFaces } from './cubeFaceParts';
 import { mapPart } from './mapPart';
 import { Widest } from './Widest';
 
-/** How much wider than the camera's frustum the one that counts is: a camera that shakes by part of a pixel then needs no more. */
+/**
+ * Factor by which the frustum is wider than the camera's: a camera that shakes by part of a pixel then finds no new
+ * receivers.
+ */
 const WIDER = 1.01;
-/** By which spheres are taken larger: objects that shaders bend may leave theirs. */
+/** Factor on bounding spheres: objects that shaders bend may leave theirs. */
 const SPHERES = 2;
 /** Numbers of a group: its box, index of the first member and index after the last; a group without members is one box. */
 const GROUP = 8;
@@ -23,7 +26,7 @@ const GROUP = 8;
 const matrix = new Matrix4();
 const planes = new Float64Array(24);
 const parts = new Float64Array(24);
-/** Faces of a cube whose visible part is not all of the face yet, as bits. */
+/** Faces of a cube, as bits, whose visible part may still grow. */
 let open = 63;
 const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
@@ -43,7 +46,7 @@ export class VisibleReceivers {
   private objects = new Float64Array(GROUP * 64);
   private objectsUsed = 0;
   private readonly widest = new WeakMap<ShadowSlot, Widest>();
-  /** A receiver has no bounds. */
+  /** Whether a receiver has no bounds. */
   private isUnbounded = false;
 
   /**
@@ -76,8 +79,8 @@ export class VisibleReceivers {
   }
 
   /**
-   * Finds the part of each face of a light's map that is looked up, with what filters read beside it.
-   * @returns false where that is all, or not known
+   * Finds the part of each face of a light's map that receivers look up, with the border that filters read.
+   * @returns false if that is the whole map, or not known
    */
   findParts(slot: ShadowSlot): boolean {
     if (this.isUnbounded) return false;
@@ -152,7 +155,7 @@ export class VisibleReceivers {
     if (this.groupsUsed > firstGroup) this.addToObjects(box, firstGroup);
   }
 
-  /** Adds what may be anywhere in the picture, unless three culls it. */
+  /** Adds a receiver that may be anywhere in its enlarged sphere, unless three culls it. */
   private addBent({ x, y, z, radius }: typeof sphere): void {
     if (Number.isFinite(radius)) {
       setCube(x, y, z, radius);
@@ -192,7 +195,7 @@ export class VisibleReceivers {
 
   /**
    * Makes a group of the boxes from `first` on.
-   * @param round - holds the box round them, from index `from` on
+   * @param round - box round those boxes, from index `from` on
    */
   private addGroup(first: number, round: Float64Array, from: number): void {
     if (this.groupsUsed === this.groups.length) this.groups = grown(this.groups);
@@ -202,7 +205,7 @@ export class VisibleReceivers {
     this.groupsUsed += GROUP;
   }
 
-  /** Makes a group of the groups from `first` on. @param round - box round them */
+  /** Makes a group of the groups from `first` on. @param round - box round those groups */
   private addToObjects(round: Float64Array, first: number): void {
     if (this.objectsUsed === this.objects.length) this.objects = grown(this.objects);
     copyBox(round, 0, this.objects, this.objectsUsed);
@@ -221,7 +224,7 @@ function setCube(x: number, y: number, z: number, radius: number): void {
   own[3] = own[4] = own[5] = radius;
 }
 
-/** Whether a vertex shader of the page's may have the vertices of an object elsewhere. */
+/** Whether the page's own vertex shader may move an object's vertices. */
 function isBent(object: Object3D): boolean {
   const { material } = object as Mesh;
   if (!Array.isArray(material)) return bends(material);
@@ -237,7 +240,10 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
   return more;
 }
 
-/** True when the parts hold a group's box, as far as it is within reach; widens them where that is no loss. */
+/**
+ * True when the visible parts hold a group's box, as far as the box is within reach; widens them by little if that
+ * suffices.
+ */
 function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   const isLeaf = groups[at + 6] === groups[at + 7];
   if (isLeaf) hold(slot, groups, at);
@@ -253,7 +259,7 @@ function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   return true;
 }
 
-/** Widens the parts to hold a box, as far as it is within reach. @returns whether they were widened */
+/** Widens the visible parts to hold a box, as far as the box is within reach. @returns whether they were widened */
 function hold({ isCube, faces }: ShadowSlot, boxes: Float64Array, at: number): boolean {
   let widens = false;
   if (isCube) {

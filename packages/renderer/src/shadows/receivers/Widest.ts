@@ -1,4 +1,4 @@
-/** Boxes remembered at most. */
+/** Most boxes remembered. */
 const MOST = 48;
 
 /**
@@ -13,12 +13,12 @@ export class Widest {
   private foundCount = 0;
   private keptCount = 0;
 
-  /** A box of the list has widened the parts again. */
+  /** Notes that a box of the list has widened the visible parts again. */
   keep(box: number): void {
     this.kept[this.keptCount++] = box;
   }
 
-  /** A box that is not in the list has widened the parts. */
+  /** Notes that a box that is not in the list has widened the visible parts. */
   find(box: number): void {
     this.found[this.foundCount++ % MOST] = box;
   }

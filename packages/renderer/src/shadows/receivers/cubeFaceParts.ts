@@ -5,13 +5,13 @@ import type { Reach } from '../slots/reach';
 const ACROSS = new Uint8Array([4, 5, 0, 1, 1, 0]);
 const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
 
-/** How much wider than need be a part may become, for less work (parts of the axis). */
+/** Excess width that a part may get, for less work (parts of the axis). */
 const SLACK = 0.06;
 
 /** Added to parts, so that they still hold their boxes when numbers are rounded. */
 const ROUNDING = 1e-12;
 
-/** How far a box, as far as it is within range, reaches in each of the six directions (m). */
+/** Extent of a box, clipped to the range, in each of the six directions (m). */
 const ends = new Float64Array(6);
 
 /**
@@ -20,9 +20,9 @@ const ends = new Float64Array(6);
  * -Infinity for nothing, Infinity for all
  * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
  * @param reach - of the map: the light's place and range
- * @param open - faces whose part is not all of the face yet, as bits; others do not count
+ * @param open - faces whose part does not cover the face yet, as bits; others are skipped
  * @param writes - false to leave the parts as they are
- * @returns 0 where the parts hold the box already, 1 where they are too small by no more than `SLACK`, else 2
+ * @returns 0 if the parts hold the box already, 1 if they are too small by no more than `SLACK`, else 2
  */
 export function cubeFaceParts(
   parts: Float64Array,
@@ -84,14 +84,14 @@ export function cubeFaceParts(
   return widens;
 }
 
-/** The faces whose part is not all of the face, as bits. */
+/** Faces whose part does not cover the face, as bits. */
 export function openFaces(parts: Float64Array): number {
   let open = 0;
   for (let side = 0; side < 24; side++) if (parts[side] !== Infinity) open |= 1 << (side >> 2);
   return open;
 }
 
-/** The lesser of two finite numbers; without a branch, see `cubeFacesOf`. */
+/** Lesser of two finite numbers; without a branch, see `cubeFacesOf`. */
 function least(a: number, b: number): number {
   return 0.5 * (a + b - Math.abs(a - b));
 }

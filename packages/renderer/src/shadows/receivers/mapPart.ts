@@ -5,7 +5,7 @@ import type { Reach } from '../slots/reach';
  * Widens the visible part of a map so that it holds a box as the map's camera projects it.
  * @param part - least and most across, least and most up, -1 to 1 in the map, 4 numbers from index `to` on
  * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
- * @param reach - of the map, which says how much wider boxes are taken
+ * @param reach - reach of the map, which has the widening of boxes
  * @param matrix - from world to clip space
  * @param writes - false to leave the part as it is
  * @returns whether the part was too small

@@ -14,11 +14,11 @@ import type { RegionDrawer } from '../draw/RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
 
-/** Texels a side of a block; shadowBounds.glsl and tileShadows.glsl have the number too. */
+/** Side of a block (texels); shadowBounds.glsl and tileShadows.glsl repeat the number. */
 const BLOCK = 8;
-/** Frames for which a map must have been at rest. */
+/** Frames without a change after which a map gets bounds. */
 const REST = 2;
-/** Texels read a frame; the map that exceeds them is the last. */
+/** Texels read in a frame; the map that exceeds them is the frame's last. */
 const BUDGET = 12_000_000;
 
 /**
@@ -57,7 +57,7 @@ export class ShadowBounds {
     this.left = BUDGET;
   }
 
-  /** Takes up a map that the frame does not draw. @param rested - frames since something changed in the map */
+  /** Adds a map that the frame does not draw. @param rested - frames since something changed in the map */
   keep(slot: ShadowSlot, rested: number): void {
     if (slot.map.hasBounds || rested < REST || slot.cascades > 0 || this.left <= 0) return;
     const { region } = slot.placement;
@@ -65,7 +65,7 @@ export class ShadowBounds {
     this.wanted.push(slot);
   }
 
-  /** Finds the bounds of the maps that were taken up. Call once the maps of the frame are drawn. */
+  /** Finds the bounds of the maps that `keep` added. Call once the maps of the frame are drawn. */
   render(atlas: TextureAtlas): void {
     const { webgl, target } = this;
     if (!this.isCompiled) this.compile();

@@ -7,11 +7,14 @@ import { wordTarget } from '../../gpu/wordTarget';
 import type { MaskUniforms } from '../../lighting/maskUniforms';
 import { textureHandle } from '../../three/handles';
 
-/** Pixels a side of a tile; lightLoopClustered.glsl has the number too. A tile of the light grid holds a whole number of these. */
+/**
+ * Side of a tile (pixels); lightLoopClustered.glsl repeats the number. A tile of the light grid holds a whole number of
+ * these.
+ */
 const TILE = 8;
-/** Pixels a side of the blocks whose depths are bounded first. */
+/** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
-/** Words of lights at most, a bit a light: 512 lights. */
+/** Most words of lights, a bit a light: 512 lights. */
 const MOST_WORDS = 16;
 const LIGHTS_PER_WORD = 32;
 
@@ -20,7 +23,7 @@ const LIGHTS_PER_WORD = 32;
  * there need not sample those maps.
  */
 export class ShadowTiles {
-  /** Maps of the frame that have bounds, see `ShadowBounds`. */
+  /** Number of the frame's maps that have bounds, see `ShadowBounds`. */
   bounded = 0;
   private readonly planes = wordTarget();
   private readonly marks = wordTarget();
@@ -39,7 +42,7 @@ export class ShadowTiles {
 
   /**
    * Marks the tiles of a frame, once its G-buffer and light grid are there.
-   * @param bounds - of the shadow maps
+   * @param bounds - depth bounds of the shadow maps
    */
   render(frame: Frame, gbuffer: GBuffer, bounds: WebGLRenderTarget): void {
     const mask = frame.uniforms as unknown as MaskUniforms;
@@ -78,7 +81,9 @@ export class ShadowTiles {
     pass.drawTo(frame, target);
   }
 
-  /** Has three make the texture of marks, which shaders bind though nothing is marked; also after a lost context. */
+  /**
+   * Creates the texture of marks by three, also after a lost context: shaders bind it even when nothing is marked.
+   */
   private giveStorage(frame: Frame): void {
     if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
   }

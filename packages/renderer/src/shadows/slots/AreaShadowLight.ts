@@ -1,11 +1,11 @@
 import { type Light, MathUtils, PointLight, type RectAreaLight } from 'three';
 import type { FarolLightData } from '../../lights/lightData';
 
-/** Texels across a face of the map, before it is fitted to the picture: by default, least, most. */
+/** Width of a face of the map, before it is fitted to the picture (texels): default, least, greatest. */
 const TEXELS = 1024;
 const LEAST_TEXELS = 16;
 const MOST_TEXELS = 8192;
-/** By default (m): a bias of depths would be larger the farther a surface is. */
+/** Default offset along the normal (m); a bias of depths would grow with the distance of a surface. */
 const NORMAL_BIAS = 0.03;
 /** Near plane of the map (m). */
 const NEAR = 0.05;
@@ -15,7 +15,7 @@ const stands = new WeakMap<RectAreaLight, AreaShadowLight>();
 /** The point light at the centre of an area light, from which its shadow map is drawn: three's RectAreaLight has no shadow. */
 export class AreaShadowLight extends PointLight {
   readonly isAreaShadowLight = true;
-  /** Half the size of the area light, as a disc (m): its shadows are that soft. */
+  /** Radius (m) of the area light, taken as a disc; decides how soft its shadows are. */
   size = 0;
 
   private constructor() {
@@ -24,7 +24,10 @@ export class AreaShadowLight extends PointLight {
     this.shadow.camera.near = NEAR;
   }
 
-  /** That of an area light, where the light is now. @param range - beyond which the light gives nothing (m), 0 for none */
+  /**
+   * Shadow light of an area light, moved to where the area light is now.
+   * @param range - beyond which the light gives nothing (m), 0 for none
+   */
   static follow(light: RectAreaLight, range: number): AreaShadowLight {
     let stand = stands.get(light);
     if (stand === undefined) stands.set(light, (stand = new AreaShadowLight()));
@@ -39,7 +42,7 @@ export class AreaShadowLight extends PointLight {
     return stand;
   }
 
-  /** That of an area light; undefined before `follow`. */
+  /** Shadow light of an area light; undefined before `follow`. */
   static of(light: RectAreaLight): AreaShadowLight | undefined {
     return stands.get(light);
   }

@@ -4,10 +4,10 @@ import { AtlasPlacement } from '../atlas/AtlasPlacement';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
 import { imageFilter, imageLevels } from './imageFilter';
 
-/** Texels a side of an image in the atlas at most. */
+/** Greatest side of an image in the atlas (texels). */
 const LARGEST = 1024;
 
-/** Texels round each face of a cube; farol_cookieAt in lightShadow.glsl has the number too. */
+/** Width of the border round each face of a cube (texels); farol_cookieAt in lightShadow.glsl repeats the number. */
 export const COOKIE_BORDER = 1;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
@@ -16,19 +16,19 @@ type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
-  /** Where the copy of the image lies; written by the atlas. */
+  /** Region of the image's copy; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
-  /** Of an image that is no cube: levels of its mipmaps in the atlas. */
+  /** Mipmap levels in the atlas, for an image that is no cube. */
   levels: number | undefined = undefined;
-  /** How the image is sampled, see `imageFilter`; 0 for a cube or a profile. */
+  /** Sampling of the image, see `imageFilter`; 0 for a cube or a profile. */
   filter = 0;
-  /** The sampler that shaders have for the texture itself; -1 where they sample the copy. Written by `ImageSamplers`. */
+  /** Index of the sampler for the texture itself; -1 when shaders sample the copy. Written by `ImageSamplers`. */
   sampler = -1;
-  /** Texels across the texture. */
+  /** Width of the texture (texels). */
   textureWidth = 1;
   /** Last frame in which a light threw the image. */
   lastLit = 0;
@@ -43,7 +43,10 @@ export class CookieSlot implements AtlasTenant {
     this.isCube = (texture as CubeTexture).isCubeTexture === true;
   }
 
-  /** Follows the texture: the copy is stale when the image has changed. @param mostAnisotropy - of the device */
+  /**
+   * Follows the texture: the copy is stale when the image has changed.
+   * @param mostAnisotropy - greatest anisotropy of the device
+   */
   follow(mostAnisotropy: number): void {
     const { texture } = this;
     const image = (this.isCube ? (texture as CubeTexture).images[0] : texture.image) as

@@ -1,16 +1,19 @@
 import type { Texture } from 'three';
 import type { CookieSlot } from './CookieSlot';
 
-/** Textures that a fragment shader can have, from which on four of them are for images. */
+/** Texture units of fragment shaders from which on four are used for images. */
 const MANY_UNITS = 32;
 
-/** How many textures of lights a shader samples beside the maps of a material. @param units - textures that it can have */
+/**
+ * Number of lights' textures that a shader samples beside a material's maps.
+ * @param units - texture units of fragment shaders
+ */
 export function imageSamplersOf(units: number): number {
   return units >= MANY_UNITS ? 4 : 1;
 }
 
 /**
- * Which of the textures that spot lights throw are sampled themselves, as three does it; others are copied. A texture keeps
+ * Assigns samplers to textures that spot lights throw, as three does; textures without one are copied. A texture keeps
  * its sampler as long as a light throws it, so that its picture does not change with other lights.
  */
 export class ImageSamplers {

@@ -18,27 +18,30 @@ export interface SlotRelease {
 
 /** The slots of all lights, and of the images and profiles that they have: those of the frame, and those kept for a while after. */
 export class LightSlots {
-  /** Slots of the frame's lights. */
-  /** Of casters, as bits, where a shadow's camera names none. */
+  /** Layers of casters, as bits, for shadows whose camera names none. */
   layersSeen = 1;
+  /** Slots of the frame's lights. */
   readonly lit: ShadowSlot[] = [];
-  /** What the frame needs of the atlas of depths and of that of colours, by `sortOut`. */
+  /** Tenants that the frame needs in the atlas of depths and in that of colours, by `sortOut`. */
   readonly depths: ShadowSlot[] = [];
   readonly colours: AtlasTenant[] = [];
-  /** What has regions of the two atlases, but is not needed in the frame. */
+  /** Tenants that have regions of the two atlases, but are not needed in the frame. */
   readonly keptDepths: ShadowSlot[] = [];
   readonly keptColours: AtlasTenant[] = [];
-  /** Maps among what the frame needs. */
+  /** Number of shadow maps that the frame needs. */
   mapCount = 0;
   private readonly slots = new Map<Light, ShadowSlot>();
-  /** Images by their texture, and profiles by theirs. */
+  /** Slots of images and of profiles, by their texture. */
   private readonly images = new Map<Texture, CookieSlot>();
   private readonly profiles = new Map<Texture, CookieSlot>();
-  /** Images and profiles of the frame or kept. */
+  /** All slots of images and profiles, those kept for later frames included. */
   readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
-  /** @param mostAnisotropy - of the device. Default 1 @param samplers - for images; without, all are copied */
+  /**
+   * @param mostAnisotropy - greatest anisotropy of the device. Default 1
+   * @param samplers - samplers for images; null: all are copied
+   */
   constructor(
     private readonly release: SlotRelease,
     private readonly mostAnisotropy = 1,
@@ -49,7 +52,7 @@ export class LightSlots {
     return this.slots.size === 0;
   }
 
-  /** All slots, of the frame or kept. */
+  /** All slots of lights, those kept for later frames included. */
   all(): Iterable<ShadowSlot> {
     return this.slots.values();
   }
@@ -60,7 +63,7 @@ export class LightSlots {
     return slot !== undefined && slot.lastLit === this.frame ? slot : undefined;
   }
 
-  /** Whether an image is thrown in the frame, or a profile scales a light of it. */
+  /** Whether a light of the frame uses the image or profile. */
   isLit(cookie: CookieSlot): boolean {
     return cookie.lastLit === this.frame;
   }
@@ -72,7 +75,7 @@ export class LightSlots {
 
   /**
    * Adds a light that casts shadows, throws an image or has a profile.
-   * @param cascades - maps of a directional light, the whole one included; 1 for others
+   * @param cascades - number of maps of a directional light, the whole one included; 1 for other lights
    */
   add(
     light: ShadowLight,
@@ -97,9 +100,9 @@ export class LightSlots {
   }
 
   /**
-   * Sorts out what the frame needs of the atlases and what is kept, and releases what has not been lit for long, or was
-   * removed from its scene.
-   * @param inColours - maps lie in the atlas of colours, as variance shadow maps do
+   * Sorts tenants into those that the frame needs and those kept; releases those not lit for long, or removed from
+   * their scene.
+   * @param inColours - whether maps lie in the atlas of colours, as variance shadow maps do
    */
   sortOut(inColours: boolean): void {
     const { depths, colours, keptDepths, keptColours, frame, release } = this;
@@ -131,7 +134,7 @@ export class LightSlots {
     }
   }
 
-  /** What was drawn is gone, of maps and, unless `mapsAlone`, of images. */
+  /** Marks all maps as lost and, unless `mapsAlone`, all images. */
   lose(mapsAlone: boolean): void {
     for (const slot of this.slots.values()) slot.map.lose();
     if (mapsAlone) return;
@@ -160,7 +163,7 @@ export class LightSlots {
     for (const copies of this.copies) copies.clear();
   }
 
-  /** The slot that a light has; a new one where its shadow is another, or has another number of cascades. */
+  /** Slot of a light; a new one if the light's `shadow` object or number of cascades has changed. */
   private slotFor(light: ShadowLight, cascades: number): ShadowSlot {
     let slot = this.slots.get(light);
     if (slot !== undefined && (slot.shadow !== light.shadow || (!slot.isCube && slot.cascades !== cascades - 1))) {

@@ -17,15 +17,18 @@ export class ShadowFace {
   /** The casters that are drawn one by one in this frame. */
   readonly casters: Caster[] = [];
   private readonly merged: (TriangleRuns | undefined)[] = [];
-  /** World to clip space, where the camera's receivers are looked for. */
+  /** Transform from world to clip space, by which visible receivers are found. */
   readonly matrix = new Matrix4();
   /** The part of the face on which receivers that the camera sees look up shadows (texels of the face). */
   readonly visible = { left: 0, bottom: 0, right: 0, top: 0 };
   /** The part of the face that is drawn (texels of the face). */
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
-  /** Of a cube: near, far, widening and kind of depth (1: reversed) that the camera's projection was made with. */
+  /**
+   * Near, far, widening and kind of depth (1: reversed) that the camera's projection was made with; for faces of a
+   * cube.
+   */
   readonly aim = new Float64Array(4);
-  /** The face in the atlas, with its border (texels). */
+  /** Rectangle of the face in the atlas, with its border (texels). */
   x = 0;
   y = 0;
   width = 0;
@@ -51,12 +54,12 @@ export class ShadowFace {
     return this.partPlanes;
   }
 
-  /** The triangles to draw of a page of the merged casters, of the casters that show one side (three's `Side`). */
+  /** Triangles to draw of a page of merged casters, for casters that show one side (three's `Side`). */
   runs(page: number, side: number): TriangleRuns {
     return (this.merged[page * 3 + side] ??= new TriangleRuns());
   }
 
-  /** All that is visible of the face is drawn. */
+  /** Whether the drawn part holds the visible part of the face. */
   get isCovered(): boolean {
     const { visible, drawn } = this;
     if (visible.left >= visible.right || visible.bottom >= visible.top) return true;
@@ -64,13 +67,13 @@ export class ShadowFace {
     return across && visible.bottom >= drawn.bottom && visible.top <= drawn.top;
   }
 
-  /** Texels that are drawn to. */
+  /** Number of texels in the drawn part. */
   get texels(): number {
     const { left, bottom, right, top } = this.drawn;
     return Math.max(0, right - left) * Math.max(0, top - bottom);
   }
 
-  /** Has all of the face drawn, or only what is visible. */
+  /** Plans to draw all of the face, or only the visible part. */
   plan(isPartial: boolean): void {
     const { drawn, visible } = this;
     drawn.left = isPartial ? visible.left : 0;
@@ -127,7 +130,10 @@ export class ShadowFace {
   }
 }
 
-/** Of the faces +x, -x, +y, -y, +z, -z of a cube: direction and up of the camera, as farol_cubeFace in lightShadow.glsl has them. */
+/**
+ * Direction and up of the camera of each face of a cube, +x, -x, +y, -y, +z, -z, as farol_cubeFace in lightShadow.glsl
+ * has them.
+ */
 const AXES = [
   [1, 0, 0, 0, 1, 0],
   [-1, 0, 0, 0, 1, 0],
@@ -148,8 +154,8 @@ export function makeCubeFaces(): ShadowFace[] {
 
 /**
  * Turns the camera of one face of a cube map.
- * @param index - of the face, 0 to 5
- * @param position - of the light (world space, m)
+ * @param index - index of the face, 0 to 5
+ * @param position - position of the light (world space, m)
  * @param widening - tangent of half the camera's angle: 1 shows the face alone, more its border too
  */
 export function aimCubeFace(

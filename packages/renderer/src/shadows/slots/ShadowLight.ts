@@ -13,8 +13,8 @@ export type ShadowLight = (PointLight | SpotLight | DirectionalLight) & {
   isSpotLight?: boolean;
 };
 
-/** The camera of a light's shadow, of either kind. */
+/** Camera of a light's shadow, perspective or orthographic. */
 export type ShadowCamera = PerspectiveCamera & OrthographicCamera;
 
-/** three's LightShadow with what its types lack. */
+/** three's LightShadow with methods that three's types leave out. */
 export type PrivateLightShadow = LightShadow & { updateMatrices(light: ShadowLight): void };

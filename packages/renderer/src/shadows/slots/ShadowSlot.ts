@@ -27,9 +27,11 @@ import { setReversedDepth } from '../../three/reversedDepth';
 import { standInOf } from '../../three/standInOf';
 import { SHADOW_FRUSTUM } from '../../three/shadowFrustum';
 
-/** How far across a face a sample of the filter lies at most (radii): the disk is slanted at the face's corners. */
+/**
+ * Greatest distance of a filter sample along a face (in filter radii): the disk is slanted at the face's corners.
+ */
 const FARTHEST = 1.17;
-/** Texels of a border at most; three bits of a mask hold its power of two. */
+/** Greatest border (texels); three bits of a mask hold its power of two. */
 const LARGEST_BORDER = 128;
 
 const CAMERA_NUMBERS = ['near', 'zoom', 'left', 'right', 'top', 'bottom'] as const;
@@ -48,37 +50,37 @@ function cascadeCamera(): OrthographicCamera {
  */
 export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
-  /** The light's own shadow, of which only what three changes too is changed. */
+  /** The light's own shadow object; Farol changes only properties that three changes too. */
   readonly shadow: LightShadow;
   /** One face a cascade, the whole map last; six of a cube. */
   readonly faces: ShadowFace[];
-  /** Maps of what is near the camera, beside the whole one. */
+  /** Number of maps for the space near the camera, beside the whole map. */
   readonly cascades: number;
-  /** Maps a side of the square that the cascades form. */
+  /** Number of maps along a side of the square that the cascades form. */
   readonly side: number;
-  /** How coordinates of the whole map become those of each cascade: scale and shift of x, scale and shift of y. */
+  /** Transform of the whole map's coordinates to each cascade's: scale and shift of x, scale and shift of y. */
   readonly fits: Float64Array;
-  /** World space to the map, 0 to 1, and depth; of a point light: from world space to the vector from the light. */
+  /** Transform from world space to the map (0 to 1) and depth; for a point light: to the vector from the light. */
   readonly matrix = new Matrix4();
   /** Near and far planes of the map's cameras (m). */
   near = 0;
   far = 0;
 
-  /** Where the map lies; written by the atlas. */
+  /** Region of the map; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** What the region holds. */
+  /** State of the region's content. */
   readonly map = new AtlasMap();
-  /** How far the size is reduced because pictures show no more; set by `chooseDetail` and the atlas. */
+  /** Reduction of the map's size to what pictures show; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
-  // of the frame, as the slots are collected
+  // set in each frame, when slots are collected
   /** The scene in which the light was last lit. */
   root: Object3D | null = null;
   /** Last frame in which the light was lit. */
   lastLit = 0;
   /** Share of the picture that the light covers, 0 to 1. */
   coverage = 1;
-  /** The light casts shadows. */
+  /** Whether the light casts shadows. */
   casts = false;
   /** The image that the light throws. */
   cookie: CookieSlot | null = null;
@@ -87,30 +89,30 @@ export class ShadowSlot implements AtlasTenant {
   /** Layers of the casters, as bits. */
   layers = 1;
 
-  // of the frame, as its maps are assigned
-  /** The light has a map to be lit with. */
+  // set in each frame, when maps are assigned
+  /** Whether the light has a map that can be sampled. */
   hasShadow = false;
-  /** Its mask's record, counted from the frame's first mask; -1 for none. */
+  /** Record of the light's mask, counted from the frame's first mask; -1 for none. */
   record = -1;
 
-  // of the draw, by `plan`
-  /** What the faces reach, in world space. */
+  // set for each draw, by `plan`
+  /** Space that the faces reach (world space). */
   readonly reach = makeReach();
-  /** The faces that draw anything, as bits. */
+  /** Faces with a drawn part, as bits. */
   drawnFaces = 63;
 
   /** Proxy of the light's shadow. */
   private readonly own: PrivateLightShadow;
   /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
   private readonly endless: ShadowLight;
-  /** The light's own camera, once it is where three would put it. */
+  /** The light's own shadow camera, placed as three would. */
   private placedCamera: Camera | null = null;
   /** `matrix`, `near` and `far` at the last `follow`. */
   private readonly before = new Float64Array(18);
   /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);
 
-  /** @param cascades - maps of a directional light, the whole one included */
+  /** @param cascades - number of maps of a directional light, the whole one included */
   constructor(
     readonly light: ShadowLight,
     cascades = 1,
@@ -121,7 +123,7 @@ export class ShadowSlot implements AtlasTenant {
     this.own = standInOf(shadow, Object.prototype);
     this.endless = Object.defineProperty(standInOf(light, Object3D.prototype), 'distance', { value: 0 });
     const camera = shadow.camera.clone();
-    // the host need not have done so: three does it with the first map
+    // the host may not have called this: three calls it with the first map
     (camera as unknown as ShadowCamera).updateProjectionMatrix();
     this.define('camera', camera);
     this.define('matrix', this.matrix);
@@ -134,12 +136,12 @@ export class ShadowSlot implements AtlasTenant {
     for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
   }
 
-  /** Texels across a face that the light's settings ask for. */
+  /** Width of a face that the light's settings ask for (texels). */
   get wantedWidth(): number {
     return Math.max(1, Math.round(this.light.shadow.mapSize.x));
   }
 
-  /** Texels up a face that the light's settings ask for. */
+  /** Height of a face that the light's settings ask for (texels). */
   get wantedHeight(): number {
     return Math.max(1, Math.round(this.isCube ? this.light.shadow.mapSize.x : this.light.shadow.mapSize.y));
   }
@@ -157,9 +159,9 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   /**
-   * Follows the light and its settings; the map is stale when what it shows has changed.
-   * @param camera - that the picture is drawn for
-   * @param blurs - the map is blurred once it is drawn, as variance shadow maps are. Default false
+   * Updates cameras by the light and its settings; marks the map as stale if that changes what it shows.
+   * @param camera - camera of the picture
+   * @param blurs - whether the map is blurred after its draw, as variance shadow maps are. Default false
    */
   follow(reversedDepth: boolean, camera: Camera, blurs = false): void {
     const { radius, blurSamples } = this.shadow;
@@ -186,7 +188,7 @@ export class ShadowSlot implements AtlasTenant {
     if (this.isCube && this.placement.faceWidth > 0) this.aimFaces();
   }
 
-  /** True when a sphere (world space, m) may be in one of the maps. */
+  /** True when one of the maps may show something of a sphere (world space, m). */
   reaches(x: number, y: number, z: number, radius: number): boolean {
     if (radius === Infinity) return true;
     if (!this.isCube) return this.faces.some(({ planes }) => !sphereOutsidePlanes(planes, x, y, z, radius));
@@ -215,7 +217,7 @@ export class ShadowSlot implements AtlasTenant {
     return (faceWidth + 2 * border) / faceWidth;
   }
 
-  /** Radius of the filter (texels of a map of the size asked for); of a cube no more than the border holds. */
+  /** Radius of the filter (texels of a map of the size asked for); for a cube limited to the border. */
   get filterRadius(): number {
     const { radius } = this.shadow;
     if (!this.isCube) return radius;
@@ -224,8 +226,8 @@ export class ShadowSlot implements AtlasTenant {
   }
 
   /**
-   * How far from a surface its shadow is looked up, along the surface's normal (m). A map of less detail needs more: half of what
-   * its texels are wider, at the distance where `sufficientDetail` looks.
+   * Offset along a surface's normal at which its shadow is looked up (m). Grows in a map of reduced detail, by half the
+   * growth of a texel at the distance that `sufficientDetail` uses.
    */
   get normalBias(): number {
     const { detail, isCube, wantedWidth, shadow } = this;
@@ -235,7 +237,7 @@ export class ShadowSlot implements AtlasTenant {
     return shadow.normalBias + (MATTERING_RANGE * this.range * (2 ** level - 1)) / (scale * wantedWidth);
   }
 
-  /** A point light has moved away from where its map was drawn, and nothing has the map drawn anew. */
+  /** Whether a point light has moved away from where its map was drawn, and the map is not drawn anew. */
   get hasLeftMap(): boolean {
     const map = this.matrix.elements;
     const light = this.light.matrixWorld.elements;
@@ -243,7 +245,7 @@ export class ShadowSlot implements AtlasTenant {
     return map[12] !== -light[12] || map[13] !== -light[13] || map[14] !== -light[14];
   }
 
-  /** Depths of 16 bits are too coarse for the map. */
+  /** Whether depths of 16 bits are too coarse for the map. */
   get needsFineDepth(): boolean {
     const { near, far, isCube, own, wantedWidth } = this;
     const camera = own.camera as unknown as ShadowCamera;
@@ -252,14 +254,14 @@ export class ShadowSlot implements AtlasTenant {
     return needsFineDepth(near, far, scale, wantedWidth, this.shadow.bias, isPerspective);
   }
 
-  /** Texels round a face of a cube that the filter reaches at most, a power of two. */
+  /** Border round a face of a cube that the filter may read (texels), a power of two. */
   borderOf(faceWidth: number): number {
     if (!this.isCube) return 0;
     const reach = Math.abs(this.shadow.radius * faceWidth) / this.wantedWidth || 0;
     return 2 ** Math.ceil(Math.log2(Math.max(1, Math.min(FARTHEST * reach + 0.5, LARGEST_BORDER))));
   }
 
-  /** Puts the faces where the atlas has placed the map. */
+  /** Places the faces in the region that the atlas has given to the map. */
   placed(): void {
     const { region, faceWidth, faceHeight, border } = this.placement;
     const width = faceWidth + 2 * border;
@@ -274,7 +276,10 @@ export class ShadowSlot implements AtlasTenant {
     if (this.isCube) this.aimFaces();
   }
 
-  /** Has the map drawn in this frame, all of it or only what is visible of each face. @returns texels drawn to */
+  /**
+   * Plans to draw the map in this frame, all of it or only the visible part of each face.
+   * @returns texels drawn to
+   */
   plan(isPartial: boolean): number {
     let texels = 0;
     this.map.plan(isPartial);
@@ -311,7 +316,7 @@ export class ShadowSlot implements AtlasTenant {
     this.faces[this.cascades].update();
   }
 
-  /** Fits the cascades round what the camera sees. @returns whether that changed them */
+  /** Fits the cascades to the space that the camera sees. @returns whether that changed them */
   private fit(camera: Camera): boolean {
     const { cascades, fits, faces } = this;
     const whole = this.own.camera as unknown as OrthographicCamera;

@@ -1,20 +1,23 @@
 import type { PictureSize } from '../../lights/PictureSize';
 import type { ShadowSlot } from './ShadowSlot';
 
-/** Texels a pixel of the picture that the maps of lights with a range have at most: fewer would show, see docs/performance.md. */
+/**
+ * Most texels, for each pixel of the picture, of the maps of lights with a range: fewer would show, see
+ * docs/performance.md.
+ */
 const TEXELS_PER_PIXEL = 48;
-/** Pixels that a picture is taken to have at least. */
+/** Least size that a picture counts with (pixels). */
 const LEAST_PIXELS = 1280 * 720;
-/** Texels a side of the largest atlas. */
+/** Side of the largest atlas (texels). */
 const LARGEST = 8192;
-/** Texels a side from one size to the next. */
+/** Step from one side to the next (texels). */
 const STEP = 256;
 
 type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wantedHeight'>;
 
 /**
- * Texels a side that the atlas of shadow maps grows to at most for a picture: where lights ask for more, the maps of those that
- * cover least of it are halved. The atlas has room for what lights without a range ask for on top of that.
+ * Greatest side (texels) of the atlas of shadow maps for a picture: beyond it, the maps of lights that cover least of
+ * the picture are halved. The atlas has room for what lights without a range ask for on top of that.
  */
 export function atlasLimit({ width, height }: PictureSize, slots: readonly Asking[]): number {
   let texels = TEXELS_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);

@@ -3,15 +3,17 @@ import type { PictureSize } from '../../lights/PictureSize';
 import type { ShadowSlot } from './ShadowSlot';
 import { sufficientDetail } from './sufficientDetail';
 
-/** Maps drawn anew in a frame at most only because a camera needs them twice as large; what needs more does not wait. */
+/**
+ * Most maps that a frame draws anew only because a camera needs them twice as large; maps that need more do not wait.
+ */
 const MOST_GROWN = 4;
 
 /**
- * Chooses the level of detail of the lit lights' maps. A map that is too coarse for a camera is larger at once; one that is too
- * fine becomes smaller in time, and only when it is drawn anew anyway: nothing is drawn again and again as cameras move to and
- * fro, or take turns.
+ * Chooses the level of detail of the lit lights' maps. A map that is too coarse for a camera is larger at once; one
+ * that is too fine becomes smaller in time, and only when it is drawn anew anyway: nothing is drawn again and again as
+ * cameras move to and fro, or take turns.
  * @param picture - size (pixels)
- * @param isFull - the atlas is full, and goes through all sizes by itself from time to time
+ * @param isFull - whether the atlas is full: it then revises all sizes by itself from time to time
  */
 export function chooseDetail(
   slots: readonly ShadowSlot[],

@@ -3,7 +3,7 @@ import type { Reach } from './reach';
 /**
  * Finds the faces of a cube map that show some of a box within range: bits 0 to 5 for +x, -x, +y, -y, +z, -z.
  * @param boxes - centre and half sizes (m), 6 numbers from index `at` on
- * @param reach - of the map: place and range of the light, and how far its faces see across
+ * @param reach - reach of the map: place and range of the light, and widening of its faces
  */
 export function cubeFacesOf(boxes: Float64Array, at: number, reach: Reach): number {
   const x = boxes[at] - reach[0];

@@ -1,16 +1,17 @@
-/** Steps of depth of 16 bits. */
+/** Number of depths that 16 bits tell apart. */
 const STEPS = 65536;
-/** Steps of depth that a bias must span, so that single steps do not show. */
+/** Least number of depth steps in a bias, so that single steps do not show. */
 const BIAS_STEPS = 16;
 
 /**
- * Whether a shadow map needs depths of 24 bits. 16 bits take two thirds of the time to clear. They do where a step, half way to
- * the far plane, is no more than half a texel's width, and no more than a sixteenth of the bias.
- * @param near - plane of the map's camera (m)
- * @param far - plane (m)
- * @param scale - of the projection across: one over the tangent of half the angle, or over half the width (m) where orthographic
- * @param texels - across
- * @param bias - of the shadow, in depths from 0 to 1
+ * Whether a shadow map needs depths of 24 bits. 16 bits are cleared in two thirds of the time; they suffice if a step
+ * of depth, half way to the far plane, is at most half a texel's width and a sixteenth of the bias.
+ * @param near - near plane of the map's camera (m)
+ * @param far - far plane (m)
+ * @param scale - horizontal scale of the projection: one over the tangent of half the angle, or over half the width (m)
+ * where orthographic
+ * @param texels - width of the map
+ * @param bias - bias of the shadow, in depths from 0 to 1
  */
 export function needsFineDepth(
   near: number,

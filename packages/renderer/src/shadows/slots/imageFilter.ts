@@ -1,10 +1,12 @@
 import { LinearFilter, LinearMipmapLinearFilter, NearestFilter, NearestMipmapLinearFilter, type Texture } from 'three';
 import { LinearMipmapNearestFilter, NearestMipmapNearestFilter } from 'three';
 
-/** Sampling of an image that a light throws, as bits of a whole number; lightImage.glsl has their places too. */
+/** Sampling of an image that a light throws, as bits of a whole number; lightImage.glsl repeats their places. */
 export const FILTER_BITS = { levels: 4, anisotropy: 8 } as const;
 
-/** Levels of a texture's mipmaps that three has on the GPU, for a copy of the size given; 1 where it samples none. */
+/**
+ * Number of mipmap levels that three has on the GPU, for a copy of the given size; 1 if the texture's filter uses none.
+ */
 export function imageLevels(texture: Texture, width: number, height: number, copied: number): number {
   const { minFilter, generateMipmaps } = texture;
   if (minFilter === NearestFilter || minFilter === LinearFilter) return 1;

@@ -1,12 +1,12 @@
 /**
- * What a light's map reaches: an array, since a fraction that is handed from function to function may be allocated.
+ * Space that a light's map reaches, as an array: a fraction handed from function to function may be allocated.
  *
  * | index | holds |
  * |---|---|
  * | 0–2 | place of the light (world space, m) |
  * | 3 | range of the light (m), Infinity for none |
  * | 4 | tangent of half the angle that a face of a cube shows, at least 1 |
- * | 5 | how much wider boxes are taken, to all sides (m) |
+ * | 5 | widening of boxes, to all sides (m) |
  */
 export type Reach = Float64Array;
 
@@ -14,7 +14,7 @@ export function makeReach(x = 0, y = 0, z = 0, range = Infinity, widening = 1, w
   return new Float64Array([x, y, z, range, widening, wider]);
 }
 
-/** @param matrixWorld - elements of the world matrix of a camera of the map */
+/** @param matrixWorld - elements of the world matrix of one of the map's cameras */
 export function setReach(
   reach: Reach,
   matrixWorld: readonly number[],

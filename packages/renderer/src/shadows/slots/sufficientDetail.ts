@@ -3,19 +3,22 @@ import type { PictureSize } from '../../lights/PictureSize';
 import type { ShadowFace } from './ShadowFace';
 import type { ShadowLight } from './ShadowLight';
 
-/** The part of its range in which a light matters: farther away it is weak. */
+/** Share of a light's range in which its shadows matter: farther away the light is weak. */
 export const MATTERING_RANGE = 0.5;
-/** Pixels that a texel may measure there: the picture then stays beyond 50 dB from that of maps of the size asked for. */
+/**
+ * Greatest width of a texel within that range (pixels): pictures then agree within 50 dB with those of maps of the size
+ * asked for.
+ */
 const PIXELS = 0.7;
 /**
- * Pixels that a picture is taken to be high at least: edges of shadows take up more of smaller ones, and one drawn
- * beforehand, as `compileAsync` does, stands for a larger one.
+ * Least height that a picture counts with (pixels): shadow edges fill more of a smaller one, and the small picture that
+ * `compileAsync` draws stands for a larger one.
  */
 const LEAST_HEIGHT = 720;
-/** Texels a side of the smallest map. */
+/** Side of the smallest map (texels). */
 const SMALLEST = 16;
 
-/** What of a slot says how large its map's texels are. */
+/** Parts of a slot that give the size of its map's texels. */
 interface Projected {
   readonly light: ShadowLight;
   readonly isCube: boolean;

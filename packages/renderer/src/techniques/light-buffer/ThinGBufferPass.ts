@@ -16,9 +16,9 @@ import type { Pass } from '../../frame/Pass';
 
 /** How large the buffers of lighting are, and what is in them. */
 export interface ThinGBufferOptions {
-  /** Of `Frame.inferredScale`, in place of the picture's size. */
+  /** Whether buffers have `Frame.inferredScale` texels a pixel along each side; else one. */
   readonly scaled: boolean;
-  /** Transparent things are in it too, each layer in one texel of each two by two. */
+  /** Whether transparent objects are in the buffers too, each layer in one texel of each two by two. */
   readonly stipple: boolean;
 }
 

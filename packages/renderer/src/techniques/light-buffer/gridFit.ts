@@ -14,8 +14,8 @@ export function gridShift(scale: number): number {
 }
 
 /**
- * What takes the picture's normalised device coordinates to the buffer's: times x and y, then plus z and w. A texel is as
- * wide as 1 / `scale` pixels exactly, also where the buffer reaches over the picture's edge.
+ * Transform of the picture's normalised device coordinates to the buffer's: times x and y, then plus z and w. A texel
+ * is as wide as 1 / `scale` pixels exactly, also where the buffer reaches over the picture's edge.
  */
 export function gridFit(width: number, height: number, scale: number, out: Vector4): Vector4 {
   const columns = gridTexels(width, scale);

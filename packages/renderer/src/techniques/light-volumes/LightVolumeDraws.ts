@@ -28,7 +28,9 @@ const ADDITIVE = {
   blendSrc: OneFactor,
   blendDst: OneFactor,
 } as const;
-/** Of all renderers, as the triangle of FullscreenMesh is; `instanceCount` is set before each draw. */
+/**
+ * Shared by all renderers of the page, as the triangle of FullscreenMesh is; `instanceCount` is set before each draw.
+ */
 const sphereGeometry = /* @__PURE__ */ vertexless(SPHERE_VERTICES);
 const coneGeometry = /* @__PURE__ */ vertexless(CONE_VERTICES);
 const fieldGeometry = /* @__PURE__ */ vertexless(FIELD_VERTICES);

@@ -50,7 +50,9 @@ export class MultipassLightsPass implements Pass {
   readonly writes = ['accumulated-light'] as const;
   private target: WebGLRenderTarget | null = null;
   private fogged = true;
-  /** What the pass hands over; made with its target and for either place of fog. */
+  /**
+   * Resource that the pass hands over; made anew with its target, and when fog moves from one place to the other.
+   */
   private result: AccumulatedLight | null = null;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */

@@ -26,7 +26,7 @@ interface DrawnFrame {
 interface NodeView {
   readonly view: Object3D;
   readonly list: RenderList;
-  /** Where the list is from: others once a lost context is restored. */
+  /** Lists that `list` is from; replaced when a lost context is restored. */
   readonly lists: RenderLists;
 }
 

@@ -14,7 +14,7 @@ export class CasterGeometry {
   /** Box of each cluster: centre and half sizes (m), 6 numbers. */
   boxes = new Float32Array(0);
   isDone = false;
-  /** False where a position is no finite number: such triangles cannot be put in order. */
+  /** False if a position is not a finite number: such triangles cannot be sorted. */
   isSound = true;
   private readonly position: BufferAttribute;
   private readonly source: BufferAttribute | null;
@@ -45,7 +45,7 @@ export class CasterGeometry {
     return index === null || attributeState(index) === this.indexState;
   }
 
-  /** Whether what is left to be worked out can be: the page may let go of vertices once three has sent them. */
+  /** Whether the CPU can still read the vertices: a page may free them once three has uploaded them. */
   get isReadable(): boolean {
     return this.isDone || hasReadableVertices(this.geometry);
   }

@@ -2,14 +2,14 @@ import type { Matrix4, Vector3, WebGLRenderer } from 'three';
 
 /** Floats of a matrix: three rows of four. */
 const FLOATS = 12;
-/** Objects of a block at most, where the device would take more. */
+/** Most objects of a block; 64 KiB of matrices, even if the device allows more. */
 const MOST = 1365;
 
 /** World matrices of objects in a uniform block. */
 export class CasterMatrices {
   private readonly rows: Float32Array;
   private readonly gl: WebGL2RenderingContext;
-  /** The last binding point: three takes those of the host from the first on. */
+  /** Last uniform binding point of the device: three uses points from the first on for the host's blocks. */
   private readonly point: number;
   private buffer: WebGLBuffer | null = null;
   private firstChanged = Infinity;
@@ -28,7 +28,7 @@ export class CasterMatrices {
     return Math.min(MOST, Math.floor(bytes / (FLOATS * Float32Array.BYTES_PER_ELEMENT)));
   }
 
-  /** Sets the matrix of an object, moved so that it counts from an origin (world space, m). */
+  /** Sets the matrix of an object, relative to an origin (world space, m). */
   set(object: number, { elements: e }: Matrix4, { x, y, z }: Vector3): void {
     const { rows } = this;
     const at = object * FLOATS;
@@ -42,7 +42,7 @@ export class CasterMatrices {
     this.lastChanged = Math.max(this.lastChanged, at + FLOATS);
   }
 
-  /** Has a program read the block from the point that `bind` binds it to. */
+  /** Binds the matrix block of a program to the binding point that `bind` uses. */
   attach(program: WebGLProgram): void {
     const { gl } = this;
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'FarolCasters'), this.point);
@@ -53,7 +53,7 @@ export class CasterMatrices {
     this.buffer = null;
   }
 
-  /** Sends the rows that have changed. */
+  /** Uploads the rows that have changed. */
   send(): void {
     const { gl, rows } = this;
     if (this.buffer === null) {

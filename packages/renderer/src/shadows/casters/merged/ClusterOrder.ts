@@ -11,7 +11,7 @@ export const CLUSTERS_PER_GROUP = 8;
 export class ClusterOrder {
   /** The triangles in the new order. */
   readonly order: Uint32Array;
-  /** Pairs of first and last (exclusive) of the ranges still to be halved. */
+  /** Ranges still to be halved, as pairs of first and last (exclusive). */
   private readonly open: number[] = [];
 
   /** @param centres - of the triangles, 3 numbers each */

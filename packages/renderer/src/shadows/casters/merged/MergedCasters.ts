@@ -36,30 +36,30 @@ import { MergedMesh } from './MergedMesh';
 import { directDraw, type DirectDraw } from '../../../three/directDraw';
 import { isCompiled, programHandle } from '../../../three/handles';
 
-/** Walks for which a caster whose signature has changed is not merged. */
+/** Walks over the scene for which a caster is not merged after its signature has changed. */
 const SETTLED = 30;
 /** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
-/** Triangles put in order a frame while casters wait to be merged, so that no frame is late. */
+/** Most triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
-/** Triangles of casters that are gone, and such casters, below which their room is not taken back. */
+/** Below this many triangles, or casters, that are gone, their room is not reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/** Walks between sweeps of absent casters, and for which those are kept; frames that draw no map do not come here. */
+/** Walks between sweeps of absent casters, and for which those are kept; frames without maps do not sweep. */
 const SWEEP = 256;
-/** Casters that may be absent before it is looked which of them were removed from the scene. */
+/** Number of absent casters above which a sweep looks which of them were removed from the scene. */
 const FEW_ABSENT = 64;
 /** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
 const GRID = 128;
 
 const clipFromWorld = new Matrix4();
 const anyCamera = new PerspectiveCamera(); // three changes its projection where depth is reversed
-/** A group that has three bind all that a draw needs, and draw no triangle. */
+/** Group of no triangles: three binds all that a draw needs, and draws nothing. */
 const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
-/** A group that has three compile the program, and not draw at all. */
+/** Group with which three compiles the program, and makes no draw call. */
 const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
 
-/** As many casters as one block of matrices holds. */
+/** A mesh of as many casters as one block of matrices holds. */
 interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
@@ -87,12 +87,12 @@ export class MergedCasters {
   private multiDraw: WEBGL_multi_draw | null = null;
   private readonly matrixFloats = new Float32Array(16);
   private matrixLocation: WebGLUniformLocation | null = null;
-  /** Page × 3 + side that three has bound for draws, -1 for something else. */
+  /** Page × 3 + side that three has bound for draws; -1 for none. */
   private bound = -1;
-  /** Triangles of casters that are gone, and of all that were merged. */
+  /** Number of triangles of casters that are gone, and of all merged casters. */
   private gone = 0;
   private triangles = 0;
-  /** Casters that are gone, whose numbers no other has yet; the walk of the last sweep; casters absent after it. */
+  /** Number of gone casters whose numbers are not reused yet; walk of the last sweep; casters absent after that. */
   private lost = 0;
   private swept = 0;
   private hidden = 0;
@@ -118,7 +118,7 @@ export class MergedCasters {
     this.addPage();
   }
 
-  /** Adds the proxies by which three's traversal sends the merged triangles. */
+  /** Adds the proxies by which three's traversal uploads the merged triangles. */
   addProxies(proxies: Object3D[]): void {
     for (const { mesh } of this.pages) proxies.push(mesh.proxy);
   }
@@ -153,7 +153,7 @@ export class MergedCasters {
     for (let i = 0; i < present.length; i++) this.presentBoxes.set(present[i].caster.box, i * 6);
   }
 
-  /** A caster among the merged ones; null where it is not, or no more, and it then may have to wait. */
+  /** Entry of a caster among the merged ones; null if it is not merged: it may then begin to wait. */
   find(caster: Caster): MergedCaster | null {
     const { merged } = caster;
     if (merged !== null && this.isSame(merged)) return merged;
@@ -166,7 +166,7 @@ export class MergedCasters {
     return null;
   }
 
-  /** Whether a caster still has the triangles that were merged: another signature may come of its material alone. */
+  /** Whether a caster's triangles are still those merged: its signature may have changed by its material alone. */
   private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
     const { object, hasBox, signatureVersion } = caster;
@@ -177,7 +177,7 @@ export class MergedCasters {
     return true;
   }
 
-  /** Lets go of absent casters: those that were removed from the scene, and those that are hidden for long. */
+  /** Forgets absent casters: those removed from the scene, and those hidden for long. */
   private sweep(walks: number, root: Object3D | null): void {
     this.swept = walks;
     const { length } = this.members;
@@ -196,7 +196,7 @@ export class MergedCasters {
     caster.queuedVersion = -1;
   }
 
-  /** Has each face of a light's map draw the clusters that its drawn part may show. */
+  /** Adds the clusters that the drawn part of each face of a light's map may show to that face's runs. */
   addTo(slot: ShadowSlot, bothSides: boolean): void {
     const { isCube, reach, layers, drawnFaces } = slot;
     const { present, presentBoxes: boxes } = this;
@@ -212,7 +212,7 @@ export class MergedCasters {
     }
   }
 
-  /** Sends the matrices, and compiles the program where that is needed. */
+  /** Uploads the matrices, and compiles the program if needed. */
   prepare(): void {
     const { gl, pages, material, webgl } = this;
     if (!isCompiled(webgl, material)) {
@@ -230,7 +230,7 @@ export class MergedCasters {
     this.interrupt();
   }
 
-  /** Call when something else was drawn: three may have bound other buffers then. */
+  /** Call after other draws: three may have bound other buffers. */
   interrupt(): void {
     this.bound = -1;
   }
@@ -274,7 +274,7 @@ export class MergedCasters {
     this.material.dispose();
   }
 
-  /** Has three bind all that draws of a page need; draws then name their triangles alone. */
+  /** Binds the program and buffers of a page by three; later draws name their triangles alone. */
   private bind(page: number, side: Side): void {
     const { mesh, matrices } = this.pages[page];
     matrices.bind();
@@ -293,7 +293,7 @@ export class MergedCasters {
     return page;
   }
 
-  /** Goes on with the merging of the last caster that waits. @returns triangles put in order */
+  /** Goes on with merging the last caster that waits. @returns triangles sorted */
   private mergeNext(caster: Caster, walks: number): number {
     if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null || caster.lastWalk !== walks) {
       if (caster.merged === null) caster.queuedVersion = -1;
@@ -339,7 +339,7 @@ export class MergedCasters {
     this.members.push(merged);
   }
 
-  /** Moves the boxes, and the matrix in the block, to the caster's world matrix. */
+  /** Updates the boxes and the matrix in the block by the caster's world matrix. */
   follow(merged: MergedCaster): void {
     const { caster, boxes, geometry, page, object } = merged;
     if (merged.matrixVersion === caster.matrixVersion) return;
@@ -359,7 +359,7 @@ export class MergedCasters {
     this.pages[page].matrices.set(object, matrixWorld, this.origin);
   }
 
-  /** Has matrices count from an origin near the camera: far from the world's origin they would lose digits. */
+  /** Moves the origin of the matrices near the camera: far from the world's origin they would lose digits. */
   private moveOrigin(camera: Camera): void {
     const e = camera.matrixWorld.elements;
     const x = Math.round(e[12] / GRID) * GRID;
@@ -393,7 +393,7 @@ export class MergedCasters {
   }
 }
 
-/** The side of the triangles as they are stored that is drawn: a mirrored object's turn the other way. */
+/** Side of stored triangles that is drawn: the other one for a mirrored object. */
 function drawnSide(side: Side, isMirrored: boolean): Side {
   if (side === DoubleSide || !isMirrored) return side;
   return side === FrontSide ? BackSide : FrontSide;

@@ -1,13 +1,13 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, type Material, Mesh, Sphere } from 'three';
 import { casterProxy } from '../casterProxy';
 
-/** Vertices, and indices, that the first buffers hold. */
+/** Number of vertices, and of indices, in the first buffers. */
 const SMALLEST = 4096;
 
 /** One mesh that holds the triangles of many casters. Triangles stay where they are put; three binds the mesh, Farol draws its runs. */
 export class MergedMesh {
   readonly mesh: Mesh;
-  /** Has three's traversal send the mesh's buffers, see `casterProxy`. */
+  /** Mesh given to three's traversal, which uploads its buffers, see `casterProxy`. */
   readonly proxy: Mesh;
   vertices = 0;
   indices = 0;

@@ -4,7 +4,7 @@ const BYTES_PER_INDEX = Uint32Array.BYTES_PER_ELEMENT;
 export class TriangleRuns {
   /** Byte offset of each run's first index. */
   starts = new Int32Array(16);
-  /** Indices of each run. */
+  /** Number of indices in each run. */
   counts = new Int32Array(16);
   count = 0;
 

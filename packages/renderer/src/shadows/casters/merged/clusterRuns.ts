@@ -12,7 +12,7 @@ import type { TriangleRuns } from './TriangleRuns';
 const INDICES = CLUSTER_TRIANGLES * 3;
 const GROUP_INDICES = CLUSTERS_PER_GROUP * INDICES;
 
-/** Four bits, each in a byte of its own. */
+/** The bits of a number from 0 to 15, each spread to a byte of its own. */
 const SPREAD = Int32Array.from({ length: 16 }, (_, i) => (i & 1) | ((i & 2) << 7) | ((i & 4) << 14) | ((i & 8) << 21));
 
 /** Runs of the six faces of a cube. */
@@ -24,8 +24,8 @@ type Clusters = Pick<MergedCaster, 'boxes' | 'groups' | 'first' | 'page'> & {
 };
 
 /**
- * Has each face of a cube map draw the clusters of a caster that it may show.
- * @param side - of the triangles that is drawn
+ * Adds the clusters of a caster that each face of a cube map may show to that face's runs.
+ * @param side - side of the triangles that is drawn
  */
 export function addCubeRuns({ faces, reach, drawnFaces }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
@@ -80,7 +80,10 @@ function trailingZeros(bits: number): number {
   return 31 - Math.clz32(bits & -bits);
 }
 
-/** Has each face of a map that is no cube draw the clusters of a caster that its drawn part may show. */
+/**
+ * Adds the clusters of a caster that the drawn part of each face may show to that face's runs, for maps other than
+ * cubes.
+ */
 export function addMapRuns({ faces, reach }: Faces, merged: Clusters, side: Side): void {
   const { boxes, groups, first, page } = merged;
   const { length } = merged.geometry.index;
