@@ -1,4 +1,4 @@
-/** What components declare: their fields, how a value is checked, and what an inspector reads. */
+/** Declaration of components' fields: kinds, checks of values, and descriptions for inspectors. */
 export { surfaceMaps, surfaceValueFields } from './assets/uniformFields';
 export * from '@farol/editing/fields';
 export { component, type ComponentBase } from './core/Component';

@@ -7,7 +7,7 @@ import * as main from './index';
 
 const source = fileURLToPath(new URL('.', import.meta.url));
 
-/** What the main entry exports besides types: whoever adds a name decides here that every author needs it. */
+/** Exports of the main entry besides types: whoever adds a name decides here that every author needs it. */
 const names = {
   app: ['App', 'createWebGLRenderer', 'noWebGL2'],
   loopsOfOnesOwn: [

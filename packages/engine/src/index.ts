@@ -1,5 +1,5 @@
 /**
- * What the author of a game or a page needs. Declarations of fields, files, prefabs and builders of meshes have
+ * Main entry, for authors of games and pages. Declarations of fields, files, prefabs and builders of meshes have
  * entries of their own: `@farol/engine/fields`, `/files`, `/prefabs`, `/builders`; demo scenes are `@farol/scenes`.
  */
 export { App, type AppOptions, type FrameInfo } from './app/App';

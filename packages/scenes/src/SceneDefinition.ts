@@ -1,13 +1,16 @@
 import { checkFieldValue, FieldError, type FieldTable, type FieldValue } from '@farol/editing/fields';
 import type { AssetLibrary, Scene } from '@farol/engine';
 
-/** What every function that makes a scene takes besides its own parameters. */
+/** Options that every builder of a scene takes besides its own parameters. */
 export interface SceneBuildOptions {
-  /** Where meshes and textures come from; a library of the scene's own when absent. */
+  /** Library of meshes and textures; the scene makes one of its own when absent. */
   assets?: AssetLibrary;
   /** Another seed, other places and colours; 1 when absent. */
   seed?: number;
-  /** Meshes throw and receive shadows; directional lights, spot lights and a few point lights throw them. None when absent. */
+  /**
+   * Meshes throw and receive shadows; directional lights, spot lights and a few point lights throw them. None when
+   * absent.
+   */
   shadows?: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** Where moving lights are, and how they should be when they are few. */
+/** Space of a scene's moving lights, and their range and intensity while few. */
 export interface LightBudget {
   /** Space that the lights share, in m³. */
   volume: number;

@@ -37,7 +37,7 @@ const lightPlaces = (scene: Scene): number[][] => scene.componentsOf(Light).map(
 const seeds = (scene: Scene): unknown[] =>
   scene.find('Lights')!.children.map((light) => light.getComponent('RandomMovement')!.get('seed'));
 
-/** What a scene draws: meshes, and instances as one each. */
+/** ObjectRenderers of a scene that draw something; all instances of one renderer count once. */
 function meshes(scene: Scene): ObjectRenderer[] {
   const list: ObjectRenderer[] = [];
   scene.traverse((gameObject) => list.push(...gameObject.getComponents(ObjectRenderer)));

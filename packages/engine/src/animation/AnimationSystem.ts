@@ -7,7 +7,7 @@ import type { SceneSystem } from '../core/SceneSystem';
 import { type Channel, FieldChannel, NodeChannel, type NodeProperty } from './Channel';
 import type { ClipEvent } from '../assets/clips/ClipData';
 
-/** What the system asks to play, as `Animation` does. */
+/** Interface of components that AnimationSystem plays, such as `Animation`. */
 export interface Animated extends Component {
   /** Gives the channels their values for a time of the scene. */
   evaluate(time: number): void;
@@ -22,7 +22,10 @@ export interface Animated extends Component {
 /** Fields of components that have other fields with another value: uniforms of a surface, morph targets of a model. */
 const CHANGES_FIELDS: ReadonlySet<string> = new Set(['surface', 'model', 'parts']);
 
-/** Plays the animations of a scene: all are evaluated, then what they have in common is blended and shown, then events are called. */
+/**
+ * Plays the animations of a scene: all are evaluated, then what they have in common is blended and shown, then events
+ * are called.
+ */
 export class AnimationSystem implements SceneSystem {
   readonly order = 100;
   private readonly animated: Animated[] = [];
@@ -81,7 +84,7 @@ export class AnimationSystem implements SceneSystem {
     this.shown[this.shownCount++] = channel;
   }
 
-  /** Has an event called once all is shown. */
+  /** Queues a clip event; called after all channels of this frame are applied. */
   queueEvent(host: Component, event: ClipEvent): void {
     this.calls.push({ host, event });
   }
@@ -160,7 +163,10 @@ export class AnimationSystem implements SceneSystem {
     }
   }
 
-  /** As `GameObject.callMethod`; a component that throws keeps the others from nothing. What every component has is not called. */
+  /**
+   * As `GameObject.callMethod`; a component that throws keeps the others from nothing. What every component has is not
+   * called.
+   */
   private callMethod(gameObject: GameObject, { method, value }: ClipEvent): void {
     if (method in Component.prototype) return;
     for (const component of [...gameObject.components]) {

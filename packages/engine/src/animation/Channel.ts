@@ -4,15 +4,15 @@ import type { Component } from '../core/Component';
 import { sizeOfField } from './TrackCurve';
 
 /**
- * Something that clips animate: a field of a component, or a property of a node of a model. What several clips show at once
- * is their mean by weight; where the weights are less than 1 in all, the value that was there counts for the rest.
+ * Something that clips animate: a field of a component, or a property of a node of a model. What several clips show at
+ * once is their mean by weight; where the weights are less than 1 in all, the value that was there counts for the rest.
  */
 export interface Channel {
   /** The frame in which it was last given a value. */
   frame: number;
   /** Bindings that may give it values. */
   users: number;
-  /** What it belongs to is no longer in the scene, or does not take what it is given. */
+  /** Whether the channel's component or node has left the scene, or its field has refused a value. */
   readonly isGone: boolean;
   /** Before the first value of a frame. */
   begin(): void;
@@ -171,7 +171,7 @@ export class FieldChannel implements Channel {
   }
 }
 
-/** What of a node clips of models animate. */
+/** Properties of a node that clips of models animate. */
 export type NodeProperty = 'position' | 'quaternion' | 'scale' | 'morphTargetInfluences';
 
 type Node = Object3D & { morphTargetInfluences?: number[] };

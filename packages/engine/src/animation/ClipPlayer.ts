@@ -32,7 +32,7 @@ export interface PlayerHost {
 export class ClipPlayer {
   wrap: ClipWrap;
   isPaused = false;
-  /** What it moves is to be looked up again. */
+  /** Bindings are out of date; `evaluate` rebinds the clip first. */
   isStale = true;
   private bound = nothing;
   private clip: ClipAsset | ModelClip | null = null;
@@ -50,7 +50,7 @@ export class ClipPlayer {
   private fadeSeconds = 0;
   private fadeFrom = 1;
   private fadeTo = 1;
-  /** Where it was when events were called last. */
+  /** Clip position (s, unwrapped) up to which events have been called. */
   private eventsUntil = 0;
   private withFirst = true;
 

@@ -17,7 +17,7 @@ export class TrackCurve {
   /** Numbers of a value; 0 for values that step. */
   readonly size: 0 | 1 | 3;
   readonly count: number;
-  /** Of the keys, in seconds. */
+  /** Times of the keys (s). */
   readonly times: Float64Array;
   /** `count` times `size` numbers. */
   readonly values: Float64Array;

@@ -12,9 +12,9 @@ import { trackTarget } from './trackTarget';
 /** One track of a clip, and what it moves. */
 export interface Binding {
   readonly channel: Channel;
-  /** Of a clip of one's own. */
+  /** Curve of a track of a clip asset; null for a clip of a model. */
   readonly curve: TrackCurve | null;
-  /** Of a clip of a model. */
+  /** three's interpolant of a track of a model's clip; null for a clip asset. */
   readonly interpolant: Interpolant | null;
   readonly isQuaternion: boolean;
   /** Place of the key that was found last. */
@@ -26,7 +26,7 @@ export interface BoundClip {
   readonly duration: number;
   readonly events: readonly ClipEvent[];
   readonly bindings: readonly Binding[];
-  /** What cannot be played, and the mend. */
+  /** Messages on tracks that cannot be played, each with its remedy. */
   readonly problems: readonly string[];
 }
 
@@ -95,8 +95,8 @@ export function targetOfTrack(
 }
 
 /**
- * What a property of a node of a model is where the model is in a scene: in what draws the model or parts of it, and the
- * object of its name where the model is not drawn whole; else what is wrong, and the mend.
+ * Channels of a property of a model's node wherever the scene shows it: in renderers of the model or of its parts, and
+ * the object of its name where the model is not drawn whole; else what is wrong, and the mend.
  */
 function channelsOfNode(
   { node, property }: { readonly node: Object3D; readonly property: NodeProperty },
@@ -129,8 +129,8 @@ function channelsOfNode(
 }
 
 /**
- * Finds what the tracks of a model's clip move: the nodes of the model where it is drawn whole, else the objects of the same
- * names and what draws parts of it, or nodes of another model that have the same names.
+ * Finds what the tracks of a model's clip move: the nodes of the model where it is drawn whole, else the objects of the
+ * same names and what draws parts of it, or nodes of another model that have the same names.
  * @param drawn - what draws the clip's model below the object, or any model: see `modelsBelow`
  */
 export function bindModelClip(

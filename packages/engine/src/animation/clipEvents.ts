@@ -1,6 +1,6 @@
 import type { ClipEvent } from '../assets/clips/ClipData';
 
-/** What a clip does at its end: stays there, begins again, or goes back the way it came. */
+/** How a clip continues at its end: it stays there, begins again, or plays backwards. */
 export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 
 /** More passes of a clip than this do not call events within one frame. */

@@ -31,8 +31,8 @@ export function modelBelow(root: GameObject, model: Model | null): ModelInScene 
 }
 
 /**
- * What draws a model on an object or below it: the first component that draws it whole, else all that draw parts of it, else
- * the first that draws another model.
+ * Renderers of a model on an object or below it: the first component that draws it whole, else all that draw parts of
+ * it, else the first that draws another model.
  */
 export function modelsBelow(root: GameObject, model: Model): ModelInScene[] {
   const parts: ModelInScene[] = [];

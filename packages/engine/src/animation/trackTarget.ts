@@ -18,8 +18,8 @@ export function objectAtPath(root: GameObject, path: string): GameObject | null 
 }
 
 /**
- * The path that finds an object from one above it; null when it is not below it, or another object before it has the same
- * names.
+ * The path that finds an object from one above it; null when it is not below it, or another object before it has the
+ * same names.
  */
 export function pathBelow(root: GameObject, gameObject: GameObject): string | null {
   const names: string[] = [];
@@ -29,7 +29,7 @@ export function pathBelow(root: GameObject, gameObject: GameObject): string | nu
   return each && objectAtPath(root, path) === gameObject ? path : null;
 }
 
-/** What a track animates below an object; else what is gone, and the mend. */
+/** Component that a track animates, or a message that names the missing part and its remedy. */
 export type TrackTarget =
   | { readonly component: Component; readonly problem: null }
   | { readonly component: null; readonly problem: string };

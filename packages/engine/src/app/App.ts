@@ -11,7 +11,10 @@ import { MicroShaderOverrides } from './MicroShaderOverrides';
 export interface AppOptions {
   /** Canvas to draw to; one is made when absent. */
   canvas?: HTMLCanvasElement;
-  /** Element that the canvas is put into, and whose size it follows, unless `resize` is called: from then on that counts. */
+  /**
+   * Element that the canvas is put into, and whose size it follows, unless `resize` is called: from then on that
+   * counts.
+   */
   parent?: HTMLElement;
   /** Parameters of three's WebGLRenderer, such as `antialias`. */
   renderer?: WebGLRendererParameters;
@@ -21,13 +24,13 @@ export interface AppOptions {
   technique?: TechniqueName;
   /** An empty scene when absent. */
   scene?: Scene;
-  /** Where keys are heard; the window when absent, null for nowhere. */
+  /** Target of key listeners; the window when absent, null for no keys. */
   keys?: EventTarget | null;
   /** Longest step of simulation in seconds, however long a frame took; 0.1 when absent. */
   maxDelta?: number;
 }
 
-/** What a listener of `onFrame` gets after each frame: the same object each time. */
+/** Argument of `onFrame` listeners after each frame; one object is reused. */
 export interface FrameInfo {
   /** Seconds by which the simulation went on; 0 while it pauses. */
   readonly deltaSeconds: number;
@@ -151,9 +154,9 @@ export class App {
   }
 
   /**
-   * Fulfilled when the scene on show is drawn as it stays while it does not move: its assets are loaded, all code is there, and
-   * a frame was drawn with them; see `PictureRenderer.ready`. Frames are the loop's; while it does not run, this draws. It
-   * waits while the scene has no camera.
+   * Fulfilled when the scene on show is drawn as it stays while it does not move: its assets are loaded, all code is
+   * there, and a frame was drawn with them; see `PictureRenderer.ready`. Frames are the loop's; while it does not run,
+   * this draws. It waits while the scene has no camera.
    *
    * Rejected when code cannot be fetched, with an Error that says what to do, and when the app is disposed.
    */

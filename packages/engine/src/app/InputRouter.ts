@@ -1,13 +1,13 @@
 import { isTyping } from '@farol/editing';
 import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 
-/** Where the events go. */
+/** Receiver of the routed pointer and key events. */
 export interface InputSink {
   dispatchPointer(event: EnginePointerEvent): void;
   dispatchKey(event: EngineKeyEvent): void;
 }
 
-/** What the router needs of a canvas. */
+/** Part of a canvas that InputRouter uses. */
 export interface InputSurface extends EventTarget {
   getBoundingClientRect(): { left: number; top: number; width: number; height: number };
   setPointerCapture?(pointerId: number): void;

@@ -11,16 +11,19 @@ const asError = (error: unknown): Error => (error instanceof Error ? error : new
 
 /** Brings the microshaders of scenes (`scene.microShaders.texts`) into the registry of one renderer. */
 export class MicroShaderOverrides {
-  /** What the registry has of a scene now. */
+  /** Texts of the scene that are in the registry now, by chunk name. */
   private readonly applied = new Map<string, string>();
-  /** What the registry itself had, not its parent, where a scene's text took its place: chunks of effects, such as shadows. */
+  /**
+   * The registry's own microshaders (not its parent's) that texts of the scene replace, by name: chunks of effects,
+   * such as shadows.
+   */
   private readonly replaced = new Map<string, MicroShader>();
 
   constructor(readonly registry: MicroShaderRegistry) {}
 
   /**
-   * Has the registry hold these texts, and its own chunks for all other names.
-   * @returns what was refused; the rest is in use
+   * Puts these texts into the registry, and its own chunks back under all other names.
+   * @returns texts that the registry refused; all others are in use
    */
   apply(wanted: ReadonlyMap<string, string>): MicroShaderProblem[] {
     const { registry, applied } = this;
@@ -66,7 +69,10 @@ export class MicroShaderOverrides {
     return order.length === names.length ? order : [...names];
   }
 
-  /** Takes out what is not wanted: one chunk may have to wait for another that depends on it. @returns what has to stay */
+  /**
+   * Takes out what is not wanted: one chunk may have to wait for another that depends on it.
+   * @returns what has to stay
+   */
   private takeOut(wanted: ReadonlyMap<string, string>): Map<string, Error> {
     const refused = new Map<string, Error>();
     const order = this.usersFirst([...this.applied.keys()].filter((name) => !wanted.has(name)));

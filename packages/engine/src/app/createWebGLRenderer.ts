@@ -1,6 +1,6 @@
 import { WebGLRenderer, type WebGLRendererParameters } from 'three';
 
-/** What a user without WebGL 2 is told: what is missing, and the mend. */
+/** Message for a user without WebGL 2, with the remedy. */
 export const noWebGL2 =
   'This browser gives no WebGL 2, which Farol draws with. Switch hardware acceleration on in the settings of the ' +
   'browser, or update it; https://get.webgl.org/webgl2/ shows whether WebGL 2 works.';

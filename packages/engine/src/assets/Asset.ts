@@ -6,7 +6,10 @@ import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { Model, ModelClip } from './Model';
 import type { Sound } from './Sound';
 
-/** What an asset is in three. A shader is a ShaderMaterial or RawShaderMaterial, used as it is; scripts and clips are data. */
+/**
+ * Loaded form of an asset: an object of three's. A shader is a ShaderMaterial or RawShaderMaterial, used as it is;
+ * scripts and clips are data.
+ */
 export type Asset =
   | BufferGeometry
   | Texture
@@ -23,11 +26,11 @@ export type Asset =
 export interface DecodedPart {
   /** Memory that it takes (bytes). */
   readonly bytes: number;
-  /** Of a texture: other assets of the same bytes share its picture. */
+  /** The texture, when the asset is one; assets of equal bytes share its image. */
   readonly texture?: Promise<Texture>;
 }
 
-/** What an asset that is read from a file takes. */
+/** Memory of an asset that is read from a file, in bytes. */
 export interface AssetMemory {
   /** Bytes of its file; 0 before they are known. */
   file: number;
@@ -43,7 +46,7 @@ export type AssetSource =
       readonly partOf?: string;
       /** Made by code that a page has anyway: needs no file, and is not a user's to delete. */
       readonly isBuiltin?: boolean;
-      /** What it is made of, when its fields can be edited. */
+      /** The asset as fields, when it can be edited. */
       readonly edited?: FieldAsset;
     }
   | {
@@ -63,7 +66,7 @@ export interface AssetFile {
   readonly blob: Blob;
 }
 
-/** What `AssetLibrary.take` took out, for `AssetLibrary.restore`. */
+/** Asset that `AssetLibrary.take` took out; `AssetLibrary.restore` puts it back. */
 export interface TakenAsset {
   readonly name: string;
   readonly source: AssetSource;

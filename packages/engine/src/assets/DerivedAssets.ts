@@ -30,7 +30,7 @@ export abstract class DerivedAssets extends LoadedAssets {
   }
 
   /**
-   * What `mesh` gives, loaded if need be, its normals computed in slices: the page answers meanwhile.
+   * Loads a mesh and computes its normals in slices, so that the page stays responsive; the result is that of `mesh`.
    * @param signal - cancels the wait, and the work when nobody else waits for it
    * @throws AssetError (as a rejection) when it is no mesh or cannot be loaded; what the signal was aborted with
    */

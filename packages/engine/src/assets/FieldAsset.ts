@@ -4,13 +4,16 @@ import { type AssetNames, FieldOwner, copyValue } from '../fields/FieldOwner';
 /** The types of assets that are made of fields, and edited as components are. */
 export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;
 
-/** What an asset that is made of fields needs of the library that it is in. */
+/** Part of an AssetLibrary that its field assets use. */
 export interface FieldAssetHost extends AssetNames {
   /** @internal Told after a field got another value. @param isReplaced - what three draws with is another one */
   fieldAssetChanged(asset: FieldAsset, field: string, before: FieldValue, isReplaced: boolean): void;
 }
 
-/** An asset of a library that is made of fields: kept in files as their values, edited by the same commands as components. */
+/**
+ * An asset of a library that is made of fields: kept in files as their values, edited by the same commands as
+ * components.
+ */
 export abstract class FieldAsset extends FieldOwner {
   readonly isFieldAsset = true;
   abstract readonly type: FieldAssetType;

@@ -16,7 +16,7 @@ export interface LayerValues {
   readonly maps: readonly (string | null)[];
 }
 
-/** What a field of a uniform writes to: one number of it, 'x', or all. */
+/** Uniform that a field writes: one component of it, such as 'x', or all. */
 interface Target {
   readonly uniform: string;
   readonly axis: 'x' | 'y' | 'z' | 'w' | null;
@@ -24,7 +24,7 @@ interface Target {
 
 const targets = new WeakMap<FieldTable, ReadonlyMap<string, Target>>();
 
-/** What the fields of a surface write to, by name; found once for each table. */
+/** Uniforms that the fields of a surface write, by field name; computed once for each table. */
 function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
   let found = targets.get(table);
   if (!found) {
@@ -38,8 +38,8 @@ function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
 }
 
 /**
- * A material of the host's with a surface over what it wears, for some of the objects that have it. Everything else it has from
- * that material, live; nothing of it is changed.
+ * A material of the host's with a surface over what it wears, for some of the objects that have it. Everything else it
+ * has from that material, live; nothing of it is changed.
  */
 export class LayeredMaterial {
   readonly material: Material;

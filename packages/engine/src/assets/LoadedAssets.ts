@@ -27,7 +27,7 @@ export interface AssetLibraryOptions {
   urls?: Readonly<Record<string, string>>;
   /** How the bytes of an address are read; `fetch` when absent. */
   fetchBytes?: FetchBytes;
-  /** What will draw the assets: asked only for which compressed textures the device takes. */
+  /** Renderer of the assets; asked only for the compressed texture formats of its device. */
   renderer?: WebGLRenderer;
 }
 
@@ -46,9 +46,9 @@ async function read(
 /** Assets that are made or read when they are first needed, each once; models bring their parts along. */
 export abstract class LoadedAssets extends AssetTable {
   /**
-   * Origins besides the page's that assets may be fetched from, as `foreignOrigin` writes them; null for any, which is the
-   * default. What leads elsewhere is refused by an AddressRefusedError. The addresses in `options.urls` are the host's own,
-   * and always allowed. See `mayFetch` of `deserialize`.
+   * Origins besides the page's that assets may be fetched from, as `foreignOrigin` writes them; null for any, which is
+   * the default. What leads elsewhere is refused by an AddressRefusedError. The addresses in `options.urls` are the
+   * host's own, and always allowed. See `mayFetch` of `deserialize`.
    */
   allowedOrigins: ReadonlySet<string> | null = null;
 
@@ -92,8 +92,8 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES, sounds), or gives
-   * 'dragon' its address.
+   * Adds an asset that `load` reads from an address (glTF of one file, PLY meshes, gzip or not, images, HDR, EXR, IES,
+   * sounds), or gives 'dragon' its address.
    * @throws AssetError when the name is taken, or the type cannot be told
    */
   registerUrl(name: string, url: string, type: AssetType | null = typeOfUrl(url)): this {
@@ -112,8 +112,9 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png', 'sky.hdr', 'door.ogg'.
-   * A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head', once it is loaded.
+   * Adds an asset that is read from the bytes of a file. Its name tells the format: 'robot.glb', 'brick.png',
+   * 'sky.hdr', 'door.ogg'. A model brings its meshes, materials and textures along as parts, 'robot.glb/mesh-1-Head',
+   * once it is loaded.
    * @param type - what it is; told by the ending of the name when absent
    * @throws AssetError when the name is taken, or its ending is none that can be read
    */
@@ -197,7 +198,8 @@ export abstract class LoadedAssets extends AssetTable {
   }
 
   /**
-   * Names a part of a model that is not loaded, as a scene needs it whose model was refused: it is there once the model is.
+   * Names a part of a model that is not loaded, as a scene needs it whose model was refused: it is there once the model
+   * is.
    * @internal
    */
   registerPart(name: string, type: AssetType, model: string): void {

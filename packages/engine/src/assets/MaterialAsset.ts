@@ -24,7 +24,7 @@ import { surfaceCode } from './surfaceCode';
 import { surfaceMaps, uniformValues } from './uniformFields';
 import { writeSurfaceMaps } from './writeSurfaceMaps';
 
-/** What a MaterialAsset needs of the library that it is in. */
+/** Part of an AssetLibrary that MaterialAsset uses. */
 export interface MaterialHost extends FieldAssetHost {
   isReady(type: 'texture', name: string): boolean;
   whenReady(type: 'texture', name: string, callback: () => void): void;
@@ -53,7 +53,7 @@ const numbers: Readonly<Record<string, keyof MeshPhysicalMaterial>> = {
   retroreflectivity: 'retroreflectivity' as keyof MeshPhysicalMaterial,
 };
 
-/** Of those, what a program is compiled with or without. */
+/** Properties of MeshPhysicalMaterial that three compiles a program with when above 0, without at 0. */
 const lobes = [
   'clearcoat',
   'sheen',
@@ -173,7 +173,7 @@ export class MaterialAsset extends FieldAsset {
     this.writeSurface(material);
   }
 
-  /** Has three's material wear the surface, once the renderer's code is there. */
+  /** Applies the surface to three's material, once the renderer's late code is loaded. */
   private writeSurface(material: Material): void {
     const code = surfaceCode();
     if (!code) return;
@@ -247,7 +247,7 @@ export class MaterialAsset extends FieldAsset {
     return null;
   }
 
-  /** What a program is compiled for: a change of it needs another program. */
+  /** Key of the material's state that its program depends on; another key needs another program. */
   private programState(material: MeshPhysicalMaterial): string {
     const any = material as unknown as Record<string, unknown>;
     const maps = materialMapNames.map((name) => {

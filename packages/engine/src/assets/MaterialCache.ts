@@ -3,7 +3,7 @@ import { makeMaterial, materialSettings, writeMaterial } from './makeMaterial';
 import type { MaterialValues } from './materialFields';
 import type { UseCounter } from './UseCounter';
 
-/** Where a cache gets textures from: an AssetLibrary. */
+/** Source of a cache's textures: an AssetLibrary. */
 export interface TextureSource {
   readonly uses: UseCounter;
   isReady(type: 'texture', name: string): boolean;

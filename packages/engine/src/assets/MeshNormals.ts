@@ -28,7 +28,10 @@ export class MeshNormals {
     return isThere || !isLarge(geometry);
   }
 
-  /** The geometry itself when it has normals, else its copy, which is computed now if need be. @param creaseAngle - radians */
+  /**
+   * The geometry itself when it has normals, else its copy, which is computed now if need be.
+   * @param creaseAngle - radians
+   */
   get(geometry: BufferGeometry, creaseAngle: number): BufferGeometry {
     if (geometry.hasAttribute('normal')) return geometry;
     const angle = keyOf(creaseAngle);
@@ -36,7 +39,7 @@ export class MeshNormals {
   }
 
   /**
-   * The same, computed in slices, so that the page answers meanwhile.
+   * As `get`, with normals computed in slices, so that the page stays responsive.
    * @param signal - cancels the wait, and the work when nobody else waits for it
    * @throws what the signal was aborted with (as a rejection)
    */

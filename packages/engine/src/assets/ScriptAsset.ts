@@ -1,7 +1,7 @@
 import { string } from '@farol/editing/fields';
 import { DataAsset } from './FieldAsset';
 
-/** What a script is made of. */
+/** Fields of a script asset. */
 export const scriptFields = {
   source: string('', { help: 'Its text: a module whose default export is a class of components.' }),
 };

@@ -4,14 +4,14 @@ import { DataAsset, type FieldAssetHost } from './FieldAsset';
 import { loadSurfaceCode, surfaceCode } from './surfaceCode';
 import { uniformFieldsOf } from './uniformFields';
 
-/** What a surface is made of. */
+/** Fields of a surface asset. */
 export const surfaceFields = {
   source: string('', { help: 'Its text: GLSL with surface() or displace(), and the uniforms that it declares.' }),
 };
 
 const none: FieldTable = {};
 
-/** What a SurfaceAsset needs of the library that it is in. */
+/** Part of an AssetLibrary that SurfaceAsset uses. */
 export interface SurfaceHost extends FieldAssetHost {
   /** Time (s) of the scene, which all surfaces of the library share. */
   readonly surfaceTime: { value: number };
@@ -20,8 +20,8 @@ export interface SurfaceHost extends FieldAssetHost {
 }
 
 /**
- * A surface of a library: GLSL that materials wear, which changes position, normal, colour, roughness, metalness and emissive
- * light. A text that cannot be used leaves the last good one in use.
+ * A surface of a library: GLSL that materials wear, which changes position, normal, colour, roughness, metalness and
+ * emissive light. A text that cannot be used leaves the last good one in use.
  */
 export class SurfaceAsset extends DataAsset {
   static readonly fields = surfaceFields;
@@ -44,14 +44,17 @@ export class SurfaceAsset extends DataAsset {
     return this.get('source') as string;
   }
 
-  /** What materials wear; null until the renderer's code is there, and while no text was good. */
+  /**
+   * The compiled surface for materials; null until the renderer's late code is loaded, and while no text has compiled.
+   */
   get surface(): Surface | null {
     return this.made;
   }
 
   /**
-   * Fields of what wears it, by name, one for each number, colour, vector or texture: see `uniformFieldsOf`. None while its text
-   * is not in use: what can be edited follows from the text alone, so that steps of history find what they found.
+   * Fields of what wears it, by name, one for each number, colour, vector or texture: see `uniformFieldsOf`. None while
+   * its text is not in use: what can be edited follows from the text alone, so that steps of history find what they
+   * found.
    */
   get uniformFields(): FieldTable {
     return this.problem ? none : this.table;

@@ -1,8 +1,8 @@
 import { Material } from 'three';
 
 /**
- * A material that has everything from another one, live, which is not changed: a program cache and listeners of its own, and
- * what it is given.
+ * A material that has everything from another one, live, which is not changed: a program cache and listeners of its
+ * own, and what it is given.
  */
 export function derivedMaterial(source: Material, values: Readonly<Record<string, unknown>>): Material {
   const material = Object.create(source) as Material;
@@ -20,7 +20,7 @@ export function derivedMaterial(source: Material, values: Readonly<Record<string
   return material;
 }
 
-/** What a material has everything else from, see `derivedMaterial`; itself where it is no such one. */
+/** Source of a derived material (see `derivedMaterial`); any other material is returned itself. */
 export function sourceOfMaterial(material: Material): Material {
   const above = Object.getPrototypeOf(material) as Material;
   return Object.hasOwn(above, 'id') ? sourceOfMaterial(above) : material;

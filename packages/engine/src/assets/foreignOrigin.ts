@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { AssetError } from './AssetError';
 
-/** What addresses of scenes are relative to where there is no page, as in Node. */
+/** Base of relative addresses where there is no page, as in Node. */
 const NOWHERE = 'http://here.invalid/';
 
 /**

@@ -1,13 +1,13 @@
 import type { FarolAttenuation, FarolLightData, LinearRGB } from '@farol/renderer/light-options';
 import type { Light, Object3D, PointLight, SpotLight } from 'three';
 
-/** What of a light KHR_lights_punctual has no room for: the `extras.farolLight` of the node that the light is on. */
+/** Properties of a light that KHR_lights_punctual cannot hold, written to `extras.farolLight` of the light's node. */
 export interface LightExtras {
   /** In place of the intensity in the file, which is chosen for light that fades as in nature. */
   readonly intensity: number;
   /** In place of the colour in the file, where that has to be a smaller one: channels there are at most 1. */
   readonly color?: LinearRGB;
-  /** Where three's physical falloff ends (m), 0 for nowhere; and its power. */
+  /** three's `distance` (m; 0: unlimited) and `decay` of the light. */
   readonly distance?: number;
   readonly decay?: number;
   readonly penumbra?: number;

@@ -5,8 +5,8 @@ import type { AssetMemory } from './Asset';
 
 export interface FetchOptions {
   /**
-   * The address leads away from the page, by leave: no cookies, no referrer, and no going on to a third place, which nobody
-   * was asked about.
+   * The address leads away from the page, by leave: no cookies, no referrer, and no going on to a third place, which
+   * nobody was asked about.
    */
   readonly isLimited?: boolean;
   /** The address is beside the page, and of a scene, which may not have it go on to another place either. */
@@ -46,7 +46,9 @@ export async function fetchBytes(
 /** The part of an address that names a file, in small letters. */
 export const pathOf = (url: string): string => url.split(/[?#]/)[0].toLowerCase();
 
-/** The type of asset that an address or a file name stands for, by its ending; null when it is none that can be read. */
+/**
+ * The type of asset that an address or a file name stands for, by its ending; null when it is none that can be read.
+ */
 export function typeOfUrl(url: string): FileAssetType | null {
   const path = pathOf(url);
   if (/\.(glb|gltf)$/.test(path)) return 'model';
@@ -60,9 +62,9 @@ export function typeOfUrl(url: string): FileAssetType | null {
 export interface ReadOptions {
   /** Scale a mesh to a longest side of 1 m and stand it on y = 0, centred in x and z. */
   readonly normalise?: boolean;
-  /** What will draw the asset: needed for KTX2 textures only. */
+  /** Renderer of the asset; needed only for KTX2 textures. */
   readonly renderer?: WebGLRenderer | null;
-  /** What the asset takes, counted among all of its library. */
+  /** Memory of the asset, and of all assets of its library, for the limit on their sum. */
   readonly memory?: { readonly own: AssetMemory; all(): readonly AssetMemory[] };
   /** Cancels the reading. */
   readonly signal?: AbortSignal;

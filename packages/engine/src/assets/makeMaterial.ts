@@ -40,7 +40,8 @@ export function materialSettings(values: MaterialValues): unknown[] {
 
 /**
  * Writes field values to a material of their kind.
- * @param texture - finds a texture by name, and by whether it holds data in place of colours; null while it is not loaded
+ * @param texture - finds a texture by name, and by whether it holds data in place of colours; null while it is not
+ * loaded
  */
 export function writeMaterial(
   material: Material,
@@ -96,7 +97,7 @@ function writeLit(material: LitMaterial, values: Omit<MaterialValues, 'map' | 'n
   }
 }
 
-/** What a program is compiled for: a change of it needs another program. */
+/** Key of the material's state that its program depends on; another key needs another program. */
 function programState(material: LitMaterial | MeshBasicMaterial): string {
   const { map, side, transparent, alphaTest, vertexColors, wireframe } = material;
   const lit = material instanceof MeshBasicMaterial ? null : material;

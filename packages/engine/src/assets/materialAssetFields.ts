@@ -19,7 +19,7 @@ function sharedFields(): FieldTable {
   ]) as FieldTable;
 }
 
-/** What a material of the library is made of: see MaterialAsset. All that three's mesh materials have. */
+/** Fields of a MaterialAsset: all properties of three's mesh materials. */
 export const materialAssetFields: FieldTable = {
   ...sharedFields(),
   normalFlip: boolean(false, { help: 'Green points down, as in maps made for DirectX.', label: 'Flip green', ...lit }),

@@ -165,7 +165,7 @@ export type MaterialMapName = keyof typeof materialMaps;
 
 export const materialMapNames = Object.keys(materialMaps) as readonly MaterialMapName[];
 
-/** What happens beyond the edge of a texture. */
+/** How a texture continues beyond its edges. */
 export const wrapModes = ['repeat', 'mirror', 'clamp'] as const;
 
 /** How a map lies on the surface: the endings of the names of its fields, 'normalMapRepeatX'. */

@@ -6,7 +6,7 @@ export interface ModelSubtree {
   readonly root: Object3D;
   /** The nodes; none is below another one. */
   readonly nodes: readonly Object3D[];
-  /** The same nodes. */
+  /** `nodes` as a set. */
   readonly tops: ReadonlySet<Object3D>;
   /** Nodes from the root down to them, with those of their children that lead there. */
   readonly between: ReadonlyMap<Object3D, readonly Object3D[]>;
@@ -25,7 +25,7 @@ interface ChildIndex {
   readonly steps: ReadonlyMap<Object3D, string>;
 }
 
-/** Of nodes that were asked for: a model stays as it was read, and its parts are many. */
+/** Cache of child indices by parent node: a loaded model never changes, and may have very many parts. */
 const indices = new WeakMap<Object3D, ChildIndex>();
 
 function indexOf(parent: Object3D): ChildIndex {
@@ -97,7 +97,7 @@ export const partsText = (scene: Object3D, nodes: readonly Object3D[]): string =
   nodes.map((node) => pathOfNode(scene, node)).join(';');
 
 /**
- * What a text of paths names in a model; names that are not there are passed over.
+ * Subtree of a model that a text of paths names; unknown paths are ignored.
  * @returns null for a text without any node: the whole model
  */
 export function subtreeOf(scene: Object3D, parts: string): ModelSubtree | null {

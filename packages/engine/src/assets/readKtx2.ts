@@ -37,7 +37,7 @@ export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOpt
   }
 }
 
-/** What `KTXorientation` of the file says, such as 'rd' (right, down) or 'ru'; 'rd' where it says nothing. @see KTX 2.0, 5.3 */
+/** Value of the file's `KTXorientation`, such as 'rd' (right, down) or 'ru'; 'rd' when absent. @see KTX 2.0, 5.3 */
 function orientationOf(bytes: ArrayBuffer, view: DataView): string {
   const start = view.getUint32(56, true);
   const end = Math.min(bytes.byteLength, start + view.getUint32(60, true));

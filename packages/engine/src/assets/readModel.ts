@@ -99,7 +99,10 @@ export function checkModelFile(
   return pictures;
 }
 
-/** For `loader.register`: a file without scenes, which glTF allows, is shown as all that it holds. @see glTF 2.0, 3.5.1 */
+/**
+ * For `loader.register`: a file without scenes, which glTF allows, is shown as all that it holds.
+ * @see glTF 2.0, 3.5.1
+ */
 export function showWhole({ json }: GLTFParser): { name: string } {
   const content = json as GltfContent;
   const { meshes = [], scenes = [] } = content;
@@ -113,14 +116,14 @@ export function showWhole({ json }: GLTFParser): { name: string } {
   return { name: 'FAROL_whole_file' };
 }
 
-/** What a glTF shows. */
+/** Members of a glTF that tell whether it shows anything. */
 interface GltfContent {
   readonly meshes?: readonly object[];
   readonly scenes?: readonly object[];
   nodes?: readonly { readonly mesh?: number; readonly children?: readonly number[] }[];
 }
 
-/** What a loader threw, as one sentence on the file. */
+/** Turns an error of three's loaders into one sentence on the file. */
 export function modelError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   if (cause instanceof Error && said.endsWith(' export it again.')) return cause;

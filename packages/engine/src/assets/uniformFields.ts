@@ -21,7 +21,7 @@ export const surfaceMaps = ['surfaceMap1', 'surfaceMap2', 'surfaceMap3', 'surfac
 const hidden = { visibleWhen: { field: 'surface', equals: [] } };
 const map = asset('texture', null, { ...hidden, help: 'A texture of the surface.', label: 'Surface texture' });
 
-/** What holds the values of a surface's uniforms, of an owner that has a field `surface`. */
+/** Fields that store a surface's uniform values, for owners with a field `surface`. */
 export const surfaceValueFields = {
   /** JSON of the uniforms of the surface that are not as it declares them, by name. */
   surfaceValues: string('', { ...hidden, help: 'Values of the surface.', readOnly: true }),

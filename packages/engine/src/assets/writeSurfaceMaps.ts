@@ -2,7 +2,7 @@ import type { SurfaceUniform, SurfaceUniforms } from '@farol/renderer/surfaces';
 import type { Texture } from 'three';
 import type { loadSurfaceCode } from './surfaceCode';
 
-/** Where textures come from: an AssetLibrary. */
+/** Source of textures: an AssetLibrary. */
 export interface TextureHost {
   isReady(type: 'texture', name: string): boolean;
   whenReady(type: 'texture', name: string, callback: () => void): void;
@@ -10,7 +10,8 @@ export interface TextureHost {
 }
 
 /**
- * Writes the textures of a surface to its uniforms: those of the library that are loaded, else what the surface has by itself.
+ * Writes the textures of a surface to its uniforms: those of the library that are loaded, else what the surface has by
+ * itself.
  * @param maps - names in the order in which the surface declares its textures; null for none
  * @param again - called when one is there that was still to be loaded
  */

@@ -1,6 +1,6 @@
 import type { Component } from '../core/Component';
 
-/** What is read of an AudioSource to make it heard. */
+/** Part of AudioSource that SceneAudio reads. */
 export interface HeardSource extends Component {
   readonly sound: string | null;
   readonly loop: boolean;
@@ -13,7 +13,7 @@ export interface HeardSource extends Component {
   readonly rolloff: number;
   /** Whether it was told to play, and is not at its end. */
   readonly isPlaying: boolean;
-  /** Where in the sound it is (s); beyond its length where it loops. */
+  /** Playback position in the sound (s); grows beyond the sound's length when looping. */
   readonly position: number;
   /** How often it began. */
   readonly beginning: number;
@@ -22,7 +22,7 @@ export interface HeardSource extends Component {
   stop(): void;
 }
 
-/** What is read of an AudioListener. */
+/** Part of AudioListener that SceneAudio reads. */
 export interface HearingComponent extends Component {
   readonly volume: number;
 }

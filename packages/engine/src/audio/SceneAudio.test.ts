@@ -87,7 +87,7 @@ const errors: string[] = [];
 let activation: { hasBeenActive: boolean };
 let scene: Scene;
 
-/** Has what was fetched, read and decoded arrive. */
+/** Waits until the sound is decoded. */
 const settle = () => vi.waitFor(() => expect(scene.assets.sound('thud.wav').buffer).not.toBeNull());
 
 async function makeScene(values = {}): Promise<AudioSource> {

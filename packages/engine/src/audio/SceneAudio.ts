@@ -9,14 +9,14 @@ import type { HearingComponent, HeardSource } from './HeardComponents';
 
 type Playing = Audio | PositionalAudio;
 
-/** What is heard of one source. */
+/** Playing sound of one AudioSource. */
 interface Voice {
   readonly source: HeardSource;
   readonly audio: Playing;
   readonly buffer: AudioBuffer;
-  /** Of the source, when it was begun. */
+  /** `source.beginning` when this voice started. */
   readonly beginning: number;
-  /** Of the source, when its fields were taken over. */
+  /** `source.revision` when its fields were last copied to the voice. */
   revision: number;
 }
 
@@ -28,7 +28,7 @@ function follow(audio: Object3D, matrix: Matrix4): void {
 
 const origin = new Matrix4();
 
-/** Where a sound begins; afterwards three lets it glide from place to place. */
+/** Sets a panner's position at once; afterwards three ramps it from position to position. */
 function putAt(panner: PannerNode, { elements }: Matrix4): void {
   if (!panner.positionX) return;
   panner.positionX.value = elements[12];
@@ -74,7 +74,7 @@ export class SceneAudio implements SceneSystem {
     for (let i = 0; i < sources.length; i++) if (sources[i].isPlaying) this.hear(sources[i], listener);
   }
 
-  /** What plays is begun anew by the next update, at the place that the scene's time says. */
+  /** Silences all voices; the next `update` restarts them at the position that the scene's time gives. */
   pause(): void {
     for (const source of this.voices.keys()) this.silence(source);
   }

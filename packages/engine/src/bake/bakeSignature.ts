@@ -19,9 +19,9 @@ function placeOf({ object3D }: GameObject): string {
 }
 
 /**
- * What light depends on that is baked now, as a short text: static objects, lights that are baked, their materials and
- * places, and the sky where it is baked. Another text than that of a bake tells that the bake is out of date. How finely
- * it is baked does not count.
+ * Short text of all that a bake made now would depend on: static objects, baked lights, materials and
+ * places, and the sky where it is baked. Another text than that of a bake tells that the bake is out of date. How
+ * finely it is baked does not count.
  */
 export function bakeSignature(scene: Scene, sources: BakeSources = bakeSources(scene)): string {
   const { settings, assets } = scene;

@@ -7,7 +7,7 @@ import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { takesLightmap } from '../core/baked/lightmappedMaterial';
 
-/** What of a scene takes part when its light is baked. */
+/** Meshes, lights and sky of a scene that take part in a bake. */
 export interface BakeSources {
   /** Meshes that get a lightmap. */
   readonly meshes: readonly BakeMesh[];
@@ -22,7 +22,7 @@ export interface BakeSources {
 /** A mesh that gets a lightmap. */
 export interface BakeMesh {
   readonly mesh: Mesh;
-  /** What draws it, and which of its meshes it is: see `LightmappedMesh`. */
+  /** Renderer of the mesh, and the mesh's index in it: see `LightmappedMesh`. */
   readonly component: ObjectRenderer | ModelRenderer;
   readonly part: number;
 }
@@ -53,7 +53,7 @@ function meshesOf(component: ObjectRenderer | ModelRenderer): BakeMesh[] {
   return found;
 }
 
-/** What of a scene, as it is now, takes part in a bake. */
+/** Collects the sources of a bake from the scene's present state. */
 export function bakeSources(scene: Scene): BakeSources {
   const renderers = [...scene.componentsOf(ObjectRenderer), ...scene.componentsOf(ModelRenderer)].filter(
     (component) => component.isActive && component.gameObject.isStatic,
@@ -68,8 +68,8 @@ export function bakeSources(scene: Scene): BakeSources {
 }
 
 /**
- * Whether a three object that gets no lightmap throws shadows and reflects light in a bake: its bones, or its instances, have
- * no one place in a lightmap, and it belongs to a static object.
+ * Whether a three object that gets no lightmap throws shadows and reflects light in a bake: its bones, or its
+ * instances, have no one place in a lightmap, and it belongs to a static object.
  * @param instance - of a mesh of instances: whether this one is static; of the mesh as a whole, true
  */
 export function isStaticWithoutLightmap(object: Object3D, instance?: number): boolean {

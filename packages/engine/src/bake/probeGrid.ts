@@ -13,7 +13,7 @@ const part = new Box3();
 const size = new Vector3();
 
 /**
- * Where probes are to be for a scene: in a box round all that is static.
+ * Grid of probes for a scene: a box around all static meshes.
  * @param spacing - between them (m), at least
  * @returns null where nothing is static
  */

@@ -1,6 +1,6 @@
 /** Code that most scenes do without, fetched when one first needs it; shared by all scenes of a page. */
 export class LateCode<Code> {
-  /** What is being fetched now, of all such code. */
+  /** Fetches of late code that are under way, of all instances. */
   static readonly fetching = new Set<Promise<unknown>>();
   /** Null until `load` is done. */
   code: Code | null = null;

@@ -1,6 +1,6 @@
 /**
- * What is being made, or a rejection as soon as the signal is aborted.
- * @param giveBack - gets what is made all the same after that
+ * Resolves with the result of `making`, or rejects as soon as the signal is aborted.
+ * @param giveBack - disposes of a result that arrives after the abort
  */
 export function cancellable<T>(
   making: Promise<T>,

@@ -1,5 +1,5 @@
 /**
- * What animation costs of a frame's CPU time: `npx vitest bench --run --config packages/vitest.config.ts
+ * CPU time of animation per frame: `npx vitest bench --run --config packages/vitest.config.ts
  * packages/engine/src/benchmarks`.
  */
 import {

@@ -4,8 +4,8 @@ import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
 /**
- * Of older files; an `Animation` does what it does. Plays a clip of a model on the objects below, which it finds by their names: those that a model was unpacked into. While
- * the scene is at its beginning, they are where they were put.
+ * Kept for older files; use `Animation`. Plays a model's clip on the objects that the model was unpacked into, found by
+ * name below this one. While the scene is at its beginning, the objects keep their authored poses.
  */
 export class Animator extends component({
   model: asset('model', null, { help: 'The model whose clips it plays.' }),

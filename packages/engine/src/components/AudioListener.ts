@@ -1,7 +1,7 @@
 import { number } from '@farol/editing/fields';
 import { component } from '../core/Component';
 
-/** Where a scene is heard from, towards its front. Where none is there, it is heard from the active camera. */
+/** Ear of a scene, facing the object's front; without an AudioListener the active camera is the ear. */
 export class AudioListener extends component({
   volume: number(1, { min: 0, max: 1, step: 0.05, help: 'Loudness of everything that is heard.' }),
 }) {

@@ -5,8 +5,8 @@ import { component } from '../core/Component';
 const whenPositional = { field: 'positional', equals: [true] } as const;
 
 /**
- * Plays a sound while the scene plays. What is heard begins with the user's first press: see `audioOutput`; a sound that
- * began before is then where it would be.
+ * Plays a sound while the scene plays. What is heard begins with the user's first press: see `audioOutput`; a sound
+ * that began before is then where it would be.
  */
 export class AudioSource extends component({
   sound: asset('sound', null, { help: 'The sound that it plays.' }),
@@ -58,7 +58,7 @@ export class AudioSource extends component({
   private state: 'stopped' | 'playing' | 'paused' = 'stopped';
   /** The scene's time at which the sound would have begun, at its present rate (s). */
   private beganAt = 0;
-  /** Where in the sound it was paused (s). */
+  /** Playback position at the pause (s). */
   private pausedAt = 0;
   /** The playback rate that `beganAt` goes by. */
   private rate = 1;
@@ -80,7 +80,7 @@ export class AudioSource extends component({
     return this.changes;
   }
 
-  /** Where in the sound it is (s); beyond its length where it loops. */
+  /** Playback position in the sound (s); grows beyond the sound's length when looping. */
   get position(): number {
     if (this.state === 'playing') return ((this.scene?.time ?? 0) - this.beganAt) * this.rate;
     return this.state === 'paused' ? this.pausedAt : 0;

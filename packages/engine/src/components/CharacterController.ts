@@ -46,8 +46,9 @@ function standardPad(): Gamepad | null {
 }
 
 /**
- * Walks a GameObject through the scene's colliders: up steps and slopes, jumping, pushing what is in its way. Its origin
- * is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by `walk` and
+ * Walks a GameObject through the scene's colliders: up steps and slopes, jumping, pushing what is in its way. Its
+ * origin is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by
+ * `walk` and
  * `jump`. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
  */
 export class CharacterController extends physicsComponent(characterFields) {
@@ -68,7 +69,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   };
 
   private readonly held = new Set<string>();
-  /** What a script asked for; null for nothing. */
+  /** Movement that a script has asked for; null for none. */
   private asked: Vector3 | null = null;
   private readonly stick = { pointer: -1, x: 0, y: 0, right: 0, back: 0 };
   private readonly finger = { pointer: -1, since: 0, way: 0 };

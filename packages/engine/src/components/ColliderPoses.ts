@@ -1,6 +1,6 @@
 import { type Matrix4, type Object3D, Vector3 } from 'three';
 
-/** Where an object is that particles bounce off; world space. */
+/** Pose of a collider that particles bounce off, in world space. */
 export interface ColliderPose {
   /** Metres. */
   readonly position: readonly [number, number, number];

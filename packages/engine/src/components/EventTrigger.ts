@@ -30,7 +30,7 @@ const values = ['none', 'number', 'flag', 'text', 'colour', 'vector', 'object', 
 const whenEvent = (...equals: (typeof events)[number][]) => ({ field: 'event', equals });
 const whenValue = (...equals: (typeof values)[number][]) => ({ field: 'valueType', equals });
 
-/** What is read of the event of a collision. */
+/** Part of a CollisionEvent that EventTrigger reads. */
 interface OtherObject {
   readonly other?: GameObject | null;
 }
@@ -138,7 +138,7 @@ export class EventTrigger extends component({
   /** The fault that was told of last: each is told once. */
   private toldOf = '';
 
-  /** What can be called on the target. */
+  /** Names of methods that can be called on the target. */
   get methods(): string[] {
     const { scene, target } = this;
     const found = target === null ? this.isAttached && this.gameObject : scene?.findById(target);

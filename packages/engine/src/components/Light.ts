@@ -31,7 +31,7 @@ const makers: Record<string, () => AnyLight> = {
 
 const softened = new WeakSet<Scene>();
 
-/** Has the lights of a scene follow its softness of shadows. */
+/** Reapplies the fields of a scene's lights whenever its `shadowSoftness` changes. */
 function followSoftness(scene: Scene): void {
   if (softened.has(scene)) return;
   softened.add(scene);
@@ -43,8 +43,8 @@ function followSoftness(scene: Scene): void {
 
 /**
  * Lets a GameObject light the scene. It owns a three light below the object's object3D. Directional and spot lights,
- * rectangles and discs shine along the object's front (-Z); a tube lies along its X. What three's lights cannot say, the
- * thesis's attenuations, extra colours and shapes, goes to `three.userData.farol`, which @farol/renderer reads.
+ * rectangles and discs shine along the object's front (-Z); a tube lies along its X. What three's lights cannot say,
+ * the thesis's attenuations, extra colours and shapes, goes to `three.userData.farol`, which @farol/renderer reads.
  */
 export class Light extends component(lightFields) {
   static override readonly typeName: string = 'Light';
@@ -63,7 +63,7 @@ export class Light extends component(lightFields) {
     return this.light;
   }
 
-  /** Where the light is in the world, in metres. */
+  /** World position of the light (m). */
   get position(): Vector3 {
     return this.gameObject.transform.worldPosition;
   }

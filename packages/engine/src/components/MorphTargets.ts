@@ -14,7 +14,7 @@ export const morphField = (name: string): string => MORPH + name;
 /** Most morph targets of a model that have a field; models of faces have 50 to 80. */
 const MOST_FIELDS = 256;
 
-/** What holds the weights of the morph targets of a model, of an owner that has a field `model`. */
+/** Fields that store a model's morph target weights, for owners with a field `model`. */
 export const morphTargetFields = {
   /** JSON of the weights that are not as the model has them, by name of the morph target. */
   morphWeights: string('', {
@@ -51,7 +51,10 @@ function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
   return fields;
 }
 
-/** The morph targets of what is drawn of a model. Meshes that have one of the same name, as face and teeth do, have one weight. */
+/**
+ * The morph targets of what is drawn of a model. Meshes that have one of the same name, as face and teeth do, have one
+ * weight.
+ */
 export class MorphTargets {
   /** A field for each, see `Field.viewOf`; null where there are none. */
   readonly fields: FieldTable | null;

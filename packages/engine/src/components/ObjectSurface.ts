@@ -21,8 +21,9 @@ export const objectSurfaceFields = {
 type Bounded = Mesh & { boundingSphere?: Sphere | null };
 
 /**
- * The surface that a component has its meshes wear over their materials. Objects of one material, surface and values share a
- * material; while simulation changes a value, an object has one of its own, whose uniforms are written and nothing else.
+ * The surface that a component has its meshes wear over their materials. Objects of one material, surface and values
+ * share a material; while simulation changes a value, an object has one of its own, whose uniforms are written and
+ * nothing else.
  */
 export class ObjectSurface implements LayerUser {
   readonly views: StoredViews;
@@ -57,7 +58,8 @@ export class ObjectSurface implements LayerUser {
 
   /**
    * Gives meshes their materials.
-   * @param dress - is handed what gives the material to draw with in place of one, which is that one where no surface is worn
+   * @param dress - is handed what gives the material to draw with in place of one, which is that one where no surface
+   * is worn
    */
   dress(scene: Scene, dress: (wear: (source: Material) => Material) => void): void {
     const { layered } = scene.assets;
@@ -125,8 +127,8 @@ export class ObjectSurface implements LayerUser {
 }
 
 /**
- * Has a mesh be left out of pictures and shadow maps by where its surfaces may displace it to.
- * @param isCulled - whether it is where nothing displaces it
+ * Sets a mesh's frustum culling and bounding sphere by how far its surfaces may displace vertices.
+ * @param isCulled - whether a mesh without displacement is frustum culled
  */
 export function fitBounds(mesh: Mesh, isCulled = true): void {
   const { material, geometry } = mesh;

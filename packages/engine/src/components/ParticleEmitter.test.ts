@@ -21,7 +21,7 @@ function emitterIn(scene: Scene, values: Parameters<GameObject['addComponent']>[
   return object.addComponent(ParticleEmitter, values);
 }
 
-/** What the emitter was told to simulate. */
+/** Number of particles that the emitter's schedule has begun. */
 const begun = (emitter: ParticleEmitter): number => emitter.three!.pending.schedule.begun;
 
 test('it is made once its code is there, if it is still in the scene, and goes on as if it had been there', async () => {

@@ -14,9 +14,9 @@ import { colliderObjects, type ParticleParts } from './particleSettings';
 const SAME_TIME = 1e-4;
 
 /**
- * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles, fetched when
- * a scene first has one; an `App` switches the effect on that draws it. While the scene plays they go on with its time, and
- * begin from the seed with it: the same times give the same particles.
+ * Emits particles that the GPU simulates, and that may be lights: `ParticleEmitter` of @farol/renderer/particles,
+ * fetched when a scene first has one; an `App` switches the effect on that draws it. While the scene plays they go on
+ * with its time, and begin from the seed with it: the same times give the same particles.
  */
 export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';
@@ -42,23 +42,23 @@ export class ParticleEmitter extends component(particleFields) {
     return this.emitter;
   }
 
-  /** Where the objects are that particles bounce off. */
+  /** Poses of the colliders that particles bounce off. */
   get colliderPoses(): readonly ColliderPose[] {
     return this.parts.colliders;
   }
 
-  /** Has all particles begin anew, from the seed. */
+  /** Restarts the emission from the seed. */
   restart(): void {
     this.beganAt = this.scene?.time ?? 0;
     this.emitter?.restart();
   }
 
-  /** Has particles begin, from now on. */
+  /** Starts emission. */
   emit(): void {
     this.simulate('emitting', true);
   }
 
-  /** Has no more particles begin; those that live go on. */
+  /** Stops emission; living particles continue. */
   stop(): void {
     this.simulate('emitting', false);
   }

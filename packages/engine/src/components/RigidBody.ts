@@ -5,10 +5,11 @@ import { rigidBodyFields } from '../physics/rigidBodyFields';
 import { physicsComponent } from '../physics/physicsComponent';
 
 /**
- * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the scene
- * plays a dynamic body is moved by forces and collisions; a kinematic one goes where its object is moved by animation or
- * scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
- * Its methods may be called from `start` on; what is asked before the physics have begun waits for them.
+ * Makes an object a body of the scene's physics, with the Colliders of the object and of those below it. While the
+ * scene plays a dynamic body is moved by forces and collisions; a kinematic one goes where its object is moved by
+ * animation or scripts, and pushes others; a fixed one stays. What it does is simulation: it is not saved, and
+ * `scene.reset()` undoes it. Its methods may be called from `start` on; what is asked before the physics have begun
+ * waits for them.
  */
 export class RigidBody extends physicsComponent(rigidBodyFields) {
   static override readonly typeName: string = 'RigidBody';
@@ -24,7 +25,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
   ];
 
   private control: BodyControl | null = null;
-  /** What was asked before the body was there. */
+  /** Calls made before the physics has created the body; run once it has. */
   private readonly waiting: ((body: BodyControl) => void)[] = [];
 
   /** @internal Called by the physics. @param control - null when the body is given up */

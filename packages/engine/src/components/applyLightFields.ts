@@ -15,7 +15,7 @@ type LightValues = Readonly<ValuesOf<typeof lightFields>>;
 
 const isBlack = (colour: Vector3Tuple): boolean => colour.every((channel) => channel === 0);
 
-/** What three's light cannot say; undefined when it says all. */
+/** Light properties that three's lights lack; undefined when there are none. */
 function extraData(values: LightValues): FarolLightData | undefined {
   const data: FarolLightData = {};
   if (!isBlack(values.ambient)) data.ambient = values.ambient;

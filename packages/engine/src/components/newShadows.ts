@@ -1,4 +1,4 @@
-/** What new meshes are like: as in other editors they throw shadows, and shadows fall on them. */
+/** Shadow flags of new meshes: as in other editors, they cast and receive shadows. */
 export const meshShadows = { castShadow: true, receiveShadow: true } as const;
 
 /** Size of the shadow map (texels) and softness of new lights, by their type. */

@@ -38,7 +38,7 @@ import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
 import { objectsOfModel, whatKeepsTogether } from './objectsOfModel';
 
-/** What a glTF gives: a lamp on a turned, mirrored arm, two meshes of one geometry, a camera, a sun, a clip. */
+/** Model as a glTF gives it: a lamp on a turned, mirrored arm, two meshes of one geometry, a camera, a sun, a clip. */
 function lampModel(): Model {
   const scene = new Group();
   const texture = new DataTexture(new Uint8Array(16), 2, 2);

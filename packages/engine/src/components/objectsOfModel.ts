@@ -32,20 +32,23 @@ type Values = Readonly<Record<string, FieldValue>>;
 
 /** A model as GameObjects. */
 export interface ObjectsOfModel {
-  /** What is at the top of the model, in no scene yet. */
+  /** Objects for the model's top nodes, not yet in any scene. */
   readonly objects: readonly GameObject[];
   /** Materials that the library does not have yet, for `AssetLibrary.addMaterial`. */
   readonly materials: readonly { readonly name: string; readonly values: Values }[];
 }
 
 export interface UnpackOptions {
-  /** What the name of each material begins with: 'robot/'. */
+  /** Prefix of each material's name: 'robot/'. */
   readonly materialFolder?: string;
   /** Default true. */
   readonly castShadow?: boolean;
   /** Default true. */
   readonly receiveShadow?: boolean;
-  /** Values of the ObjectRenderers of one material of the model, by its name, or of all of them: the surface that it wears. */
+  /**
+   * Values of the ObjectRenderers of one material of the model, by its name, or of all of them: the surface that it
+   * wears.
+   */
   readonly wears?: { readonly material: string; readonly values: Values };
 }
 
@@ -60,7 +63,10 @@ type Flags = Object3D & {
 const textOf = (values: Values): string =>
   JSON.stringify(Object.entries(values).toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
-/** What of a model only a ModelRenderer draws, in words; null when all of it can be objects: see `objectsOfModel`. */
+/**
+ * Reason that part of a model needs a ModelRenderer; null when all of the model can become objects (see
+ * `objectsOfModel`).
+ */
 export const whatKeepsTogether = (model: Model): KeptFor | null => keptTogether(model)[0]?.reason ?? null;
 
 /** The name of the object that draws nodes of a model together. */
@@ -75,9 +81,9 @@ const instancePlace = new Vector3();
 const instanceScale = new Vector3();
 
 /**
- * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library, materials
- * made of fields, lights and cameras, an object for each instance of a mesh. What `keptTogether` tells stays one object
- * each, with a ModelRenderer that draws these `parts` of the model.
+ * Makes GameObjects of a model that is drawn as the model is: meshes with the parts of the model in the library,
+ * materials made of fields, lights and cameras, an object for each instance of a mesh. What `keptTogether` tells stays
+ * one object each, with a ModelRenderer that draws these `parts` of the model.
  * @param name - of the model in the library, where it is loaded
  */
 export function objectsOfModel(
@@ -89,7 +95,7 @@ export function objectsOfModel(
   const parts = modelParts(model, name);
   const kept = keptTogether(model);
   const alone = new Map<Object3D, KeptPart>();
-  /** What stays together though it has several places, by the node above them, and these places. */
+  /** Kept parts that have several nodes, by those nodes' common parent. */
   const several = new Map<Object3D, KeptPart[]>();
   const placesOfSeveral = new Set<Object3D>();
   for (const part of kept) {
@@ -106,7 +112,10 @@ export function objectsOfModel(
   const made = new Map<Material, string | null>();
   const materials: { name: string; values: Values }[] = [];
 
-  /** Names of materials by their values, of the library and of those made here; of these, by the name wanted, the next number. */
+  /**
+   * Names of materials by their values, of the library and of those made here; of these, by the name wanted, the next
+   * number.
+   */
   const byValues = new Map<string, string[]>();
   const taken = new Set<string>();
   const numbers = new Map<string, number>();
@@ -270,7 +279,10 @@ function ownValues({ ambient, specular, spotExponent, attenuation }: FarolLightD
 
 const SHAPE_FIELDS = ['type', 'width', 'height', 'diffuse', 'intensity', 'areaRange'] as const;
 
-/** The fields of a Light with a shape, of the extras that the editor's glTF export gives a node; null where they are none. */
+/**
+ * The fields of a Light with a shape, of the extras that the editor's glTF export gives a node; null where they are
+ * none.
+ */
 function shapeLightValues(extras: unknown): Record<string, FieldValue> | null {
   if (typeof extras !== 'object' || extras === null) return null;
   const values: Record<string, FieldValue> = {};

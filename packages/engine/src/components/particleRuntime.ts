@@ -1,3 +1,3 @@
-/** What a scene with particles needs besides its components: fetched when there is one. */
+/** Late code of scenes with particles, fetched with the first emitter. */
 export { ParticleEmitter, particlePresets, Particles } from '@farol/renderer/particles';
 export { changedSetting, particleSettings, particleValues } from './particleSettings';

@@ -7,9 +7,9 @@ import type { particleFields } from './particleFields';
 /** Values of the fields of a ParticleEmitter. */
 export type ParticleValues = ValuesOf<typeof particleFields>;
 
-/** What the names in a ParticleEmitter's fields stand for; null where it is not there, or not yet. */
+/** Assets and objects that a ParticleEmitter's fields name; null for one that is missing or not loaded yet. */
 export interface ParticleParts {
-  /** Of the objects that particles bounce off. */
+  /** Poses of the colliders that particles bounce off. */
   readonly colliders: readonly ColliderPose[];
   readonly surface: Mesh | null;
   readonly mesh: BufferGeometry | null;
@@ -177,7 +177,7 @@ export function particleValues(settings: Partial<ParticleSettings>): Partial<Par
   };
 }
 
-/** Of bursts at equal intervals; of others, the first alone. */
+/** Field values for equal bursts at equal intervals; for other bursts, of the first one alone. */
 function burstValues(bursts: ParticleSettings['bursts']): Partial<ParticleValues> {
   const [first, second] = bursts;
   if (!first) return {};

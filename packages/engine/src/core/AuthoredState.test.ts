@@ -25,7 +25,7 @@ function makeScene(): Scene {
   return scene;
 }
 
-/** What a script may do to a scene, one of many things. */
+/** Makes one random change of a scene, as a script may. */
 function disturb(scene: Scene, random: () => number): void {
   const objects: GameObject[] = [];
   scene.traverse((object) => objects.push(object));

@@ -43,7 +43,7 @@ const recordOf = (object: GameObject): ObjectRecord => ({
 const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
- * What a scene is made of at a moment, so that all that code changes afterwards can be taken back: objects and components
+ * State of a scene at a moment, from which all later changes by code can be undone: objects and components
  * that come, go or move, their names and switches, and fields that are set. Edits of scripts are not taken back.
  */
 export class AuthoredState {
@@ -55,7 +55,7 @@ export class AuthoredState {
   private readonly microShaders: ReadonlyMap<string, string>;
   private readonly prefabs: readonly Prefab[];
   private readonly assets: ReadonlySet<string>;
-  /** What fields were before they were set. */
+  /** Values of fields before they were first set, by owner and field name. */
   private readonly fields = new Map<FieldOwner, Map<string, FieldValue>>();
   /** Whether more than fields has changed. */
   private isTouched = false;

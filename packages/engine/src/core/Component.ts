@@ -9,8 +9,8 @@ import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 
 /**
- * A part of a GameObject that gives it an ability: the class to extend for a component without fields; `component({ … })` makes
- * one with fields. Fields are declared once, and read by the inspector, the file format, undo and the tests.
+ * A part of a GameObject that gives it an ability: the class to extend for a component without fields; `component({ …
+ * })` makes one with fields. Fields are declared once, and read by the inspector, the file format, undo and the tests.
  */
 export abstract class Component extends FieldOwner {
   static readonly typeName: string = '';
@@ -25,15 +25,18 @@ export abstract class Component extends FieldOwner {
   private attachedObject: GameObject | null = null;
   private isEnabled = true;
   private ownId = '';
-  /** What simulation shows in place of authored values. */
+  /** Values that simulation shows in place of the authored ones, by field name; null for none. */
   private simulated: Map<string, FieldValue> | null = null;
 
   /**
-   * The scene began to play, or the component came into one that plays: called once, before its first `update`, in a frame
-   * that takes time.
+   * The scene began to play, or the component came into one that plays: called once, before its first `update`, in a
+   * frame that takes time.
    */
   start?(): void;
-  /** Called every frame that is simulated, after every `update`, animation and physics; what follows others belongs here. */
+  /**
+   * Called every frame that is simulated, after every `update`, animation and physics; what follows others belongs
+   * here.
+   */
   lateUpdate?(deltaSeconds: number, time: number): void;
   /** A component that was started leaves the scene, or the scene is reset. */
   onDestroy?(): void;
@@ -45,10 +48,11 @@ export abstract class Component extends FieldOwner {
   onKeyDown?(event: EngineKeyEvent): void;
   onKeyUp?(event: EngineKeyEvent): void;
   /**
-   * Pointer events on what is drawn of the object or of any below it: the nearest mesh under the pointer is called, then
-   * the objects above it. Over and out come once, however the pointer goes from part to part; whether it is over something
-   * is found out when it moves. A press and a release are of any button; a click is of the first one, pressed and released
-   * over the same object, no more than 10 CSS pixels apart. Touch is over what it presses, until it is lifted.
+   * Pointer events on what is drawn of the object or of any below it: the nearest mesh under the pointer is called,
+   * then the objects above it. Over and out come once, however the pointer goes from part to part; whether it is over
+   * something is found out when it moves. A press and a release are of any button; a click is of the first one, pressed
+   * and released over the same object, no more than 10 CSS pixels apart. Touch is over what it presses, until it is
+   * lifted.
    */
   onPointerOver?(event: ObjectPointerEvent): void;
   onPointerOut?(event: ObjectPointerEvent): void;
@@ -217,7 +221,9 @@ export abstract class Component extends FieldOwner {
   }
 }
 
-/** Base class with a property for each field: its static members have defaults, `typeName` and `help` are to be given. */
+/**
+ * Base class with a property for each field: its static members have defaults, `typeName` and `help` are to be given.
+ */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,
   'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'callable'

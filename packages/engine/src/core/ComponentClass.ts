@@ -2,13 +2,15 @@ import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type { Component } from './Component';
 import type { RequiredEffect } from './RequiredEffect';
 
-/** What the registry, the menus and the file format know of a class of components. */
+/** A class of components as the registry, the menus and the file format see it. */
 export interface ComponentClass<T extends Component = Component> {
   new (): T;
   /** Name in files and menus. */
   readonly typeName: string;
   readonly fields: FieldTable;
-  /** Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default. */
+  /**
+   * Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default.
+   */
   readonly version: number;
   /** At most one on a GameObject. */
   readonly unique: boolean;
@@ -19,15 +21,15 @@ export interface ComponentClass<T extends Component = Component> {
   /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
   readonly effect: RequiredEffect | null;
   /**
-   * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the ones
-   * that the engine calls. Of built-in classes null is none.
+   * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the
+   * ones that the engine calls. Of built-in classes null is none.
    */
   readonly callable: readonly string[] | null;
   /** Brings field values written by an older version up to `version`. */
   migrate?(values: Record<string, unknown>, fromVersion: number): Record<string, unknown>;
 }
 
-/** What is left of a component without its class. */
+/** Stored data of a component, independent of its class. */
 export interface ComponentData {
   readonly type: string;
   /** Version of the class that wrote the values. */

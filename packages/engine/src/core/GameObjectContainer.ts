@@ -2,7 +2,7 @@ import type { Object3D } from 'three';
 import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 
-/** What can hold GameObjects: another one, or a scene. */
+/** Parent of GameObjects: a GameObject or a scene. */
 export interface GameObjectContainer {
   /** @internal */
   readonly childList: GameObject[];

@@ -1,8 +1,8 @@
 import { Euler, type EulerOrder, type Object3D, type Quaternion } from 'three';
 
 /**
- * The angles of a quaternion, computed when they are read. three's own are computed with each change of the quaternion, which
- * is most of what moving a body costs.
+ * The angles of a quaternion, computed when they are read. three's own are computed with each change of the quaternion,
+ * which is most of what moving a body costs.
  */
 class LazyEuler extends Euler {
   /** The quaternion changed since the angles were computed. */
@@ -69,7 +69,7 @@ class LazyEuler extends Euler {
   }
 }
 
-/** Has an object compute the angles of its `rotation` only when they are read. */
+/** Makes an object compute its `rotation` angles from the quaternion only when read. */
 export function makeRotationLazy(object: Object3D): void {
   const { quaternion } = object;
   const rotation = new LazyEuler(quaternion, object.rotation.order);

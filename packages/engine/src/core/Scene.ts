@@ -28,7 +28,7 @@ import { SceneSettings } from '../settings/SceneSettings';
 
 export interface SceneOptions {
   name?: string;
-  /** Where meshes and textures come from. A library of its own, disposed with the scene, when absent. */
+  /** Library of meshes and textures. When absent, the scene makes one and disposes of it with itself. */
   assets?: AssetLibrary;
   /** Known types of components; the built-in ones when absent. */
   registry?: ComponentRegistry;
@@ -49,11 +49,11 @@ export class Scene implements GameObjectContainer {
   readonly baked: SceneBake = new SceneBake(this);
   /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
-  /** What objects of the scene are copies of. */
+  /** Prefabs that objects of the scene are instances of. */
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
   /** @internal */
   readonly childList: GameObject[] = [];
-  /** What the picture is seen through, where that is not the active camera: pointer events on objects go by it. */
+  /** Camera for picking by pointer events, when the picture is not seen through the active camera; else null. */
   pointerCamera: ThreeCamera | null = null;
 
   private readonly index = new SceneIndex();
@@ -110,8 +110,9 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one all
-   * along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the tree.
+   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one
+   * all along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the
+   * tree.
    */
   componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
   componentsOf<T extends Component>(type: string): readonly T[];
@@ -211,7 +212,10 @@ export class Scene implements GameObjectContainer {
     for (const root of this.childList) root.traverse(visit);
   }
 
-  /** Advances the time; starts, then updates every active component that wants it, then the systems, then `lateUpdate`. @param deltaSeconds - 0 or more */
+  /**
+   * Advances the time; starts, then updates every active component that wants it, then the systems, then `lateUpdate`.
+   * @param deltaSeconds - 0 or more
+   */
   update(deltaSeconds: number): void {
     this.seconds += deltaSeconds;
     this.assets.surfaceTime.value = this.seconds;
@@ -231,8 +235,8 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Whether a component of a script is left alone since it threw: it is not called until it is changed, or the scene is reset.
-   * Its `enabled` stays as it is.
+   * Whether a component of a script is left alone since it threw: it is not called until it is changed, or the scene is
+   * reset. Its `enabled` stays as it is.
    */
   isSwitchedOff(component: Component): boolean {
     return this.index.switchedOff.has(component);
@@ -265,15 +269,18 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components that
-   * were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as they are now.
-   * Scripts that are edited meanwhile stay as they are edited.
+   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components
+   * that were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as
+   * they are now. Scripts that are edited meanwhile stay as they are edited.
    */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
   }
 
-  /** @internal An object is about to be disposed of. @returns whether it has only left the scene, since `reset` brings it back */
+  /**
+   * @internal An object is about to be disposed of.
+   * @returns whether it has only left the scene, since `reset` brings it back
+   */
   holds(gameObject: GameObject): boolean {
     return this.authored?.hold(gameObject) ?? false;
   }
@@ -284,8 +291,8 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed since
-   * is taken back too.
+   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed
+   * since is taken back too.
    */
   reset(): void {
     this.pointer.reset();
@@ -310,7 +317,9 @@ export class Scene implements GameObjectContainer {
     return receivers;
   }
 
-  /** Passes a pointer event on to every active component that wants it, and to those of the object under the pointer. */
+  /**
+   * Passes a pointer event on to every active component that wants it, and to those of the object under the pointer.
+   */
   dispatchPointer(event: EnginePointerEvent): void {
     this.calls.pointer(event);
     this.pointer.take(event);
@@ -332,12 +341,17 @@ export class Scene implements GameObjectContainer {
     return () => this.listeners.delete(listener);
   }
 
-  /** Calls `listener` whenever three has brought the world matrices of `three` up to date. @returns a function that ends it */
+  /**
+   * Calls `listener` whenever three has brought the world matrices of `three` up to date.
+   * @returns a function that ends it
+   */
   onMatricesUpdated(listener: () => void): () => void {
     return this.three.onMatricesUpdated(listener);
   }
 
-  /** Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released. */
+  /**
+   * Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released.
+   */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();

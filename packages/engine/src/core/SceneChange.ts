@@ -3,7 +3,7 @@ import type { FieldAsset } from '../assets/FieldAsset';
 import type { Component } from './Component';
 import type { GameObject } from './GameObject';
 
-/** What an edit changed. Simulation makes none of these. */
+/** A change by an edit, never by simulation. */
 export type SceneChange =
   | { readonly kind: 'add' | 'remove' | 'move'; readonly gameObject: GameObject }
   | {
@@ -27,7 +27,7 @@ export type SceneChange =
   | { readonly kind: 'enabled'; readonly component: Component }
   | { readonly kind: 'settings'; readonly field: string; readonly before: FieldValue }
   | {
-      /** Of an asset of the library that is made of fields. */
+      /** A field of an asset of the library has changed. */
       readonly kind: 'asset';
       readonly asset: FieldAsset;
       readonly field: string;

@@ -47,7 +47,9 @@ export class SceneIndex {
   private readonly byType = new Map<ComponentClass | string, IndexedList<Component>>();
   private readonly effectUsers = new Map<RequiredEffect, number>();
 
-  /** The components of a class or type name; the same array all along. The first call for a type visits every component. */
+  /**
+   * The components of a class or type name; the same array all along. The first call for a type visits every component.
+   */
   componentsOf(type: ComponentClass | string): readonly Component[] {
     let list = this.byType.get(type);
     if (!list) {
@@ -74,7 +76,7 @@ export class SceneIndex {
     this.removeFromCalls(component);
   }
 
-  /** Has every component called again. */
+  /** Ends `switchOff` for all components. */
   switchOn(): void {
     for (const component of this.switchedOff) this.addToCalls(component);
     this.switchedOff.clear();

@@ -15,15 +15,15 @@ const RESTING_FRAMES = 8;
 
 type PointerMethod = 'onPointerOver' | 'onPointerOut' | 'onPointerPress' | 'onPointerRelease' | 'onPointerClick';
 
-/** What is known of one pointer: a mouse, a pen, a finger. */
+/** State of one pointer: a mouse, a pen or a finger. */
 interface Pointer {
   readonly id: number;
-  /** What it is over. */
+  /** Object under the pointer; null for none. */
   over: GameObject | null;
-  /** Where it is on that, in the world. */
+  /** Point under the pointer on `over`, in world space (m). */
   readonly point: Vector3;
   distance: number;
-  /** What its first button was pressed over. */
+  /** Object under the pointer when the primary button was pressed; null for none. */
   pressed: GameObject | null;
   pressX: number;
   pressY: number;

@@ -2,9 +2,9 @@
 import { describeValue, type Vector3Tuple } from '@farol/editing/fields';
 export interface SceneView {
   readonly name: string;
-  /** Of the eye, in the world (m). */
+  /** Eye position in world space (m). */
   readonly position: Vector3Tuple;
-  /** What is looked at, in the world (m): elsewhere. Its distance tells how much is seen without perspective. */
+  /** Point looked at, in world space (m); never the eye. Its distance gives the extent of an orthographic view. */
   readonly target: Vector3Tuple;
   /** Vertical field of view, from 0.01 to 3.1 (rad). */
   readonly fov: number;
@@ -18,7 +18,7 @@ export const MOST_VIEWS = 9;
 const isFinite3 = (value: unknown): boolean =>
   Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 
-/** What is wrong with a member of a view, as a sentence without its subject; null where nothing is. */
+/** Problem of a member of a view, as a sentence without its subject; null for none. */
 export function viewProblem(view: Readonly<Record<keyof SceneView, unknown>>, member: keyof SceneView): string | null {
   const value = view[member];
   const not = `, not ${describeValue(value)}.`;

@@ -3,7 +3,7 @@ import type { Component } from './Component';
 
 /** A component that makes the shape of its object: the object's ObjectRenderer draws it in place of its mesh. */
 export interface ShapeSource {
-  /** The same until the shape changes; null for none at present. */
+  /** Geometry of the shape, one object until the shape changes; null for none at present. */
   readonly shapeGeometry: BufferGeometry | null;
 }
 

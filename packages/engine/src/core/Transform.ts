@@ -13,9 +13,9 @@ const scale = new Vector3();
 const UP: Vector3Tuple = [0, 1, 0];
 
 /**
- * Where a GameObject is. Every GameObject has exactly one. The fields are relative to the parent; `get` answers with
- * where the object is now, `getAuthored` with where it was put before simulation moved it. Its methods are edits: they
- * change the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
+ * Position, rotation and scale of a GameObject, which has exactly one. The fields are relative to the parent; `get`
+ * gives the present values, `getAuthored` those before simulation moved the object. Its methods are edits: they change
+ * the authored values. Front is the object's -Z axis, as of three's cameras and spot lights.
  */
 export class Transform extends component({
   position: vector3([0, 0, 0], { unit: 'm', step: 0.1, help: 'Place relative to the parent.' }),
@@ -97,7 +97,7 @@ export class Transform extends component({
     return axisOf(this, 2, -1);
   }
 
-  /** Where the object is in the world, in metres. */
+  /** World position (m). */
   get worldPosition(): Vector3 {
     return new Vector3().setFromMatrixPosition(this.modelMatrix);
   }
@@ -119,7 +119,9 @@ export class Transform extends component({
     );
   }
 
-  /** Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis. */
+  /**
+   * Turns about an axis of the world through the object's own place, by radians, anticlockwise seen against the axis.
+   */
   rotate(radians: number, axis: Vector3Input): void {
     const { object3D } = this.gameObject;
     const inverse = parentRotation(object3D, parentQuaternion).invert();

@@ -18,7 +18,7 @@ export interface EnginePointerEvent {
   /** Bit mask of the buttons held: 1 left, 2 right, 4 middle. */
   readonly buttons: number;
   readonly pointerId: number;
-  /** What points; a mouse when absent. */
+  /** Kind of pointer; a mouse when absent. */
   readonly pointerType?: 'mouse' | 'touch' | 'pen';
   /** Wheel movement in CSS pixels, positive towards the user; 0 for other types. */
   readonly wheel: number;
@@ -33,7 +33,7 @@ export interface EngineKeyEvent {
   readonly type: 'down' | 'up';
   /** Physical key, such as 'KeyW' or 'ArrowUp' (KeyboardEvent.code). */
   readonly code: string;
-  /** What the key types, such as 'w'. */
+  /** Character of the key, such as 'w'. */
   readonly key: string;
   readonly repeat: boolean;
   readonly shiftKey: boolean;
@@ -42,11 +42,11 @@ export interface EngineKeyEvent {
   readonly metaKey: boolean;
 }
 
-/** What a component learns of a pointer over its object, or over one below it. */
+/** Pointer event for components of the object under the pointer, and of its ancestors. */
 export interface ObjectPointerEvent extends EnginePointerEvent {
   /** The object that is drawn under the pointer; of `onPointerOut` the one that was. */
   readonly target: GameObject;
-  /** Where the pointer is on it, in the world (m). */
+  /** Point under the pointer on `target`, in world space (m). */
   readonly point: Vector3;
   /** From the camera to that point (m). */
   readonly distance: number;

@@ -25,7 +25,10 @@ function checkNoCycle(gameObject: GameObject, container: GameObjectContainer): n
   return depth;
 }
 
-/** Checks that a scene does not become deeper than its file may be: level by level, as a tree that is in no scene has no limit. */
+/**
+ * Checks that a scene does not become deeper than its file may be: level by level, as a tree that is in no scene has no
+ * limit.
+ */
 function checkDepth(gameObject: GameObject, depth: number): void {
   let level: readonly GameObject[] = [gameObject];
   for (let deep = depth + 1; level.length > 0; deep++) {
@@ -38,7 +41,10 @@ function checkDepth(gameObject: GameObject, depth: number): void {
   }
 }
 
-/** What three's `removeFromParent` does, but looked for from the end, where what is disposed of lies: three begins at the first. */
+/**
+ * As three's `removeFromParent`, but searches children from the end, where objects being disposed of lie; three
+ * searches from the start.
+ */
 function removeFromParent(object: Object3D): void {
   const { parent } = object;
   if (!parent) return;

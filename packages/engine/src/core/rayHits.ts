@@ -12,7 +12,8 @@ import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import type { Scene } from './Scene';
 
 /**
- * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to `hits`.
+ * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to
+ * `hits`.
  * @returns whether it did: three does it otherwise
  */
 export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]) => boolean;
@@ -42,10 +43,10 @@ function collect(object: Object3D, camera: Camera, hits: Intersection[], cast: M
 }
 
 /**
- * What a ray through a point of the picture hits first, as of the last drawn frame; null where nothing is. Bones, morphs
+ * First hit of a ray through a point of the picture, as of the last drawn frame; null for none. Bones, morphs
  * and instances count as they are drawn.
  * @param point - normalised device coordinates, -1 to 1, y up
- * @param counts - whether something that is hit counts; everything does when absent
+ * @param counts - filter of hits; all count when absent
  * @param cast - casts the ray at meshes; three does when absent
  */
 export function hitPoint(

@@ -39,12 +39,12 @@ export interface FieldViews {
   set(name: string, value: FieldValue): void;
 }
 
-/** What the next owner that is constructed is made of: see `remake`. */
+/** Object that the next FieldOwner constructor returns in place of a new one; set by `remake`. */
 let remade: object | null = null;
 
 /**
- * Makes an owner anew as one of a class, in its place: the same object, all that it was is gone. The constructor of the class
- * runs for it, as for a new one.
+ * Makes an owner anew as one of a class, in its place: the same object, all that it was is gone. The constructor of the
+ * class runs for it, as for a new one.
  * @throws what the constructor throws
  */
 export function remake(owner: FieldOwner, type: new () => FieldOwner): void {
@@ -60,8 +60,8 @@ export function remake(owner: FieldOwner, type: new () => FieldOwner): void {
 const defaults = new WeakMap<FieldTable, Record<string, FieldValue>>();
 
 /**
- * A record of default values. Copies of one record share their shape in memory, and their triples: of 90 fields, 0.8 kB each
- * in place of 6 kB where each owner writes its own field by field.
+ * A record of default values. Copies of one record share their shape in memory, and their triples: of 90 fields, 0.8 kB
+ * each in place of 6 kB where each owner writes its own field by field.
  */
 function defaultValues(fields: FieldTable): Record<string, FieldValue> {
   let values = defaults.get(fields);
@@ -72,7 +72,9 @@ function defaultValues(fields: FieldTable): Record<string, FieldValue> {
   return { ...values };
 }
 
-/** Something with declared fields, such as a component or the settings of a scene: keeps their values, and checks them. */
+/**
+ * Something with declared fields, such as a component or the settings of a scene: keeps their values, and checks them.
+ */
 export abstract class FieldOwner {
   private values!: Record<string, FieldValue>;
 
@@ -135,7 +137,7 @@ export abstract class FieldOwner {
     this.fieldChanged(name, before);
   }
 
-  /** Where the fields that name assets look their names up; null while any name goes. */
+  /** Names that asset fields are checked against; null while any name is allowed. */
   protected abstract get assetNames(): AssetNames | null;
 
   /** Throws unless a field can have a value. @throws FieldError */

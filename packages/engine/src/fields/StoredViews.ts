@@ -10,11 +10,14 @@ interface Held {
   readonly values: StoredValues;
 }
 
-/** Fields of an owner whose values lie in declared ones, such as the uniforms of the surface that it wears: see `storedValues`. */
+/**
+ * Fields of an owner whose values lie in declared ones, such as the uniforms of the surface that it wears: see
+ * `storedValues`.
+ */
 export class StoredViews implements FieldViews {
   private table: FieldTable;
   private readonly found: (FieldTable | null)[];
-  /** What was read last, by the field that holds it. */
+  /** Last parsed values, by the name of the field that stores them. */
   private readonly held = new Map<string, Held>();
 
   /** @param declared - all that the owner declares */

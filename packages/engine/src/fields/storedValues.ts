@@ -1,6 +1,6 @@
 /**
- * Values of views, see `Field.viewOf`, in the field that holds them: a string field holds those of its views that are not the
- * default, as JSON by entry; an asset field is what its view shows.
+ * Values of views, see `Field.viewOf`, in the field that holds them: a string field holds those of its views that are
+ * not the default, as JSON by entry; an asset field is what its view shows.
  */
 import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/editing/fields';
 export type StoredValues = Readonly<Record<string, FieldValue>>;
@@ -30,7 +30,7 @@ export function withViewedValue(values: StoredValues, name: string, field: Field
   return text === '' ? others : { ...others, [place]: text };
 }
 
-/** What holds stored values, with another value of a view. */
+/** Text of stored values with one view's value changed; a default value is left out. */
 export function withEntry(stored: StoredValues, name: string, field: Field, value: FieldValue): string {
   const { [entryOf(name)]: _before, ...others } = stored;
   return writeStored(sameValue(value, field.default) ? others : { ...others, [entryOf(name)]: value });
@@ -47,7 +47,7 @@ export function readStored(text: string): StoredValues {
   }
 }
 
-/** The same values always give the same text; none give ''. */
+/** Stores values as JSON with sorted names, so that equal values give equal texts; '' for none. */
 export function writeStored(values: StoredValues): string {
   const names = Object.keys(values).toSorted();
   return names.length === 0 ? '' : JSON.stringify(Object.fromEntries(names.map((name) => [name, values[name]])));

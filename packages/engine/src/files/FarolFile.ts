@@ -9,8 +9,8 @@ export type { Prefab } from '../core/Prefab';
 /**
  * Version of the file format. Raise it, and add to `fileMigrations`, when the shape below changes.
  *
- * 1: settings, assets by address, objects. 2: prefabs, links of objects to them, assets inside the file. 3: scripts, clips
- * and sounds.
+ * 1: settings, assets by address, objects. 2: prefabs, links of objects to them, assets inside the file. 3: scripts,
+ * clips and sounds.
  */
 export const FILE_VERSION = 3;
 
@@ -26,7 +26,7 @@ export interface FileAsset {
   url?: string;
   /** Path in the container: 'assets/robot.glb'. */
   file?: string;
-  /** Of a material, script or clip: the fields that differ from their defaults, see `fieldAssetFields`. */
+  /** Fields of a material, script or clip that differ from their defaults: see `fieldAssetFields`. */
   values?: Record<string, FieldValue>;
 }
 

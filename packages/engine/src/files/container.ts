@@ -5,7 +5,7 @@ import { serialize } from './serialize';
 /** Name of the scene in a container. */
 export const SCENE_ENTRY = 'scene.json';
 
-/** What is in a container: the scene, and each asset's bytes. */
+/** Content of a container: the scene, and each asset's bytes. */
 export interface ContainerContent {
   readonly file: FarolFile;
   /** By path in the container. */

@@ -21,15 +21,16 @@ import { checkAssets, missingAssets, readFile } from './parseFile';
 import { ProblemList } from './ProblemList';
 
 export interface DeserializeOptions {
-  /** Where the assets come from; a library of the scene's own when absent. */
+  /** Library of the assets; the scene makes one of its own when absent. */
   assets?: AssetLibrary;
   registry?: ComponentRegistry;
   /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
   fileOf?: (path: string) => Blob | null;
   /**
-   * Asked once, before anything is fetched, when the file names addresses away from the page: true for all, false for none,
-   * or the origins that may be asked. What is refused stays away, told by an AddressRefusedError to `assets.onChange`; the
-   * rest of the scene opens. From then on the library fetches from those origins only. All are fetched when absent.
+   * Asked once, before anything is fetched, when the file names addresses away from the page: true for all, false for
+   * none, or the origins that may be asked. What is refused stays away, told by an AddressRefusedError to
+   * `assets.onChange`; the rest of the scene opens. From then on the library fetches from those origins only. All are
+   * fetched when absent.
    */
   mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
   /** Cancels the opening: nothing of the scene is left, and assets that only it asked for are loaded no further. */
@@ -98,7 +99,7 @@ async function loadAssets(
   signal?: AbortSignal,
 ): Promise<void> {
   const own = new OwnAssets(file.assets);
-  /** What has to be loaded before a name is known: the model of a part, else the asset itself. */
+  /** Asset to load so that a name is known: the model for a name of its part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use]));
   // a material is made when it is drawn first, of textures that are there by then
@@ -136,10 +137,11 @@ async function allowedOrigins(file: FarolFile, { mayFetch }: DeserializeOptions)
 }
 
 /**
- * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, the normals of their meshes, and its sky.
+ * Makes a scene of a file: all of it or nothing. Waits for the assets that it names, the normals of their meshes, and
+ * its sky.
  * @param file - a FarolFile, JSON text, or what JSON.parse made of it; it is checked in any case
- * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was aborted
- * with
+ * @throws FileError (as a rejection) listing everything that is wrong, see `parseFile`; what `options.signal` was
+ * aborted with
  */
 export async function deserialize(file: unknown, options: DeserializeOptions = {}): Promise<Scene> {
   const { signal } = options;

@@ -3,7 +3,7 @@ import type { FileMap } from '../assets/collectFiles';
 import { FileError } from '../guard/FileError';
 import type { MayUnpack } from '../guard/unpack';
 
-/** What programs leave in archives that is no file of anybody's. */
+/** Whether a path is a system file that archivers add, such as .DS_Store. */
 const isLitter = (path: string): boolean => /(^|\/)(__MACOSX\/|\.DS_Store$|Thumbs\.db$)/.test(path);
 
 /**

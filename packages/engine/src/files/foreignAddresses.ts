@@ -6,13 +6,14 @@ export interface ForeignAddress {
   /** Name of the asset that is read from it. */
   readonly asset: string;
   readonly url: string;
-  /** What is asked about: 'https://example.com'. */
+  /** Origin that the user is asked about: 'https://example.com'. */
   readonly origin: string;
 }
 
 /**
- * Every address in a scene that leads to another origin, or by another scheme than the page's, `data:` and `blob:`, before
- * any of it is fetched. Models cannot name more: those that are read from an address or from the file must be whole.
+ * Every address in a scene that leads to another origin, or by another scheme than the page's, `data:` and `blob:`,
+ * before any of it is fetched. Models cannot name more: those that are read from an address or from the file must be
+ * whole.
  * @param file - checked, as `parseFile` gives it: prefabs, materials and microshaders name assets only
  * @param base - address of the page; the document's when absent
  */

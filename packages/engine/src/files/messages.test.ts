@@ -8,7 +8,7 @@ import type { FileError } from '../guard/FileError';
 
 const LONG = 'x\u0007\u202e\ud800'.repeat(100_000);
 
-/** What a run throws: short, and without raw bytes. */
+/** Message of the error that `run` throws. */
 function messageOf(run: () => unknown): string {
   try {
     run();
@@ -18,7 +18,7 @@ function messageOf(run: () => unknown): string {
   throw new Error('Nothing was thrown.');
 }
 
-/** What is wrong with a message; '' when it is short and printable. */
+/** Problem of a message; '' when short and printable. */
 function flawOf(message: string): string {
   if (message.length >= 2000) return `${message.length} letters`;
   // oxlint-disable-next-line no-control-regex -- these must not be in it

@@ -1,7 +1,10 @@
 import { FILE_VERSION } from './FarolFile';
 import type { JsonRecord } from './ProblemList';
 
-/** What brings a file of a version up to the next one. Each gets a copy of its own, and need not check what it does not touch. */
+/**
+ * Migrations of a file from the version that is the key to the next one. Each gets a copy of the file, and checks only
+ * what it changes.
+ */
 export const fileMigrations: Readonly<Record<number, (file: JsonRecord) => JsonRecord>> = {
   // prefabs and assets inside the file are new; what was there stays as it is
   1: (file) => file,

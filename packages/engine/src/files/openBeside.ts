@@ -6,7 +6,7 @@ export interface HandedScene {
   bytes(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** What pages that hand scenes over say to one another: `type` of a message. */
+/** `type` of the messages by which one page hands a scene to another. */
 export const handoverMessages = {
   /** The opened page asks for the scene. */
   wanted: 'farol-scene-wanted',
@@ -17,13 +17,13 @@ export const handoverMessages = {
 } as const;
 
 export interface OpenBesideOptions {
-  /** What follows `#` in the address. */
+  /** Fragment of the address, after `#`. */
   readonly fragment?: string;
   /** Handed over when the page asks for it; the address says `?from=` and the own origin then. */
   readonly scene?: HandedScene;
   /** How long the page may take to ask (ms). Default 30 s. */
   readonly patience?: number;
-  /** What opens it; the window when absent. */
+  /** Window that opens the page; the global one when absent. */
   readonly host?: Pick<Window, 'open' | 'location' | 'addEventListener' | 'removeEventListener'>;
 }
 
@@ -31,14 +31,14 @@ export interface OpenBesideOptions {
 const LOOK = 2000;
 
 /**
- * Opens another app in a window of its own, found by the file `apps.json` beside the page, and hands it a scene. Call it
- * while a click or a key is answered, or the browser blocks the window. The scene goes to the very window and origin that
- * were opened and to nobody else; a page that is loaded anew gets it again.
+ * Opens another app in a window of its own, found by the file `apps.json` beside the page, and hands it a scene. Call
+ * it while a click or a key is answered, or the browser blocks the window. The scene goes to the very window and origin
+ * that were opened and to nobody else; a page that is loaded anew gets it again.
  *
  * @param app - key in `apps.json`: 'lab'
  * @param label - what messages call the app: 'the Lab'
- * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, nobody knows where the app is, it does
- * not ask, or the scene cannot be packed
+ * @throws Error (as a rejection) of a sentence with the mend: the window is blocked, nobody knows where the app is, it
+ * does not ask, or the scene cannot be packed
  */
 export async function openBeside(
   app: string,

@@ -10,7 +10,7 @@ import { assetUses } from './assetUses';
 import { type FarolFile, FILE_VERSION, type FileAsset, type FileObject, type FileView } from './FarolFile';
 
 export interface SerializeOptions {
-  /** Where the addresses of assets come from; the scene's own library when absent. */
+  /** Library that gives the addresses of assets; the scene's when absent. */
   assets?: AssetLibrary;
 }
 
@@ -66,7 +66,7 @@ export function assetInFile(asset: FieldAsset): FileAsset {
   return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
 
-/** Where an asset is in a container: under its name, also where that is '..' or has half of a letter. */
+/** Path of an asset in a container, made of its name; any name is safe, also '..' or a lone surrogate. */
 function pathInContainer(name: string): string {
   // a percent sign before 'u' is in no other path
   const path = name
@@ -76,7 +76,10 @@ function pathInContainer(name: string): string {
   return `assets/${/^\.+$/.test(path) ? path.replaceAll('.', '%2E') : path}`;
 }
 
-/** Assets of a library that last: those added as files, with their path in a container, those made of fields, and those of an address. */
+/**
+ * Assets of a library that last: those added as files, with their path in a container, those made of fields, and those
+ * of an address.
+ */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
   // by name: an asset that left and came back is at the same place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
@@ -125,8 +128,8 @@ function unknownTexts(file: FarolFile, { registry }: Scene): string[] {
 
 /**
  * The scene as plain JSON data: what was authored, not where simulation has taken it. Assets are named; those that were
- * registered with an address that lasts are listed with it where they are used, those that were added as files with their
- * path in a container: see `writeContainer`.
+ * registered with an address that lasts are listed with it where they are used, those that were added as files with
+ * their path in a container: see `writeContainer`.
  */
 export function serialize(scene: Scene, options: SerializeOptions = {}): FarolFile {
   const file = serializeHead(scene, options);

@@ -6,8 +6,8 @@ import { type Places, weldPositions } from './weldPositions';
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 /**
- * Corners in one place up to which each is compared with all others there. Where more meet, as in a scan with one point far
- * off, which makes all others one place, each keeps the normal of its face.
+ * Corners in one place up to which each is compared with all others there. Where more meet, as in a scan with one point
+ * far off, which makes all others one place, each keeps the normal of its face.
  */
 const MOST_COMPARED = 1024;
 
@@ -206,7 +206,8 @@ function* creaseNormals(geometry: BufferGeometry, creaseAngle: number): Steps<Bu
  * A copy of a triangle geometry with normals: smooth where faces meet at an angle up to `creaseAngle`, creased where
  * they meet at more. Corners are welded by place, so seams of the texture coordinates do not show; faces count by the
  * angle that they have at the corner (Thürmer and Wüthrich 1998), so that the cut of a face into triangles does not
- * show either; where more than 1,024 meet in one place each keeps its own normal. Other attributes and groups are kept; morph targets are not.
+ * show either; where more than 1,024 meet in one place each keeps its own normal. Other attributes and groups are kept;
+ * morph targets are not.
  * @param geometry - indexed or not, with a `position` attribute; left as it is
  * @param creaseAngle - radians, 0 (flat) to π (all smooth); π / 6 when absent
  */
@@ -214,7 +215,7 @@ export const computeCreaseNormals = (geometry: BufferGeometry, creaseAngle = Mat
   runSteps(creaseNormals(geometry, creaseAngle));
 
 /**
- * What `computeCreaseNormals` gives, computed in slices of 20 ms: the page answers meanwhile.
+ * As `computeCreaseNormals`, computed in slices of 20 ms, so that the page stays responsive.
  * @param signal - cancels the work
  * @throws what the signal was aborted with (as a rejection)
  */

@@ -6,10 +6,10 @@ export interface Opening {
   readonly top: number;
 }
 
-/** What of a wall stays beside a hole and above it (m). */
+/** Least width of wall left beside and above a hole (m). */
 const RIM = 0.05;
 
-/** What is asked for of a hole (m). */
+/** Requested size and position of a hole (m). */
 export interface OpeningSize {
   readonly width: number;
   readonly height: number;
@@ -19,7 +19,10 @@ export interface OpeningSize {
   readonly offset: number;
 }
 
-/** A hole as it fits into a wall of a length and a height (m): moved along, made lower and narrower; null where none fits. */
+/**
+ * A hole as it fits into a wall of a length and a height (m): moved along, made lower and narrower; null where none
+ * fits.
+ */
 export function fitOpening(asked: OpeningSize, length: number, height: number): Opening | null {
   const width = Math.min(asked.width, length - 2 * RIM);
   const top = Math.min(asked.sill + asked.height, height - RIM);

@@ -1,7 +1,7 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import { BufferAttribute, BufferGeometry } from 'three';
 
-/** Where the planes of a grid lie along x, y and z (m); in any order, also twice. */
+/** Positions of a grid's planes along x, y and z (m); in any order, repeats allowed. */
 export type GridPlanes = readonly [x: readonly number[], y: readonly number[], z: readonly number[]];
 
 /** Planes nearer than this are one (m). */
@@ -14,8 +14,8 @@ function sorted(planes: readonly number[]): number[] {
 }
 
 /**
- * The surface of the cells of a grid that are solid: flat faces between solid and empty cells alone, so none inside, and no
- * vertex in the middle of another face's edge. Texture coordinates are metres, as those of `MeshBuilder`.
+ * The surface of the cells of a grid that are solid: flat faces between solid and empty cells alone, so none inside,
+ * and no vertex in the middle of another face's edge. Texture coordinates are metres, as those of `MeshBuilder`.
  *
  * @param planes - between which the cells lie
  * @param isSolid - whether the cell with this middle is solid

@@ -10,15 +10,15 @@ export type BodyType = 'dynamic' | 'kinematic' | 'fixed' | 'character';
 
 const position = new Vector3();
 const rotation = new Quaternion();
-/** What Rapier writes to: plain numbers, without the listeners of a Quaternion. */
+/** Targets that Rapier writes to: plain numbers, without the listeners of a Quaternion. */
 const place = { x: 0, y: 0, z: 0 };
 const turn = { x: 0, y: 0, z: 0, w: 1 };
 /** A place and a rotation between two steps. */
 const between = [0, 0, 0, 0, 0, 0, 1];
 
 /**
- * Places of what a body remembers: first x, y, z and a quaternion of the world before the last step, then those after it; position,
- * quaternion and scale that the object was last shown with, of the space above it.
+ * Places of what a body remembers: first x, y, z and a quaternion of the world before the last step, then those after
+ * it; position, quaternion and scale that the object was last shown with, of the space above it.
  */
 const NOW = 7;
 const SHOWN = 14;
@@ -30,14 +30,14 @@ const arm = new Vector3();
 const before = new Vector3();
 const inverse = new Matrix4();
 
-/** Where an object is in the world, without its scale. */
+/** Writes an object's world position and rotation to `target` and `turned`. */
 export function placeOf(object: Object3D, target: Vector3, turned: Quaternion): void {
   object.updateWorldMatrix(true, false);
   target.setFromMatrixPosition(object.matrixWorld);
   worldRotation(object, turned, signs).normalize();
 }
 
-/** What a body needs of its colliders. */
+/** Part of a collider's record that Body uses. */
 export interface BodyCollider {
   /** Null for that of a CharacterController. */
   readonly component: ColliderPart | null;
@@ -56,13 +56,13 @@ export class Body implements BodyControl {
   hasTarget = false;
   /** In the order in which they were made. */
   readonly colliders = new Set<BodyCollider>();
-  /** What acts during this frame (N, N·m); null for nothing. */
+  /** Force (N) and torque (N·m) that act during this frame; null for none. */
   force: Vector3 | null = null;
   torque: Vector3 | null = null;
 
   /** In one piece of memory: each step reads and writes it for every body. */
   private readonly state = new Float64Array(LENGTH);
-  /** Where a kinematic body shall be after the steps of this frame. */
+  /** Pose of a kinematic body after this frame's steps. */
   private readonly target = new Vector3();
   private readonly turnTarget = new Quaternion();
   private watch: ObjectWatch;
@@ -170,7 +170,7 @@ export class Body implements BodyControl {
     return true;
   }
 
-  /** Where a character stands is the physics', whither it looks its own. */
+  /** Follows an edited pose of a character: physics owns the position, the object the rotation. */
   private followCharacter(object3D: Object3D): void {
     if (!this.isPositionShown(object3D)) {
       placeOf(object3D, position, rotation);

@@ -1,6 +1,6 @@
 import type { Quaternion, Vector3 } from 'three';
 
-/** What a body of the running simulation can be told and asked, all in the world's space and SI units. */
+/** Control of a body in the running simulation; world space, SI units. */
 export interface BodyControl {
   readonly isSleeping: boolean;
   /** In kilograms. */

@@ -1,13 +1,13 @@
 import type { Vector3 } from 'three';
 
-/** What the controller of a character asks of the physics, and they answer: in the world, SI units. */
+/** Requests of a CharacterController to the physics, and its answers; world space, SI units. */
 export interface CharacterControl {
-  /** Where it wants to go, as a share of its full speed: x and z of the world, at most 1 long. */
+  /** Requested horizontal velocity (world x and z) as a share of full speed; length 1 at most. */
   readonly wish: Vector3;
   isRunning: boolean;
   /** Until the next step: it wants to jump. */
   wantsJump: boolean;
-  /** Where it was asked to be put; null for nowhere. */
+  /** Requested position for an immediate move; null for none. */
   teleport: Vector3 | null;
   /** Written by the physics: of the last step. */
   readonly velocity: Vector3;

@@ -26,7 +26,7 @@ interface Hit {
   step: number;
 }
 
-/** What it tells of touches to: `Contacts`. */
+/** Receiver of the character's contacts: `Contacts`. */
 interface Touches {
   touch(
     one: ColliderRecord,

@@ -22,7 +22,9 @@ export interface ColliderRecord extends BodyCollider {
   readonly body: Body;
   /** Place among the colliders, by which events are sorted. */
   readonly order: number;
-  /** Of an object below the body's: notices that it moved in the body. */
+  /**
+   * Notices that the collider's object moved relative to its body; null when the collider is on the body's own object.
+   */
   readonly watch: ObjectWatch | null;
   /** From its object to the body when it was made; null for that of a CharacterController. */
   readonly made: Matrix4 | null;

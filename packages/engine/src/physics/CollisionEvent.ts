@@ -3,9 +3,9 @@ import type { GameObject } from '../core/GameObject';
 import type { ColliderPart } from './PhysicsParts';
 
 /**
- * What `onCollisionEnter(event)` and `onCollisionExit(event)` of a component get, and where one of the two colliders is a
- * sensor `onTriggerEnter(event)` and `onTriggerExit(event)`. They are called on the components of the object with the
- * collider, and of the object with the RigidBody that the collider belongs to.
+ * Argument of a component's `onCollisionEnter(event)` and `onCollisionExit(event)`, and where one of the two colliders
+ * is a sensor `onTriggerEnter(event)` and `onTriggerExit(event)`. They are called on the components of the object with
+ * the collider, and of the object with the RigidBody that the collider belongs to.
  */
 export interface CollisionEvent {
   readonly type: 'enter' | 'exit';
@@ -23,7 +23,7 @@ export interface CollisionEvent {
   readonly point: Vector3 | null;
   /** Unit vector of the world from the other object to this one; null for sensors and at the exit. */
   readonly normal: Vector3 | null;
-  /** Of the first contact, in N·s; 0 for sensors and at the exit. */
+  /** Impulse of the first contact (N·s); 0 for sensors and at the exit. */
   readonly impulse: number;
 }
 

@@ -19,7 +19,7 @@ export interface JointRecord {
   /** Null for the world. */
   readonly partner: Body | null;
   readonly rapier: ImpulseJoint;
-  /** What holds a ball within its cone; null for none. */
+  /** Second joint that limits a ball joint to its cone; null for none. */
   readonly cone: ImpulseJoint | null;
 }
 
@@ -30,7 +30,7 @@ const turn = new Quaternion();
 const one = new Vector3(1, 1, 1);
 const matrix = new Matrix4();
 
-/** Where a joint is in the space of a body, and the rotation whose X is its axis. */
+/** A joint's position in a body's space, and the rotation whose X axis is the joint's axis. */
 interface LocalFrame {
   readonly anchor: Vector3;
   readonly frame: Quaternion;
@@ -140,8 +140,9 @@ export function makeJoint(
 const LEVER = 0.05;
 
 /**
- * A cone limit, which Rapier's ball joints do not have in JavaScript: a rope between two points at a distance along the axis
- * from the anchors, which the axis takes from each other as it leans. Level with the body's centre of mass, it is stiffest.
+ * A cone limit, which Rapier's ball joints do not have in JavaScript: a rope between two points at a distance along the
+ * axis from the anchors, which the axis takes from each other as it leans. Level with the body's centre of mass, it is
+ * stiffest.
  */
 function coneOf({ JointData: Data }: Rapier, angle: number, from: LocalFrame, to: LocalFrame, body: Body): JointData {
   const { x, y, z } = body.rapier.localCom();

@@ -9,7 +9,7 @@ type Code = {
   shapesReady(scene: Scene): Promise<void>;
 };
 
-/** What a scene needs physics for. */
+/** Types of components for which a scene needs physics. */
 const types = ['RigidBody', 'Collider', 'CharacterController', 'Joint'] as const;
 
 /** Rapier and what works with it, fetched apart. */
@@ -23,9 +23,9 @@ async function loadCode(): Promise<Code> {
 }
 
 /**
- * The physics of a scene. Its world is made when the scene is first simulated, in steps of 1/60 s, and given up when the
- * scene is reset. Until the code and the meshes of all colliders are there it waits; its first step is the same whenever it
- * comes, so the same scene moves the same way in every run.
+ * The physics of a scene. Its world is made when the scene is first simulated, in steps of 1/60 s, and given up when
+ * the scene is reset. Until the code and the meshes of all colliders are there it waits; its first step is the same
+ * whenever it comes, so the same scene moves the same way in every run.
  */
 export class PhysicsSystem implements SceneSystem {
   readonly order = 200;

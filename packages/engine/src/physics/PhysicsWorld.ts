@@ -18,10 +18,10 @@ import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './Ph
 export const STEP = 1 / 60;
 /** As many steps as the longest frame of an App has; what a frame took beyond them is left out. */
 const MOST_STEPS = 6;
-/** Of a step, within which a frame is long enough for it: frame times are not exact. */
+/** Share of a step that a frame may be short of and still run that step, since frame times are not exact. */
 const TOLERANCE = 1e-6;
 
-/** What of the system the world reads. */
+/** Part of PhysicsSystem that PhysicsWorld uses. */
 interface Changes {
   readonly revision: number;
   readonly changed: Set<Component>;
@@ -40,14 +40,14 @@ export class PhysicsWorld {
   private readonly world: World;
   private readonly queue: EventQueue;
   private readonly bodies = new Map<GameObject, Body>();
-  /** The same, in the order in which they were made. */
+  /** All bodies, in the order of their creation. */
   private bodyList: Body[] = [];
   private readonly colliders = new Map<ColliderPart, ColliderRecord>();
   /** Those whose objects may move in the body. */
   private readonly watched = new Set<ColliderRecord>();
   private readonly characters = new Map<Body, CharacterMotion>();
   private readonly joints = new Map<JointPart, JointRecord>();
-  /** What joints to the world are tied to. */
+  /** Fixed Rapier body that joints to the world attach to; null until the first such joint. */
   private ground: Body['rapier'] | null = null;
   private readonly byHandle = new Map<number, ColliderRecord>();
   private readonly contacts: Contacts;

@@ -11,7 +11,7 @@ export interface ColliderShape {
   readonly half: Vector3;
   /** Along which a capsule or cylinder stands: 0 x, 1 y, 2 z. */
   readonly axis: 0 | 1 | 2;
-  /** Of a hull or mesh: the meshes that it is made of. */
+  /** Meshes that make a hull or mesh shape. */
   readonly parts: readonly MeshPart[];
 }
 

@@ -3,7 +3,7 @@ import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './PhysicsParts';
 
-/** What of a scene takes part in its physics, in the order of its tree. */
+/** Components and objects of a scene that take part in physics, in tree order. */
 export interface SceneParts {
   /** Objects that are bodies, each with its RigidBody or CharacterController; null for colliders without one. */
   readonly bodies: Map<GameObject, RigidBodyPart | CharacterPart | null>;

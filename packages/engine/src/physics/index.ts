@@ -1,6 +1,8 @@
 import { loadRapier as load } from './loadRapier';
 
-/** What editors and players need of the physics beside `PhysicsSystem` and the components: shapes to draw, and Rapier itself. */
+/**
+ * Entry for editors and players: collider shapes to draw, and Rapier itself, beside `PhysicsSystem` and the components.
+ */
 export { type ColliderShape, colliderShape } from './colliderShape';
 
 /**

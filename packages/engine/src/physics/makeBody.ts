@@ -7,7 +7,7 @@ import { isCharacter } from './findParts';
 import type { Rapier } from './loadRapier';
 import type { CharacterPart, RigidBodyPart } from './PhysicsParts';
 
-/** What a body is of; null for colliders without a RigidBody. */
+/** Component that a body is made for; null for colliders without a RigidBody. */
 export type BodyPart = RigidBodyPart | CharacterPart | null;
 
 const place = new Vector3();

@@ -19,7 +19,7 @@ export interface MeshName {
   readonly parts: string;
 }
 
-/** What an object draws itself. */
+/** Meshes that an object's own enabled renderers draw. */
 export function meshNamesOf(object: GameObject): MeshName[] {
   const names: MeshName[] = [];
   for (const component of object.components) {

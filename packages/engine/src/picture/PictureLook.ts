@@ -4,7 +4,7 @@ import type { CameraComponent } from '../core/CameraComponent';
 import type { SceneSettings } from '../settings/SceneSettings';
 import { toneMappings } from '../settings/toneMappings';
 
-/** What a frame's picture is made by, where a camera may have its own. The same object each frame. */
+/** Tone mapping and effects of a frame, from scene settings or the camera's own. One object is reused. */
 export class PictureLook {
   toneMapping: ToneMapping = toneMappings.none;
   /** Factor of all light. */

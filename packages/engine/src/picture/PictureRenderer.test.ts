@@ -47,7 +47,7 @@ function makeFarol(technique: TechniqueName) {
     effects: [] as FarolEffect[],
     techniques,
     info: { technique },
-    /** Of each frame: technique, tone mapping, exposure and the colour behind it. */
+    /** Technique, tone mapping, exposure and background of each frame. */
     frames: [] as unknown[],
     render(scene: { background: unknown }): void {
       const { r } = scene.background as Color;

@@ -16,7 +16,7 @@ const late = new LateCode(() => needsPackage('postprocessing', "Effects of a sce
 
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
 
-/** What draws a three scene: a FarolRenderer, or several side by side. */
+/** Renderer of a three scene: a FarolRenderer, or several side by side. */
 export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }
@@ -27,16 +27,16 @@ export interface PictureRendererOptions {
   /** Called when something that the scene asks for cannot be drawn; told in the console when absent. */
   readonly failed?: (error: unknown) => void;
   /**
-   * False: technique, anti-aliasing, ambient occlusion and the like stay the host's, for small pictures of the same scene.
-   * Default true.
+   * False: technique, anti-aliasing, ambient occlusion and the like stay the host's, for small pictures of the same
+   * scene. Default true.
    */
   readonly followsRendering?: boolean;
 }
 
 /**
- * Draws scenes with all that their settings say of the picture: technique and effects of the renderer, tone mapping, bloom,
- * depth of field, grading. Without any of the latter a frame is what `FarolRenderer.render` draws, and costs no more; the
- * code of the others is fetched when a scene first asks for it.
+ * Draws scenes with all that their settings say of the picture: technique and effects of the renderer, tone mapping,
+ * bloom, depth of field, grading. Without any of the latter a frame is what `FarolRenderer.render` draws, and costs no
+ * more; the code of the others is fetched when a scene first asks for it.
  */
 export class PictureRenderer {
   /** Effects of the renderer. */
@@ -81,7 +81,8 @@ export class PictureRenderer {
   }
 
   /**
-   * Draws as `render` does, for hosts that draw several views of a scene in a frame: they call `follow` before the first, and
+   * Draws as `render` does, for hosts that draw several views of a scene in a frame: they call `follow` before the
+   * first, and
    * `effects.update` after the last.
    */
   draw(scene: Scene, camera: Camera, component: CameraComponent | null): void {
@@ -95,13 +96,13 @@ export class PictureRenderer {
     this.last.end();
   }
 
-  /** Has something draw the scene in the tones of the picture and without its effects; else as `draw`. */
+  /** As `draw`, but by another painter, with the scene's tone mapping and without effects. */
   drawBy(painter: ScenePainter, scene: Scene, camera: Camera, component: CameraComponent | null): void {
     this.look.take(scene.settings, component);
     this.renderPlain(painter, scene, camera);
   }
 
-  /** Has the scene's technique taken anew in the next frame, now that the renderer may know it. */
+  /** Applies the scene's technique again in the next frame, when it may have been registered since. */
   retakeTechnique(): void {
     if (this.technique !== 'auto') this.technique = '';
   }
@@ -114,9 +115,10 @@ export class PictureRenderer {
   }
 
   /**
-   * Fulfilled when the scene that was drawn last is drawn as it stays while it does not move: what its assets are read from is
-   * loaded, or has failed, the code that it needs is there, the renderer is ready (`FarolRenderer.ready`), and effects that
-   * gather frames have them. It asks for frames by `redraw`, waits for one at least, and waits while there is no scene.
+   * Fulfilled when the scene that was drawn last is drawn as it stays while it does not move: what its assets are read
+   * from is loaded, or has failed, the code that it needs is there, the renderer is ready (`FarolRenderer.ready`), and
+   * effects that gather frames have them. It asks for frames by `redraw`, waits for one at least, and waits while there
+   * is no scene.
    *
    * Rejected when code cannot be fetched, with an Error that says what to do, and when this is disposed.
    */
@@ -154,7 +156,7 @@ export class PictureRenderer {
     }
   }
 
-  /** What gathers frames begins anew when the tones are others: light that is not tone mapped is no past for other light. */
+  /** Resets effects that accumulate frames when tone mapping changes: older frames hold other values. */
   private noticeTones(chain: PictureChain | null): void {
     const { toneMapping, exposure } = this.look;
     const tones = chain !== null ? -1 : toneMapping === NoToneMapping ? 0 : toneMapping + exposure / 1e4;
@@ -212,7 +214,7 @@ export class PictureRenderer {
     return techniqueAbilities(techniques, info.technique).samples ? 4 : 0;
   }
 
-  /** What draws the picture's effects; null where there are none, or their code is not there yet. */
+  /** Effect chain of the scene; null without effects, or until their late code is loaded. */
   private chainFor({ settings }: Scene): PictureChain | null {
     const { look } = this;
     const { bloom, grading, vignette } = settings;

@@ -10,9 +10,9 @@ const types: Readonly<Record<Exclude<ShadowKind, 'none'>, ShadowMapType>> = {
   variance: VSMShadowMap,
 };
 
-/** Has a renderer draw shadows of the kind and with the cascades that a scene asks for. */
+/** Applies a scene's shadow kind and number of cascades to a renderer. */
 export class PictureShadows {
-  /** What the renderer has taken; a scene that asks for the same leaves alone what its host has set. */
+  /** Shadow kind last applied to the WebGLRenderer; not applied again, so a host's own setting survives. */
   private kind: ShadowKind = 'soft';
   private cascades = 1;
   private wasEnabled = true;

@@ -15,7 +15,7 @@ const ownEffects = new WeakMap<FarolRenderer, OwnEffects>();
 const nothing = (): void => {};
 
 /**
- * Has a renderer draw with the effects that the scene's components need (`static effect` of their class), and without those
+ * Gives a renderer the effects that the scene's components need (`static effect` of their class), and removes those
  * that it was given for other scenes; an effect of the host's own is taken as it is. Call before each frame of
  * `renderer.render(scene.three, …)`; `App` does so by itself.
  * @param redraw - called when the code of an effect has come, for hosts that draw no frame unless asked to

@@ -1,6 +1,6 @@
 import type { Technique } from '@farol/renderer/authoring';
 
-/** What effects ask a technique for. */
+/** Abilities of a technique that effects depend on. */
 export interface TechniqueAbilities {
   /** It knows depth before it shades. Without it ambient occlusion is left out. */
   readonly depth: boolean;

@@ -1,7 +1,7 @@
 import { LateCode } from '../base/LateCode';
 import type { LastPicture } from './LastPicture';
 
-/** What {@link whenDrawn} asks of a PictureRenderer. */
+/** Part of PictureRenderer that {@link whenDrawn} reads. */
 export interface DrawnPicture {
   readonly last: LastPicture;
   /** Whether the renderer has what its last frame asked for. */

@@ -34,7 +34,7 @@ function withOwnOf(root: FileObject, old: FileObject): FileObject {
 }
 
 /**
- * What has to be done so that a prefab becomes as an instance of it is, and all others follow. Place, turn and name of the
+ * Plan that makes a prefab equal to one of its instances; other instances follow. Position, rotation and name of the
  * instance's root stay its own.
  * @param instance - the root of an instance in a scene
  * @throws PrefabError when the prefab is gone, or would hold itself
@@ -63,7 +63,7 @@ export function withoutPin(link: PrefabLink, path: string): PrefabLink {
   return { prefab, source, ...(pinned.length > 0 ? { pinned } : {}) };
 }
 
-/** What has to be done so that a prefab takes one field of an instance. @throws PrefabError when the object is in no instance */
+/** Plan that copies one field of an instance to its prefab. @throws PrefabError when the object is in no instance */
 export function planApplyField(component: Component, field: string): PrefabPlan {
   const object = component.gameObject;
   const { root, prefab } = prefabOf(instanceRootOf(object));
@@ -90,13 +90,15 @@ export function planApplyField(component: Component, field: string): PrefabPlan 
   return { ...plan, edits: [...plan.edits, { kind: 'link', object, value: withoutPin(link, path) }] };
 }
 
-/** What has to be done so that an instance becomes as its prefab is. @param instance - its root */
+/** Edits that make an instance equal to its prefab. @param instance - root of the instance */
 export function planRevertAll(instance: GameObject): PrefabEdit[] {
   const { root, prefab } = prefabOf(instance);
   return new InstanceUpdate(root, prefab, prefab, root.scene!.registry, true).edits;
 }
 
-/** What has to be done so that a tree is no instance any more: it keeps its values. Instances within it become such by themselves. */
+/**
+ * Edits that turn an instance into plain objects with the same values. Nested instances become independent instances.
+ */
 export function planUnpack(instance: GameObject): PrefabEdit[] {
   const { root, prefab } = prefabOf(instance);
   const data = objectsOf(prefab);

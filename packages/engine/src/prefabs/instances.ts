@@ -5,7 +5,10 @@ import type { GameObject } from '../core/GameObject';
 export const isInstanceRoot = (object: GameObject): boolean =>
   object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
 
-/** The root of the instance that an object belongs to, as part of which it follows its prefab; null when it follows none. */
+/**
+ * The root of the instance that an object belongs to, as part of which it follows its prefab; null when it follows
+ * none.
+ */
 export function instanceRootOf(object: GameObject): GameObject | null {
   const prefab = object.prefabLink?.prefab;
   if (prefab === undefined) return null;
@@ -15,7 +18,9 @@ export function instanceRootOf(object: GameObject): GameObject | null {
   return null;
 }
 
-/** The objects of an instance by the ids that they have in the prefab; what was added to the instance is not among them. */
+/**
+ * The objects of an instance by the ids that they have in the prefab; what was added to the instance is not among them.
+ */
 export function objectsBySource(root: GameObject): Map<string, GameObject> {
   const prefab = root.prefabLink!.prefab;
   const found = new Map<string, GameObject>();
@@ -30,7 +35,7 @@ export function objectsBySource(root: GameObject): Map<string, GameObject> {
   return found;
 }
 
-/** What a component of an object is called in every copy of that object: 'Light', or 'Light2' for a second one. */
+/** Key of a component that all copies of its object share: 'Light', or 'Light2' for a second one. */
 export function componentKey(objectId: string, componentId: string): string {
   return componentId.startsWith(`${objectId}:`) ? componentId.slice(objectId.length + 1) : componentId;
 }
@@ -38,7 +43,7 @@ export function componentKey(objectId: string, componentId: string): string {
 /** Name of a component in paths of overrides. */
 export const keyOf = (component: Component): string => componentKey(component.gameObject.id, component.id);
 
-/** What each instance has for itself: where it is, and its name. */
+/** Paths of values that are each instance's own: position, rotation and name of its root. */
 const own: ReadonlySet<string> = new Set(['name', 'Transform.position', 'Transform.rotation']);
 
 /** Whether a value is never an override, but each instance's own. @param path - 'name', 'Light.intensity' */

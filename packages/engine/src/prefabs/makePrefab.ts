@@ -30,7 +30,7 @@ export function makePrefab(object: GameObject, name = object.name, id = createId
 }
 
 /**
- * What a prefab is when all of a tree is taken into it.
+ * Prefab data made of a whole tree.
  * @param sources - ids that objects have in it already; the others get new ones
  * @param old - the links within the prefab of objects that are in it already
  */

@@ -12,7 +12,7 @@ export interface FieldOverride {
   readonly field: string;
   /** 'Lamp/Light.intensity': name of the object, key of the component, field. */
   readonly path: string;
-  /** What the prefab has, references as ids of the instance. */
+  /** The prefab's value; references are ids of the instance. */
   readonly base: FieldValue;
 }
 
@@ -41,8 +41,8 @@ const idsIn = (root: GameObject): Map<string, string> =>
   new Map([...objectsBySource(root)].map(([source, { id }]) => [source, id]));
 
 /**
- * Whether a field of an instance is an override, and what the prefab has; null when it follows the prefab, when it is one
- * that each instance has for itself (place and turn of its root), or when the component is no part of a prefab.
+ * Whether a field of an instance is an override, and what the prefab has; null when it follows the prefab, when it is
+ * one that each instance has for itself (place and turn of its root), or when the component is no part of a prefab.
  */
 export function fieldOverride(component: Component, field: string): FieldOverride | null {
   const object = component.gameObject;

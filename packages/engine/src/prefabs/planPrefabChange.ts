@@ -11,11 +11,11 @@ import { type Prefab, PrefabError } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
 import { PrefabSizes } from '../files/PrefabSizes';
 
-/** What follows when a prefab becomes another. */
+/** Consequences of replacing a prefab. */
 export interface PrefabPlan {
   /** The prefab, and those that hold instances of it, as they shall be. */
   readonly prefabs: readonly Prefab[];
-  /** What is to be done to the objects of the scene, in this order. */
+  /** Edits of the scene's objects, in this order. */
   readonly edits: readonly PrefabEdit[];
 }
 
@@ -111,7 +111,9 @@ export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject 
   return { prefabs: [...changed.values()], edits: withoutLost(edits) };
 }
 
-/** Without removing what is below another object that goes, and goes with it: an instance within what an instance loses. */
+/**
+ * Without removing what is below another object that goes, and goes with it: an instance within what an instance loses.
+ */
 function withoutLost(edits: readonly PrefabEdit[]): PrefabEdit[] {
   const removed = new Set<GameObject>();
   for (const edit of edits) if (edit.kind === 'remove-object') removed.add(edit.object);

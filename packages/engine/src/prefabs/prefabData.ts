@@ -24,9 +24,9 @@ export function componentsOf(object: FileObject): Map<string, FileComponent> {
 }
 
 /**
- * The value of a field in data that leave defaults out, references as ids of an instance. The default where the field, of a
- * script whose text has changed, does not allow what the data have; undefined where a component of an unknown class has a
- * value and the data have none.
+ * The value of a field in data that leave defaults out, references as ids of an instance. The default where the field,
+ * of a script whose text has changed, does not allow what the data have; undefined where a component of an unknown
+ * class has a value and the data have none.
  */
 export function valueIn(
   component: FileComponent,
@@ -40,12 +40,12 @@ export function valueIn(
   return field.kind === 'object' && typeof value === 'string' ? (ids.get(value) ?? null) : value;
 }
 
-/** What decides which views a component has, see `Field.viewOf`. */
+/** Fields that decide which views a component has: see `Field.viewOf`. */
 const sourcesOfViews = ['surface', 'model', 'parts'];
 
 /**
- * The fields by which a component is compared with data of it: uniforms of the surface and weights of morph targets one by one
- * where all have the same ones, else what holds them.
+ * The fields by which a component is compared with data of it: uniforms of the surface and weights of morph targets one
+ * by one where all have the same ones, else what holds them.
  */
 export function comparedFields(own: Component, ...others: readonly FileComponent[]): string[] {
   const { fields } = own;

@@ -6,7 +6,7 @@ import { unknownClass } from '../core/UnknownComponent';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** What a component was when it left a class. */
+/** Values of a component when it left a class. */
 interface Past {
   /** Its values then, and those that it got in the next class. */
   readonly left: Values;
@@ -17,24 +17,25 @@ interface Past {
 interface Memory {
   /** Values that were set, also of fields that the present class does not have. */
   readonly kept: Map<string, FieldValue>;
-  /** What each field of the present class had at first. */
+  /** Initial values of the present class's fields. */
   given: Values;
-  /** What it was when it left a class, by what the class came of. */
+  /** Values at the time the component left each class, by the class's origin. */
   readonly pasts: Map<object | null, Past>;
 }
 
 /**
- * Brings components from class to class with the values of their fields: those that do not fit a class are kept for one that
- * they fit, so that undoing the edit of a script gives back what there was.
+ * Brings components from class to class with the values of their fields: those that do not fit a class are kept for one
+ * that they fit, so that undoing the edit of a script gives back what there was.
  */
 export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();
 
   /**
-   * Makes a component one of another class; data that are kept when there is none. One that has still the values that it got
-   * when it left a class gets back what it was there.
+   * Makes a component one of another class; data that are kept when there is none. One that has still the values that
+   * it got when it left a class gets back what it was there.
    *
-   * @param from - what the class that it has comes of, the same for the same text of a script; null for data that are kept
+   * @param from - what the class that it has comes of, the same for the same text of a script; null for data that are
+   * kept
    * @param origin - what the next class comes of
    */
   change(component: Component, type: ComponentClass | null, from: object | null, origin: object | null): void {
@@ -85,7 +86,7 @@ function changedOf(component: Component): Record<string, FieldValue> {
   return values;
 }
 
-/** What the fields of a class get of kept values, by its migration where they are of an older version. */
+/** Kept values that fit the fields of a class, migrated by the class when of an older version. */
 function valuesFor(
   component: Component,
   type: ComponentClass,

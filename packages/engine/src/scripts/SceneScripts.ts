@@ -13,7 +13,7 @@ import { scriptClass } from './scriptClass';
 import { placeOfError } from './scriptUrl';
 
 export interface SceneScriptsOptions {
-  /** What scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
+  /** Modules that scripts can import besides each other, by name: 'three', '@farol/engine', '@farol/engine/fields'. */
   readonly modules: Readonly<Record<string, object>>;
   /** Gets the function of a compiled script: `runInPage`, or what a test has. */
   readonly run: ScriptRunner;
@@ -28,11 +28,11 @@ const KEPT_TEXTS = 1000;
 
 /** One script asset, also after it was taken out of the library: undo brings the same one back. */
 class Entry {
-  /** What became of each text: its function, or what is wrong with it. */
+  /** Compiled function or error of each text. */
   readonly results = new Map<string, ScriptFunction | ScriptError>();
   /**
-   * For each text that could not be compiled the function that ran when it was typed; null for none. It runs for that text
-   * whenever it is there again: by undo it comes after another text, and all is to be as it was.
+   * For each text that could not be compiled the function that ran when it was typed; null for none. It runs for that
+   * text whenever it is there again: by undo it comes after another text, and all is to be as it was.
    */
   private readonly lastGood = new Map<string, ScriptFunction | null>();
   /** The text that is being compiled. */
@@ -53,7 +53,7 @@ class Entry {
     return result === undefined ? this.run : this.lastGood.get(source)!;
   }
 
-  /** What is wrong with the present text, as far as it does not run yet. */
+  /** Compile error of the present text; null for none. */
   get resultError(): ScriptError | null {
     const result = this.results.get(this.asset.source);
     return result instanceof ScriptError ? result : null;
@@ -74,9 +74,9 @@ class Entry {
 }
 
 /**
- * The scripts of a scene: compiled, run as modules, and their classes known to the scene's registry. When a script changes,
- * its components become those of the new class, in place and with the values of their fields; one that is broken leaves the
- * last good class. Without their script, or while scripts are off, its components are kept as data.
+ * The scripts of a scene: compiled, run as modules, and their classes known to the scene's registry. When a script
+ * changes, its components become those of the new class, in place and with the values of their fields; one that is
+ * broken leaves the last good class. Without their script, or while scripts are off, its components are kept as data.
  */
 export class SceneScripts {
   private readonly entries = new Map<ScriptAsset, Entry>();
@@ -136,7 +136,7 @@ export class SceneScripts {
     this.refresh();
   }
 
-  /** What is wrong with each script, by its name; another map after each change. */
+  /** Error of each broken script, by name; a new map after each change. */
   get errors(): ReadonlyMap<string, ScriptError> {
     return this.errorsByName;
   }
@@ -146,7 +146,10 @@ export class SceneScripts {
     return [...this.entries.values()].some(({ pending }) => pending !== null);
   }
 
-  /** The class that runs for a script, by the name of the asset; null for one without a default export, and while it is broken from the first. */
+  /**
+   * The class that runs for a script, by the name of the asset; null for one without a default export, and while it is
+   * broken from the first.
+   */
   classOf(name: string): ComponentClass | null {
     const asset = this.scene.assets.fieldAsset(name);
     return asset?.type === 'script' ? (this.entries.get(asset as ScriptAsset)?.componentClass ?? null) : null;
@@ -157,7 +160,7 @@ export class SceneScripts {
     return this.entryOf.get(type)?.asset.name ?? null;
   }
 
-  /** Where in the scripts something was thrown; null when it was elsewhere. */
+  /** Script and line that threw an error; null when thrown elsewhere. */
   placeOf(error: unknown): ScriptPlace | null {
     return placeOfError(
       error,
@@ -165,7 +168,10 @@ export class SceneScripts {
     );
   }
 
-  /** Calls `listener` when a script is compiled, fails or goes, and when scripts are switched on or off. @returns a function that ends it */
+  /**
+   * Calls `listener` when a script is compiled, fails or goes, and when scripts are switched on or off.
+   * @returns a function that ends it
+   */
   onChange(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

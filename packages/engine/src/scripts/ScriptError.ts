@@ -1,4 +1,4 @@
-/** Where in a script something is. */
+/** Position in a script. */
 export interface ScriptPlace {
   /** Name of the script asset. */
   readonly script: string;
@@ -8,13 +8,13 @@ export interface ScriptPlace {
   readonly column: number;
 }
 
-/** What is wrong with the text of a script, or with the module that it makes: the message names script, line and mend. */
+/** Error in a script's text or module; the message names script, line and remedy. */
 export class ScriptError extends Error implements ScriptPlace {
   override readonly name = 'ScriptError';
 
   constructor(
     readonly script: string,
-    /** What is wrong, without the name of the script. */
+    /** The problem, without the name of the script. */
     readonly problem: string,
     readonly line: number = 0,
     readonly column: number = 0,

@@ -4,7 +4,7 @@ import type { ScriptFunction } from './CompiledScript';
 import { ScriptError } from './ScriptError';
 import { placeOfError } from './scriptUrl';
 
-/** What a script exports, and which others it has imported. */
+/** A script's exports, and the scripts that it imports. */
 export interface ScriptModule {
   readonly name: string;
   readonly exports: Record<string, unknown>;
@@ -50,7 +50,10 @@ export class ScriptModules {
     return found;
   }
 
-  /** The module of a script, run when it is first asked for. @throws ScriptError when it, or one that it imports, fails */
+  /**
+   * The module of a script, run when it is first asked for.
+   * @throws ScriptError when it, or one that it imports, fails
+   */
   load(name: string): ScriptModule {
     const known = this.modules.get(name);
     if (known) return known;
@@ -95,7 +98,7 @@ export class ScriptModules {
   }
 }
 
-/** What a script threw as an error that names the place. */
+/** Wraps a value that a script threw into a ScriptError that names its position. */
 export function asScriptError(error: unknown, script: string): ScriptError {
   if (error instanceof ScriptError) return error;
   const place = placeOfError(error, [script]);

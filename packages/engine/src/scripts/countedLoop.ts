@@ -12,16 +12,16 @@ export interface CountedLoop {
 /** A least step; with a smaller one too many passes would go by between two looks at the clock. */
 const LEAST_STEP = 0.01;
 
-/** What may stand in the value that the counter begins with; a number must be among it, so that it is no BigInt. */
+/** Tokens allowed in the initial value of a loop's counter; one must be a number, so that the counter is no BigInt. */
 const PLAIN = new Set(['name', 'num', '.', '+', '-', '*', '/', '%', '+/-']);
 
-/** What may catch the counter of a pass, or begin a function that does. */
+/** Tokens that begin a function, which could capture the counter of a pass. */
 const FUNCTIONS = new Set(['=>', 'function', 'class']);
 const BEFORE_BLOCK = new Set(['if', 'for', 'while', 'switch', 'catch', 'with']);
 
 /**
- * Reads `for (let i = 0; …; i++) { … }`, where nothing but the head gives `i` another value and no function is made in it; null
- * for any other loop.
+ * Reads `for (let i = 0; …; i++) { … }`, where nothing but the head gives `i` another value and no function is made in
+ * it; null for any other loop.
  * @param at - the token `for`
  * @param close - the bracket that ends the head
  */
@@ -72,7 +72,10 @@ function stepOf(
   return { isUp: sign === '+=', length: 3 };
 }
 
-/** Whether a token may belong to what gives the counter another value, or to a function, which keeps the counter of its pass. */
+/**
+ * Whether a token may belong to what gives the counter another value, or to a function, which keeps the counter of its
+ * pass.
+ */
 function mayChange(
   tokens: readonly ScriptToken[],
   i: number,

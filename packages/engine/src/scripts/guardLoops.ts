@@ -7,21 +7,22 @@ const PASSES = 256;
 /** Steps of a counter between two looks at the clock, in loops that count themselves. */
 const STEPS = 1024;
 
-/** What every pass of a loop does: it counts, and now and then asks whether it has gone on for too long. */
+/** Expression put into every pass of a loop: counts passes, and checks the time limit every `PASSES` passes. */
 const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 
 /**
- * JavaScript whose loops look at the clock now and then, on the same lines: `for` of every kind, `while` and `do`. It needs
+ * JavaScript whose loops look at the clock now and then, on the same lines: `for` of every kind, `while` and `do`. It
+ * needs
  * `$passes`, a number, and `$check`, a function that throws when they go on for too long.
  *
- * A call within a loop keeps browsers from making it fast, whether it is made or not. So a `for` that counts has another one
- * around it that makes the call, each time that the counter has gone on by `STEPS`:
+ * A call within a loop keeps browsers from making it fast, whether it is made or not. So a `for` that counts has
+ * another one around it that makes the call, each time that the counter has gone on by `STEPS`:
  * `for(let i=0,$end=…;;){for($end=i+1024;!(i>=$end)&&(i<n);i++){…}if(!(i>=$end))break;$check();}`.
  */
 export function guardLoops(code: string): string {
   if (!/\b(for|while)\b/.test(code)) return code;
   const tokens = scriptTokens(code);
-  /** What is put in, by where. */
+  /** Insertions by their offset in the code. */
   const additions: [at: number, text: string][] = [];
   tokens.forEach(({ label }, i) => {
     if (label === 'while' && tokens[i + 1]?.label === '(') additions.push([tokens[i + 1].end, `${GUARD},`]);

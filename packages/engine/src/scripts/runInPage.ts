@@ -1,7 +1,7 @@
 import type { CompiledScript, ScriptFunction } from './CompiledScript';
 import { ScriptError } from './ScriptError';
 
-/** Where compiled scripts put their functions, by name. */
+/** Global table where compiled scripts put their functions, by name. */
 export const givenScripts = (): Record<string, ScriptFunction | undefined> =>
   ((globalThis as { farolScripts?: Record<string, ScriptFunction> }).farolScripts ??= {});
 
@@ -15,7 +15,10 @@ export function takeGiven(name: string): ScriptFunction {
   return taken;
 }
 
-/** Runs a compiled script as a script of the page; its policy must allow scripts of `blob:`. @throws ScriptError for a text that is no JavaScript */
+/**
+ * Runs a compiled script as a script of the page; its policy must allow scripts of `blob:`.
+ * @throws ScriptError for a text that is no JavaScript
+ */
 export function runInPage({ name, code }: CompiledScript): Promise<ScriptFunction> {
   const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   const element = document.createElement('script');

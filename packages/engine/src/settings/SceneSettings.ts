@@ -23,7 +23,7 @@ export const sceneFields = { ...pictureFields, ...physicsFields, ...bakeFields }
 export interface SceneSettings extends ValuesOf<typeof sceneFields> {}
 
 /**
- * What belongs to a scene as a whole: all that makes its picture beside the objects, and gravity. Writes background, environment and fog
+ * Settings of a whole scene: background, light, picture and gravity. Writes background, environment and fog
  * to its three scene; by the rest a `PictureRenderer` draws.
  */
 export class SceneSettings extends FieldOwner {
@@ -52,7 +52,10 @@ export class SceneSettings extends FieldOwner {
     return this.count;
   }
 
-  /** Fulfilled when the sky is there that was asked for last; null before any is waited for. @throws Error (as a rejection) when its code cannot be fetched */
+  /**
+   * Fulfilled when the sky is there that was asked for last; null before any is waited for.
+   * @throws Error (as a rejection) when its code cannot be fetched
+   */
   get skyReady(): Promise<void> | null {
     return this.skySource.ready;
   }

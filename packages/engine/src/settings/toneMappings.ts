@@ -20,7 +20,7 @@ export const toneMappings = {
   neutral: NeutralToneMapping,
 } as const satisfies Record<string, ToneMapping>;
 
-/** What they are shown as. */
+/** Labels of the tone mappings. */
 export const toneMappingLabels = {
   none: 'None',
   linear: 'Linear',

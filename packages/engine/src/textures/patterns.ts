@@ -1,7 +1,7 @@
 import { createRandom } from '../base/createRandom';
 import { createFractalNoise, createNoise } from './createNoise';
 
-/** What a surface is at a point: height from about 0 to 1 (for bumps) and sRGB colour, 0 to 255. */
+/** A pattern at one point: height, about 0 to 1 (for bumps), and sRGB colour, 0 to 255. */
 export interface Texel {
   height: number;
   red: number;

@@ -24,7 +24,7 @@ export class TriggerCalls implements SceneSystem {
   private readonly wasActive = new Map<GameObject, boolean>();
   private readonly wasEnabled = new Map<Component, boolean>();
 
-  /** Has a trigger call its method once the scene's time is `due`, whatever becomes of its object until then. */
+  /** Schedules a trigger's call for scene time `due` (s), whatever becomes of its object until then. */
   delay(trigger: Caller, due: number, event: unknown): void {
     this.calls.push({ trigger, due, event });
   }

@@ -3,7 +3,7 @@ import { builtinComponents } from '../core/builtinComponents';
 import { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 
-/** What a GameObject can be told, and every component. */
+/** Methods that an EventTrigger can call on any GameObject, and on any component. */
 export const objectMethods = ['activate', 'deactivate', 'toggle'] as const;
 export const componentMethods = ['enable', 'disable', 'toggle'] as const;
 
@@ -40,8 +40,8 @@ function ownMethods({ componentClass }: Component): readonly string[] {
 }
 
 /**
- * What an EventTrigger can call on an object: 'GameObject.activate', 'Light.toggle', 'AudioSource.play', the methods of its
- * scripts, and the fields that a value of the type can be given to, 'Light.intensity'.
+ * Methods that an EventTrigger can call on an object: 'GameObject.activate', 'Light.toggle', 'AudioSource.play', those
+ * of its scripts, and the fields that a value of the type can be given to, 'Light.intensity'.
  * @param valueType - see `EventTrigger.valueType`
  */
 export function methodsOf(object: GameObject, valueType: string): string[] {

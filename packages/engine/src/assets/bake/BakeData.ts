@@ -36,7 +36,7 @@ export interface ProbeData {
 
 /** Light of a scene that was baked. */
 export interface BakeData {
-  /** What the scene was when it was baked: see `bakeSignature`. */
+  /** Signature of the scene at the time of the bake: see `bakeSignature`. */
   readonly signature: string;
   /** Ids of the Light components whose whole light is in it. */
   readonly lights: readonly string[];

@@ -20,13 +20,15 @@ export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise
     throw new TypeError('the bytes are damaged', { cause });
   });
 
-/** The nearest number of 12 bits to a half float; 0 for what is negative or no number. They grow as the logarithm does. */
+/**
+ * The nearest number of 12 bits to a half float; 0 for what is negative or no number. They grow as the logarithm does.
+ */
 function quantised(half: number): number {
   if (half >= 0x8000 || half > 0x7c00) return 0;
   return Math.min((half + (1 << (DROPPED - 1))) >> DROPPED, LARGEST);
 }
 
-/** What a texel is likely to be by those to its left, above it, and left above. Weinberger et al., LOCO-I, 1996 */
+/** Prediction of a texel from its left, upper and upper-left neighbours. Weinberger et al., LOCO-I, 1996 */
 function predicted(left: number, above: number, corner: number): number {
   if (corner >= Math.max(left, above)) return Math.min(left, above);
   if (corner <= Math.min(left, above)) return Math.max(left, above);
@@ -41,9 +43,9 @@ function predictionAt(plane: Int32Array, i: number, x: number, y: number, width:
 }
 
 /**
- * Packs a lightmap: each channel as a number of 12 bits, green and blue as how they differ from red, each texel as how it
- * differs from what is likely beside those before it, low and high bytes apart; deflated. What is shown of it is off by no
- * more than 1/255; a channel by 1/256 of itself.
+ * Packs a lightmap: each channel as a number of 12 bits, green and blue as how they differ from red, each texel as how
+ * it differs from what is likely beside those before it, low and high bytes apart; deflated. What is shown of it is off
+ * by no more than 1/255; a channel by 1/256 of itself.
  */
 export function packLightmap({ width, height, data }: LightmapData): Promise<Uint8Array<ArrayBuffer>> {
   const count = width * height;

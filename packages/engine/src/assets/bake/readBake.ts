@@ -9,7 +9,7 @@ import { BAKE_MAGIC, BAKE_VERSION, type BakeHead, UV_STEPS } from './writeBake';
 
 /** Texels of a lightmap along a side, at most. */
 const MOST_TEXELS = 8192;
-/** The same of all: sixteen of 4096 × 4096 come to 2 GB on the device. */
+/** Texels of all lightmaps, at most: sixteen lightmaps of 4096 × 4096 take 2 GB of GPU memory. */
 const MOST_IN_ALL = 2 ** 28;
 /** Cells of a grid of probes along an axis, at most. */
 const MOST_CELLS = 64;

@@ -6,7 +6,7 @@ import { NumberWriter } from './NumberStream';
 /** Begins a file of baked light. */
 export const BAKE_MAGIC = 'FAROLBAK';
 export const BAKE_VERSION = 1;
-/** Where second UVs lie between. */
+/** Steps between 0 and 1 to which lightmap UVs are quantised (16 bits). */
 export const UV_STEPS = 65535;
 
 /** The head of a file of baked light, as JSON; the packed parts follow in this order. */

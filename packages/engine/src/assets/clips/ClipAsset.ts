@@ -4,7 +4,7 @@ import { clipText } from './clipText';
 import { parseClip } from './parseClip';
 import { DataAsset } from '../FieldAsset';
 
-/** What a clip is made of. */
+/** Fields of a clip asset. */
 export const clipFields = {
   /** JSON of a `ClipData`; '' for a clip without tracks. */
   data: string('', { help: 'Its tracks and events.', readOnly: true }),
@@ -30,7 +30,10 @@ export class ClipAsset extends DataAsset {
     return this.get('frameRate') as number;
   }
 
-  /** Its tracks and events: the same object as long as its text is the same. @throws ClipError when the text is none of a clip */
+  /**
+   * Its tracks and events: the same object as long as its text is the same.
+   * @throws ClipError when the text is none of a clip
+   */
   get clip(): ClipData {
     const text = this.get('data') as string;
     if (!this.parsed || text !== this.parsedText) {

@@ -10,8 +10,8 @@ export interface ClipKey {
   /** On the way to the next key; 'linear' when absent. Flags, choices and texts always step. */
   readonly easing?: Easing;
   /**
-   * With 'bezier': the two inner control points of the curve to the next key, as shares of the way in time (0 to 1) and in
-   * value, as of CSS's `cubic-bezier`; [1/3, 1/3, 2/3, 2/3], a straight line, when absent.
+   * With 'bezier': the two inner control points of the curve to the next key, as shares of the way in time (0 to 1) and
+   * in value, as of CSS's `cubic-bezier`; [1/3, 1/3, 2/3, 2/3], a straight line, when absent.
    */
   readonly control?: readonly [x1: number, y1: number, x2: number, y2: number];
 }
@@ -32,13 +32,13 @@ export interface ClipTrack {
 export interface ClipEvent {
   /** Seconds from the beginning. */
   readonly time: number;
-  /** Of the components of the animated object and of all below it: see `GameObject.callMethod`. */
+  /** Method called on components of the animated object and of its descendants: see `GameObject.callMethod`. */
   readonly method: string;
   /** Handed to the method, when there is one. */
   readonly value?: FieldValue;
 }
 
-/** What a ClipAsset holds as JSON. */
+/** Content of a ClipAsset, stored as JSON. */
 export interface ClipData {
   readonly tracks: readonly ClipTrack[];
   readonly events: readonly ClipEvent[];

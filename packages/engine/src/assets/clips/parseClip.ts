@@ -20,7 +20,7 @@ const easings: readonly unknown[] = ['linear', 'step', 'bezier'] satisfies Easin
 const MOST_TRACKS = 20_000;
 const MOST_KEYS = 2_000_000;
 
-/** What kind of value it is: keys of one track have values of one kind. */
+/** Kind of a key's value; all keys of a track have values of one kind. */
 export const kindOfValue = (value: FieldValue): 'number' | 'vector' | 'keys' | 'flag' | 'text' => {
   if (typeof value === 'number') return 'number';
   if (isTriple(value)) return 'vector';
@@ -28,13 +28,13 @@ export const kindOfValue = (value: FieldValue): 'number' | 'vector' | 'keys' | '
   return typeof value === 'boolean' ? 'flag' : 'text';
 };
 
-/** What a track animates, in words: "'Arm/Hand', Transform.position". */
+/** Name of a track's target for messages: "'Arm/Hand', Transform.position". */
 export const describeTrack = ({ path, component, field }: Pick<ClipTrack, 'path' | 'component' | 'field'>): string =>
   `${path === '' ? '' : `'${shortText(path, 60)}', `}${shortText(component)}.${shortText(field)}`;
 
 /**
- * Reads what a ClipAsset holds; '' is a clip without tracks. Whatever the text is, the result is as its type says, with keys
- * in order of time.
+ * Reads what a ClipAsset holds; '' is a clip without tracks. Whatever the text is, the result is as its type says, with
+ * keys in order of time.
  * @param name - of the clip, for messages
  * @throws ClipError naming clip, track and key
  */

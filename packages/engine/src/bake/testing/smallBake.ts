@@ -16,7 +16,7 @@ export function gradient(width: number, height: number): LightmapData {
   return { width, height, data };
 }
 
-/** What baked light has of a mesh whose vertices are all split, triangle by triangle. */
+/** Lightmap attributes of a mesh whose triangles share no vertices. */
 function split(mesh: Mesh): Pick<LightmappedMesh, 'uv1' | 'index' | 'sourceVertex' | 'sourceVertices'> {
   const { geometry } = mesh;
   const sourceVertices = geometry.getAttribute('position').count;

@@ -5,7 +5,7 @@ import type { Scene } from '../Scene';
 
 /** Updates of the world matrices between two looks. */
 const UPDATES = 30;
-/** What counts as moved: of a number of a matrix. */
+/** Least difference of an element of a world matrix that counts as movement. */
 const LEAST = 1e-3;
 
 /** Tells, once, of a mesh with a lightmap that moves while the scene plays: its light stays behind. */

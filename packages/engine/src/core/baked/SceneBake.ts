@@ -40,7 +40,7 @@ export class SceneBake {
     for (const type of TYPES) for (const component of this.scene.componentsOf(type)) component.onActiveChanged();
   }
 
-  /** What the setting names; null as long as it is not there. */
+  /** Baked light that the scene's setting names; null while not loaded or unset. */
   private wanted(): BakedLight | null {
     const { settings, assets } = this.scene;
     const name = this.suspensions > 0 ? null : settings.bakedLight;

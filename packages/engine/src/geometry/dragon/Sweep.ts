@@ -2,7 +2,9 @@ import type { Vector3Tuple } from '@farol/editing/fields';
 import { Vector3 } from 'three';
 import type { Surface } from '../MeshBuilder';
 
-/** A point of a cross-section for u from 0 to 1 round it and v from 0 to 1 along: offsets to the side and upwards (m). */
+/**
+ * A point of a cross-section for u from 0 to 1 round it and v from 0 to 1 along: offsets to the side and upwards (m).
+ */
 export type Section = (u: number, v: number) => readonly [side: number, up: number];
 
 const [moved, tangent] = [new Vector3(), new Vector3()];
@@ -42,7 +44,7 @@ export class Sweep {
   private readonly point = new Vector3();
   private readonly across = new Vector3();
   private readonly upwards = new Vector3();
-  /** What `point` and the directions are of. */
+  /** Parameter (0 to 1) that `point`, `across` and `upwards` were last computed for; NaN at first. */
   private placed = NaN;
 
   /** @param through - two points or more; the curve is a centripetal Catmull-Rom spline */
@@ -83,7 +85,7 @@ export class Sweep {
     return target.set(x, y, z);
   }
 
-  /** Where a part of the length, from 0 to 1, is reached. */
+  /** Curve parameter (0 to 1) at a share of the length (0 to 1). */
   private parameterAt(part: number): number {
     const length = part * this.lengths[PIECES];
     let piece = 0;

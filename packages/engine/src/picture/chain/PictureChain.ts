@@ -45,9 +45,9 @@ const VIGNETTE = 16;
 const TONES = 32;
 
 /**
- * Makes a finished picture of linear light: depth of field, bloom, white balance, tone mapping, contrast, saturation, a table
- * of colours, vignette; those that are on, in this order, by pmndrs' postprocessing. Its programs are made anew when one is
- * switched, not when a number changes.
+ * Makes a finished picture of linear light: depth of field, bloom, white balance, tone mapping, contrast, saturation, a
+ * table of colours, vignette; those that are on, in this order, by pmndrs' postprocessing. Its programs are made anew
+ * when one is switched, not when a number changes.
  */
 export class PictureChain {
   /** Whether more than tone mapping is drawn. */
@@ -92,7 +92,7 @@ export class PictureChain {
   }
 
   /**
-   * What the scene is to be drawn to: linear light, with depth as a texture.
+   * Render target for the scene: linear light, with a depth texture.
    * @param width - pixels
    * @param height - pixels
    * @param samples - of a pixel; 0 for one
@@ -227,7 +227,7 @@ export class PictureChain {
     for (const pass of this.passes) pass.mainCamera = camera;
   }
 
-  /** Has the table of colours ready. @returns whether it is there */
+  /** Prepares the colour lookup table. @returns whether it is loaded */
   private takeTable({ assets }: Scene, name: string): boolean {
     if (!assets.isReady('texture', name)) {
       if (name !== this.waitsFor) assets.whenReady('texture', name, this.redraw);

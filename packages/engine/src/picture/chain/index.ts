@@ -1,3 +1,3 @@
-/** What a scene's picture needs that not every scene has: fetched when the first does. */
+/** Late code of picture effects, fetched for the first scene that uses one. */
 export { PictureChain } from './PictureChain';
 export { surroundings } from './surroundings';

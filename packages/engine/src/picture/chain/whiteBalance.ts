@@ -1,6 +1,6 @@
 import { Matrix3 } from 'three';
 
-/** Of D65 in cone responses (LMS, CAT02). */
+/** D65 white as cone responses (LMS, CAT02). */
 const D65 = [0.949237, 1.03542, 1.08728] as const;
 const toCones = new Matrix3().set(
   ...([0.390405, 0.549941, 0.00892632, 0.0708416, 0.963172, 0.00135775, 0.0231082, 0.128021, 0.936245] as const),

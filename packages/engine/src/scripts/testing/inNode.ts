@@ -6,7 +6,7 @@ import { takeGiven } from '../runInPage';
 import { ScriptError } from '../ScriptError';
 import type { SceneScriptsOptions } from '../SceneScripts';
 
-/** What scripts get in tests, run in Node. */
+/** Modules and runner of scripts for tests in Node. */
 export const inNode: SceneScriptsOptions = {
   modules: { three, '@farol/engine': engine, '@farol/engine/fields': fields },
   compile: compileScript,

@@ -11,7 +11,10 @@ const late = new LateCode(
 
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
-  /** Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before any is waited for. */
+  /**
+   * Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before
+   * any is waited for.
+   */
   ready: Promise<void> | null = null;
   private made: Sky | null = null;
   private key = '';
@@ -19,7 +22,7 @@ export class SkySource {
   /** @param came - called when the sky is there after it was not */
   constructor(private readonly came: () => void) {}
 
-  /** What is asked for; null for none, and until its code is there. */
+  /** Sky that the settings ask for; null for none, and until its late code is loaded. */
   of(settings: SkySettings): Sky | null {
     const key = keyOf(settings);
     if (key === this.key) return this.made;
@@ -51,7 +54,7 @@ function keyOf(settings: SkySettings): string {
   return background === 'gradient' ? [skyTop, skyHorizon, skyGround].join(' ') : '';
 }
 
-/** Where the sun is put; null where the preset says so, or has none. */
+/** Sun position from the settings; null when the preset decides, or has no sun. */
 function sunOf({ placeSun, sky, sunAzimuth, sunElevation }: SkySettings): SunPlace | null {
   const hasSun = (skiesWithSun as readonly SkyPreset[]).includes(sky);
   return placeSun && hasSun ? { azimuth: sunAzimuth, elevation: sunElevation } : null;

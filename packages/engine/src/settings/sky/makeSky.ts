@@ -32,7 +32,7 @@ export interface SkyGradient {
 const PRESET_WIDTH = 1024;
 const GRADIENT_WIDTH = 256;
 
-/** What a sky is painted of, as three takes it. */
+/** Pixels of a sky, in the form that three uploads. */
 interface Painted {
   readonly halves: Uint16Array<ArrayBuffer>;
   readonly width: number;
@@ -77,7 +77,7 @@ function horizonOf(pixels: Float32Array, width: number, height: number): Vector3
 /** Presets that were painted: each takes about 0.1 s and 4 MB. */
 const painted = new Map<SkyPreset, Painted>();
 
-/** Where the sun of a sky is put (radians): from +x to +z, and above the horizon. */
+/** Sun position (rad): azimuth from +x to +z, elevation above the horizon. */
 export interface SunPlace {
   readonly azimuth: number;
   readonly elevation: number;

@@ -33,7 +33,7 @@ export interface SkyBox {
   readonly radiance: number;
 }
 
-/** What a sky looks like: linear radiance, of which 1 is a white surface in full light. */
+/** Colours of a sky: linear radiance; 1 is a white surface in full light. */
 export interface SkyLook {
   readonly top: Vector3Tuple;
   readonly horizon: Vector3Tuple;
