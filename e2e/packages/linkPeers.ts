@@ -24,7 +24,10 @@ export function link(names: readonly string[], to: string, others: Readonly<Reco
       if (!existsSync(at)) throw error;
     }
     const { dependencies } = JSON.parse(readFileSync(join(from, 'package.json'), 'utf8')) as Manifest;
-    for (const dependency of Object.keys(dependencies ?? {})) all.add(dependency);
+    for (const dependency of Object.keys(dependencies ?? {})) {
+      // one of another version than the root's lies within the package
+      if (!existsSync(join(from, 'node_modules', dependency))) all.add(dependency);
+    }
   }
 }
 

@@ -4,6 +4,7 @@ import { App, GameObject, Light, ObjectRenderer } from '@farol/engine';
 import { loadRapier } from '@farol/engine/physics';
 import { compileScript } from '@farol/engine/scripts';
 import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { temple } from '@farol/scenes';
 import {
   DataUtils,
   FloatType,
@@ -72,6 +73,16 @@ const page = {
     const isOneRenderer = app.renderer instanceof FarolRenderer;
     app.dispose();
     return { drawCalls, isOneRenderer };
+  },
+
+  /** Draws of a frame of a demo scene. */
+  async byScenes() {
+    const app = new App({ webgl, technique: 'deferred', scene: await temple(4) });
+    app.scene.setTime(0);
+    app.renderer.render(app.scene.three, camera);
+    const { drawCalls } = app.renderer.info;
+    app.dispose();
+    return drawCalls;
   },
 
   /** Errors of what the engine does by packages that this host has not installed. */

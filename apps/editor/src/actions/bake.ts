@@ -14,7 +14,7 @@ export const toggleStatic: Action = {
     const { selectedObjects } = editor.document;
     const isStatic = !areStatic(editor);
     const { changeStatic } = await import('./changeStatic');
-    await changeStatic(editor, selectedObjects, isStatic);
+    void changeStatic(editor, selectedObjects, isStatic); // the dialog that it may open outlasts the action
   },
   enabled: hasSelection,
   checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
