@@ -22,7 +22,7 @@ interface DrawnFrame {
   readonly queue: { readonly opaque: readonly NodeItem[] };
 }
 
-/** A host's scene as three is shown it, with the list that its draws go to. */
+/** Stand-in for a host's scene, with the render list that three fills for it. */
 interface NodeView {
   readonly view: Object3D;
   readonly list: RenderList;
