@@ -1,7 +1,7 @@
 // Writes linear radiance and depth to the host's target as three would: tone mapped, encoded, fogged, then dithered.
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment, dithering_fragment
 #include "viewport"
-uniform vec4 farol_background; // colour that the target would have been cleared to; a below 0: it was cleared, or is to be kept
+uniform vec4 farol_background; // clear colour of the target; a below 0: it was cleared, or is to be kept
 #ifdef USE_FOG
 uniform vec3 fogColor;
 #ifdef FOG_EXP2
