@@ -1,8 +1,8 @@
 /** A line `//? left == right` of a microshader, which a test evaluates on the GPU. */
 export interface Claim {
-  /** From 1. */
+  /** Line in the microshader's text, from 1. */
   readonly line: number;
-  /** As written, without the mark. */
+  /** Text of the claim as written, without `//?`. */
   readonly text: string;
   /** Statements before the comparison, each with its semicolon; '' for none. */
   readonly setup: string;

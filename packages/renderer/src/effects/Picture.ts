@@ -28,18 +28,19 @@ import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
 import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
-/** By an object that each renderer has one of. */
+/** Picture of each renderer, by an object that each renderer has one of. */
 const pictures = new WeakMap<Frame['twins'], Picture>();
 
 /**
- * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole of it:
- * `begin` makes everything be drawn there, as it would have been drawn to the host's target (tone mapped and encoded if
- * that is the canvas); when the last effect that began it has ended it, it is written to the host's target with its depth.
+ * The picture of a frame in a target of Farol's own, with depth as a texture, for effects that need the whole picture.
+ * `begin` redirects all draws there, with the output of the host's target (tone mapped and encoded if that is the
+ * canvas). When each effect that called `begin` has called `end`, the picture is written to the host's target with its
+ * depth.
  */
 export class Picture {
   /** Target that the frame draws to, from `begin` on. */
   target!: WebGLRenderTarget;
-  /** The picture as far as it is made: `target`'s texture, or what an effect made of it. */
+  /** Current picture: `target`'s texture, or the result of an effect. */
   texture!: Texture;
   /** Whether `texture` is encoded for the display (sRGB's transfer function), not linear. */
   encoded = false;
@@ -80,13 +81,13 @@ export class Picture {
     return bytes;
   }
 
-  /** Makes the frame be drawn here. Each effect that calls it calls `end` too. */
+  /** Redirects the frame's draws to this picture. Each effect that calls `begin` calls `end` too. */
   begin(frame: Frame): void {
     if (frame.target !== null && this.targets.includes(frame.target)) {
       this.users++;
       return;
     }
-    this.users = 1; // a frame that failed may have left some
+    this.users = 1; // a failed frame may have left users
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;
@@ -114,8 +115,8 @@ export class Picture {
   }
 
   /**
-   * An effect is through with it; the last one writes it to the host's target.
-   * @param goesOn - whether more of the frame is drawn then, over the host's target
+   * Ends an effect's use; the last one writes the picture to the host's target.
+   * @param goesOn - whether more of the frame is drawn afterwards over the host's target
    */
   end(frame: Frame, goesOn = false): void {
     if (--this.users > 0) return;
@@ -134,7 +135,7 @@ export class Picture {
     material.blending = this.clears ? NoBlending : CustomBlending;
     material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();
-    // three has cleared the picture's target in place of it
+    // three has cleared the picture's target in place of the host's
     if (goesOn && this.clears && webgl.autoClearStencil) webgl.clear(false, false, true);
     const samples = goesOn && frame.wantsSampleDepths;
     material.depthWrite = !samples;
@@ -157,7 +158,7 @@ export class Picture {
     this.present.dispose();
   }
 
-  /** One for the canvas and one for targets, since three draws linear light without tone mapping to those. */
+  /** Target for the canvas, or for render targets, to which three draws linear light without tone mapping. */
   private targetFor(frame: Frame): WebGLRenderTarget {
     const { webgl, target: host } = frame;
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;

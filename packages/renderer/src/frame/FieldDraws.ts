@@ -27,6 +27,6 @@ export interface FieldDraws {
   makeFieldTiles(frame: Frame): void;
   /** Makes lists of all lights that reach each cluster. */
   makeClusters(frame: Frame): LightLists;
-  /** What items are drawn with in place of the twins of a loop; undefined where these will do. */
+  /** Twins that light items by fields too, in place of the loop's own twins; undefined where those do. */
   twinsFor(loop: LightLoop): ((view: string) => ForwardTwins) | undefined;
 }

@@ -7,9 +7,9 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
   farol_thinSurface: IUniform<Texture | null>;
   farol_thinDepth: IUniform<Texture | null>;
   farol_thinStored: IUniform<number>;
-  /** Texels. */
+  /** Size of the thin G-buffer (texels). */
   farol_size: IUniform<Vector2>;
-  /** From the picture's normalised device coordinates to the buffer's. */
+  /** Transform of the picture's normalised device coordinates to the buffer's. */
   farol_fit: IUniform<Vector4>;
 }
 

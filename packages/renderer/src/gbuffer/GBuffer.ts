@@ -9,12 +9,12 @@ import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets'
 export class GBuffer {
   readonly target: WebGLMultipleRenderTargets;
   readonly layout: readonly GBufferAttachment[];
-  /** Emissive and indirect light: the first attachment, or, for the rest of a frame, what an effect made of it. */
+  /** Emissive and indirect light: the first attachment, or its replacement by an effect for the rest of a frame. */
   accumulation: Texture;
 
   /**
    * @param extras - attachments after those of `gbufferLayout`
-   * @param storesDistance - distances are stored beside normals, and positions come from them, not from depth
+   * @param storesDistance - whether distances are stored beside normals, and give positions in place of depth
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
@@ -44,7 +44,7 @@ export class GBuffer {
     this.accumulation = this.emissive;
   }
 
-  /** The first attachment. */
+  /** First attachment, with emissive and indirect light. */
   get emissive(): Texture {
     return this.target.textures[attachmentIndex.accumulation];
   }

@@ -1,17 +1,17 @@
 /** Distances from the far end of depth that may be rounded to the end itself: some steps of 24 bits, and of 16. */
 const STEPS_24 = 2 ** -22;
 const STEPS_16 = 2 ** -14;
-/** Far plane by near plane from which positions are no longer rebuilt from depth. */
+/** Ratio of far to near plane from which on positions are not rebuilt from depth. */
 const WIDEST = 5e4;
 
-/** Depth of what an orthographic camera sees by its height, from which on a step of depth shows. */
+/** Ratio of depth range to height of an orthographic view from which on a step of depth is visible. */
 const DEEPEST = 1e3;
 
 /**
- * Whether places can be rebuilt from depth, and lights put into tiles: the projection is perspective or orthographic, also
- * off-centre or with an oblique near plane, not skewed, and holds no view as those of mapping libraries do.
+ * Whether places can be rebuilt from depth, and lights put into tiles: the projection is perspective or orthographic,
+ * also off-centre or with an oblique near plane, not skewed, and holds no view as those of mapping libraries do.
  * @param m - 16 elements of a projection, column-major
- * @param orthographic - the camera says it is
+ * @param orthographic - whether the camera is an OrthographicCamera
  */
 export function isPlainProjection(m: ArrayLike<number>, orthographic: boolean): boolean {
   if (m[1] || m[3] || m[4] || m[7] || m[15] !== +orthographic) return false;
@@ -23,11 +23,10 @@ function isOblique(m: ArrayLike<number>): boolean {
 }
 
 /**
- * The distance (m, along the view) from which on a surface's depth may be 1, as that of an empty pixel; Infinity for
- * none.
+ * Distance (m, along the view) from which on a surface's depth may be 1, like an empty pixel's; Infinity for none.
  * @param m - 16 elements of a projection, column-major
  * @param logarithmic - the far plane of logarithmic depth (m), else 0
- * @param coarse - depth has 16 bits
+ * @param coarse - whether depth has 16 bits
  */
 export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmic: number, coarse: boolean): number {
   if (isOblique(m)) return -Infinity;
@@ -41,7 +40,7 @@ export function farthestTold(m: ArrayLike<number>, reversed: boolean, logarithmi
  * True if positions rebuilt from 32-bit depth would be too coarse or, with an oblique near plane, wrong: then the
  * G-buffer stores the distances of surfaces.
  * @param m - 16 elements of a projection, column-major
- * @param precise - depth is reversed or logarithmic
+ * @param precise - whether depth is reversed or logarithmic
  */
 export function needsStoredDistance(m: ArrayLike<number>, precise: boolean): boolean {
   if (isOblique(m)) return true;

@@ -5,7 +5,7 @@ export interface GBufferAttachment {
   readonly name: string;
   readonly format: PixelFormat;
   readonly type: TextureDataType;
-  /** A pixel. */
+  /** Bytes of a pixel. */
   readonly bytes: number;
   /** GLSL precision of the sampler uniform that reads it. Default 'highp'. */
   readonly precision?: 'highp' | 'lowp';

@@ -38,7 +38,7 @@ export function flagsOf(material: Material, model: ShadingModel): number {
   );
 }
 
-/** Such a map may give more than 1, as that of a mirror's target. */
+/** Whether a map has a float format, so that it may exceed 1, as a mirror's target does. */
 function isOfFloats(map?: Texture | null): boolean {
   return map?.type === HalfFloatType || map?.type === FloatType;
 }
@@ -49,7 +49,7 @@ function exceedsOne(color: Color): boolean {
 
 type Lobes = MeshPhysicalMaterial & { dispersion?: number; retroreflectivity?: number; diffuseRoughness?: number };
 
-/** Physical materials whose extra is only index of refraction and a grey specular. */
+/** True for physical materials that add only index of refraction and a grey specular to standard ones. */
 function isPlainPhysical(material: MeshPhysicalMaterial & MeshStandardMaterial): boolean {
   const m = material as Lobes;
   const { specularColor: s } = m;

@@ -3,10 +3,10 @@ import { unpackAsIs } from '../three/unpackAsIs';
 import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 
-/** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
+/** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of the textures, and what of the data it does not have yet. */
+/** One of these textures, with the range of data that it lacks. */
 interface Slot {
   texture: DataTexture;
   fresh: boolean;
@@ -15,21 +15,20 @@ interface Slot {
 }
 
 /**
- * A growable float texture that uploads only rows whose content changed, of one row only the texels, and nothing where
- * nothing did.
- * Without allocation while it does not grow.
+ * A growable float texture that uploads only rows whose content changed, or of a single row only its texels. Allocates
+ * only to grow.
  */
 export class DataTable {
   /** The texels, 4 floats each, row after row. */
   data: Float32Array<ArrayBuffer>;
-  /** Bytes sent by the last `upload`. */
+  /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
   private slots: Slot[] = [];
   private current = 0;
   private firstChanged = Infinity;
   private lastChanged = -1;
 
-  /** @param width - texels a row */
+  /** @param width - texels in a row */
   constructor(readonly width: number) {
     this.data = new Float32Array(width * 4);
     this.makeSlots();
@@ -45,7 +44,7 @@ export class DataTable {
     return this.data.byteLength * TURNS;
   }
 
-  /** Makes room for so many floats; content is lost when it grows. */
+  /** Makes room for a number of floats; content is lost when the table grows. */
   reserve(floats: number): void {
     if (floats <= this.data.length) return;
     let rows = this.data.length / (this.width * 4);
@@ -71,12 +70,12 @@ export class DataTable {
     if (at > this.lastChanged) this.lastChanged = at;
   }
 
-  /** Says how many floats are in use, so that what lies behind is never uploaded. */
+  /** Sets the number of floats in use; later ones are not uploaded. */
   used(floats: number): void {
     if (this.lastChanged >= floats) this.lastChanged = floats - 1;
   }
 
-  /** Sends the rows that changed. Call inside a frame, before the texture is drawn with. */
+  /** Uploads the rows that changed. Call inside a frame, before the texture is drawn with. */
   upload(webgl: WebGLRenderer): void {
     this.uploadedBytes = 0;
     if (this.lastChanged >= this.firstChanged) {

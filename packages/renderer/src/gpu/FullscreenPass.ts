@@ -10,11 +10,11 @@ export interface MeshDrawer {
   readonly microshaders: MicroShaderRegistry;
   /** Uniforms that all passes of a renderer share. */
   readonly uniforms: Readonly<Record<string, IUniform>>;
-  /** Draws to a target from here on. */
+  /** Binds a target for the draws that follow. */
   bind(target: WebGLRenderTarget): void;
-  /** Draws a mesh to what is bound. */
+  /** Draws a mesh to the bound target. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;
-  /** Compiles a material for what is bound, drawing nothing. */
+  /** Compiles a material for the bound target, drawing nothing. */
   compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;
 }
 
@@ -37,11 +37,17 @@ export interface FullscreenPassOptions<U extends Uniforms> extends Omit<
   readonly uniforms?: U;
   /** Names of the shared uniforms that the shader reads as well, or 'all'. Default none. */
   readonly shared?: 'all' | readonly string[];
-  /** Written as three writes its materials: tone mapped, encoded for the target, with fog. Default false: values as they are. */
+  /**
+   * Whether output is tone mapped, fogged and encoded for the target, as three's materials are. Default false: values
+   * are written unchanged.
+   */
   readonly asThree?: boolean;
-  /** Drawn several times in a frame with other uniforms, which three else sends once. Default false. */
+  /**
+   * Whether the pass is drawn several times in a frame with different uniforms, which three would send only once.
+   * Default false.
+   */
   readonly repeats?: boolean;
-  /** The target of its own that `drawToOwn` draws to. Default none. */
+  /** Options of the pass's own target, for `drawToOwn`. Default none. */
   readonly target?: PassTargetOptions;
 }
 
@@ -72,7 +78,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     this.own = options.target === undefined ? null : new PassTarget(options.target);
   }
 
-  /** Bytes of its own target. */
+  /** Bytes of the pass's own target. */
   get bytes(): number {
     return this.own?.bytes ?? 0;
   }
@@ -82,7 +88,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     return (this.made ??= this.make(drawer));
   }
 
-  /** Draws over the viewport of what is bound. */
+  /** Draws over the viewport of the bound target. */
   draw(drawer: MeshDrawer): void {
     const material = this.material(drawer);
     if (this.options.repeats === true) material.uniformsNeedUpdate = true;
@@ -96,7 +102,7 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
   }
 
   /**
-   * Binds its own target, with this size (texels), and draws to it.
+   * Binds the pass's own target, sized in texels, and draws to it.
    * @returns the target
    * @throws Error when the options name no target
    */
@@ -106,7 +112,11 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     return target;
   }
 
-  /** Binds its own target, with this size (texels). @returns the target @throws Error when the options name no target */
+  /**
+   * Binds the pass's own target, sized in texels.
+   * @returns the target
+   * @throws Error when the options name no target
+   */
   bindOwn(drawer: MeshDrawer, width: number, height: number): WebGLRenderTarget {
     if (this.own === null) throw new Error(`Farol: the pass "${this.options.program}" has no target; give one.`);
     const target = this.own.of(width, height);
@@ -119,12 +129,12 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     return this.own?.current?.texture ?? null;
   }
 
-  /** Compiles the program for what is bound, drawing nothing: so that no later frame waits for it. */
+  /** Compiles the program for the bound target, drawing nothing, so that no later frame waits for it. */
   compile(drawer: MeshDrawer): void {
     drawer.compileMesh(this.triangle, this.material(drawer));
   }
 
-  /** Takes other microshaders or defines, from the next draw on. */
+  /** Changes microshaders or defines, from the next draw on. */
   protected recompose(parts: Pick<FullscreenPassOptions<U>, 'fragment' | 'defines'>): void {
     this.options = { ...this.options, ...parts };
     this.made?.dispose();

@@ -32,7 +32,7 @@ const PRECISION = `${FULL_PRECISION}precision highp sampler2D;\nprecision highp 
 // three's chunks are written for GLSL 1
 const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 
-/** Composes from the registry, and again after a live edit. */
+/** Composes the material's shaders from the registry, and again after a live edit. */
 function compose(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): void {
   const raw = (material as RawShaderMaterial).isRawShaderMaterial === true;
   const { vertexShader, fragmentShader } = registry.compose(options.vertex, options.fragment);
@@ -85,7 +85,7 @@ export class PassMaterial extends RawShaderMaterial {
 
 /** Material of a pass into the host's target, with three's tone mapping, colour space and fog for that target. */
 export class OutputMaterial extends ShaderMaterial {
-  /** Whether its draws are in the reactive mask. Default false. */
+  /** Whether draws with the material are in the reactive mask. Default false. */
   isReactive = false;
   private readonly unfollow: () => void;
 

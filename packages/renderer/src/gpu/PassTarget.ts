@@ -6,7 +6,7 @@ export interface PassTargetOptions extends Omit<RenderTargetOptions, 'depthTextu
   readonly depthTexture?: boolean;
 }
 
-/** A render target of a pass: made when first asked for, of the size asked for, nearest texels unless the options differ. */
+/** A render target of a pass, made and sized by `of`; nearest texels unless the options differ. */
 export class PassTarget {
   private made: WebGLRenderTarget | null = null;
 

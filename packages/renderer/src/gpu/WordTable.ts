@@ -11,20 +11,20 @@ import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 
 /**
- * A texture of unsigned 32-bit words, filled from an array that belongs to somebody else. Grows; uploads what is in use, and
- * nothing where that is what was sent last.
+ * A texture of unsigned 32-bit words, filled from an array of the caller's. Grows; uploads the words in use, unless
+ * they equal those uploaded last.
  */
 export class WordTable {
   texture: DataTexture;
-  /** Bytes sent by the last `upload`. */
+  /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
   private fresh = true;
-  /** The texture does not have what was sent last. */
+  /** Whether the texture lacks the words uploaded last. */
   private stale = true;
-  /** Words sent last. */
+  /** Words uploaded last. */
   private sent = new Uint32Array(0);
 
-  /** @param channels - words a texel, 1 or 4 */
+  /** @param channels - words in a texel, 1 or 4 */
   constructor(private readonly channels: 1 | 4) {
     this.texture = this.make(1, 1);
   }
@@ -35,9 +35,9 @@ export class WordTable {
   }
 
   /**
-   * Sends the first rows.
+   * Uploads the first rows.
    * @param words - row after row, at least width * rows * channels
-   * @param width - texels a row
+   * @param width - texels in a row
    */
   upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number): void {
     if (this.texture.image.width !== width || this.texture.image.height < rows) {
@@ -62,7 +62,7 @@ export class WordTable {
     this.uploadedBytes = width * rows * this.channels * 4;
   }
 
-  /** Compares with what was sent last, and keeps what is to be sent now. */
+  /** Compares words with those uploaded last, and keeps them for the next comparison. */
   private differs(words: Uint32Array, count: number): boolean {
     const { sent } = this;
     if (!this.stale && sent.length >= count) {

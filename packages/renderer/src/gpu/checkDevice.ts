@@ -1,12 +1,12 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * Checks that the device can do what is asked of it.
+ * Checks that the device has WebGL 2 and the features that Farol needs.
  * @param floatTargets - whether targets of half float or float colour are drawn to
  * @throws Error that names what is missing and the mend
  */
 export function checkDevice(webgl: WebGLRenderer, floatTargets: boolean): void {
-  // called by JavaScript too
+  // JavaScript hosts may pass anything
   const given = webgl as { isWebGLRenderer?: boolean } | undefined;
   if (!given?.isWebGLRenderer || !(webgl.getContext() instanceof WebGL2RenderingContext))
     throw new Error('Farol: needs a WebGLRenderer with WebGL 2, not a WebGPURenderer.');
@@ -32,7 +32,7 @@ export function blendsFloats(gl: WebGL2RenderingContext): boolean {
   return gl.getExtension('EXT_color_buffer_float') !== null && gl.getExtension('EXT_float_blend') !== null;
 }
 
-/** How many colour buffers can be drawn to at once; at least 4. */
+/** Number of colour buffers that can be drawn to at once; at least 4. */
 export function drawBuffersOf(gl: WebGL2RenderingContext): number {
   return Math.min(gl.getParameter(gl.MAX_DRAW_BUFFERS) as number, gl.getParameter(gl.MAX_COLOR_ATTACHMENTS) as number);
 }

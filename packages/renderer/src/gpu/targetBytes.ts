@@ -17,13 +17,15 @@ const TWO_CHANNELS: readonly number[] = [RGFormat, RGIntegerFormat];
 const ONE_BYTE: readonly number[] = [UnsignedByteType, ByteType];
 const TWO_BYTES: readonly number[] = [HalfFloatType, UnsignedShortType, ShortType];
 
-/** Bytes a texel of a colour texture, by its format and type. */
+/** Bytes of a texel of a colour texture, by its format and type. */
 function texelBytes({ format, type }: Texture): number {
   const channels = ONE_CHANNEL.includes(format) ? 1 : TWO_CHANNELS.includes(format) ? 2 : 4;
   return channels * (ONE_BYTE.includes(type) ? 1 : TWO_BYTES.includes(type) ? 2 : 4);
 }
 
-/** Bytes a texel of depth: of a texture by its type, else 24 bits in four bytes; with stencil beside floats eight. */
+/**
+ * Bytes of a texel of depth: of a texture by its type, else 24 bits in four bytes; eight for stencil beside floats.
+ */
 function depthBytes({ depthTexture, depthBuffer, stencilBuffer }: WebGLRenderTarget): number {
   if (depthTexture !== null) return TWO_BYTES.includes(depthTexture.type) ? 2 : stencilBuffer ? 8 : 4;
   return depthBuffer ? 4 : 0;

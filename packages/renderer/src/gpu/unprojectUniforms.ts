@@ -18,7 +18,9 @@ export function unprojectUniforms(): UnprojectUniforms {
   };
 }
 
-/** The far plane of logarithmic depth (m), 0 where depth is another; three writes it for perspective projections alone. */
+/**
+ * Far plane of logarithmic depth (m); 0 if depth is not logarithmic; three writes it for perspective projections alone.
+ */
 export function logarithmicFar(camera: Camera, webgl: WebGLRenderer): number {
   const { isPerspectiveCamera, far } = camera as PerspectiveCamera;
   return webgl.capabilities.logarithmicDepthBuffer && isPerspectiveCamera ? far : 0;
@@ -29,7 +31,7 @@ export function setDepthMode({ value }: IUniform<Vector2>, camera: Camera, webgl
   value.set(isDepthReversed(webgl) ? 1 : 0, Math.log2(logarithmicFar(camera, webgl) + 1));
 }
 
-/** Takes the camera's projection, rounded as the GPU sees it, and how the renderer stores depth. */
+/** Sets the uniforms by the camera's projection, rounded to 32-bit floats, and the renderer's kind of depth. */
 export function setUnprojectUniforms(uniforms: UnprojectUniforms, camera: Camera, webgl: WebGLRenderer): void {
   setDepthMode(uniforms.farol_depthMode, camera, webgl);
   const p = camera.projectionMatrix.elements;

@@ -1,3 +1,3 @@
-// Where the picture lies in the target.
+// Offset of the picture in the target.
 // Farol
 uniform vec2 farol_offset; // pixels

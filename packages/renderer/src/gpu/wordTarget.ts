@@ -8,7 +8,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 
-/** A target of whole numbers, four words of 32 bits a texel where nothing else is asked; a texel a side at first. */
+/** Makes a target of whole numbers, by default four words of 32 bits a texel; of 1 × 1 texels at first. */
 export function wordTarget(
   format: PixelFormat = RGBAIntegerFormat,
   type: TextureDataType = UnsignedIntType,

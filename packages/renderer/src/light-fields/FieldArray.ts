@@ -4,20 +4,20 @@ import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 import { unpackAsIs } from '../three/unpackAsIs';
 
-/** Lights a row. */
+/** Lights in a row of the texture. */
 const WIDTH = 128;
-/** Textures in turn: one that the GPU may still read for an earlier frame is not written to. */
+/** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of the textures, and the version of the array that it has. */
+/** One of these textures, with the version of the array that it holds. */
 interface Turn {
   readonly texture: DataTexture;
   seen: number;
 }
 
-/** A LightArray on the GPU of one renderer: sends the rows that changed, and nothing where nothing did. */
+/** A LightArray on the GPU of one renderer: uploads only rows that changed. */
 export class FieldArray {
-  /** Bytes sent by the last `upload`. */
+  /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
   private readonly turns: Turn[];
   private current = 0;
@@ -44,7 +44,7 @@ export class FieldArray {
     return this.texture.image.data!.byteLength * TURNS;
   }
 
-  /** Sends the first rows, where they changed. @param rows - of 128 lights */
+  /** Uploads those of the first rows that changed. @param rows - number of rows of 128 lights */
   upload(webgl: WebGLRenderer, rows: number): void {
     this.webgl = webgl;
     this.uploadedBytes = 0;

@@ -7,11 +7,11 @@ interface Arrays {
   readonly spheres: FieldArray;
   readonly emissions: FieldArray;
   readonly cones: FieldArray | null;
-  /** Set anew for each frame. */
+  /** Textures of the field, set anew for each frame. */
   readonly sources: FieldSources;
 }
 
-/** The arrays of fields as textures of one renderer, until the field is disposed. */
+/** Keeps each field's arrays as textures of one renderer, until the field is disposed. */
 export class FieldArrays {
   private readonly known = new Map<LightField, Arrays>();
   private held = 0;
@@ -21,7 +21,7 @@ export class FieldArrays {
     return this.held;
   }
 
-  /** Sends what changed of a field. @param rows - of 128 lights @returns bytes sent */
+  /** Uploads a field's changes. @param rows - number of rows of 128 lights @returns bytes uploaded */
   upload(webgl: WebGLRenderer, field: LightField, rows: number): number {
     if (field.textures !== null) return 0;
     const { spheres, emissions, cones } = this.known.get(field) ?? this.make(field);

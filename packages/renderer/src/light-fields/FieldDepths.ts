@@ -3,13 +3,13 @@ import type { LightField } from './LightField';
 import { fieldCount } from '../lights/lightData';
 import { sphereCoverage } from '../lights/spheres';
 
-/** Lights of a field that are looked at, and the frames for which that holds. */
+/** Number of lights sampled of a field, and of frames for which the result is kept. */
 const SAMPLES = 64;
 const LASTS = 8;
-/** Range of depths as logarithms to begin with: 1 to 64 m. */
+/** Initial range of depths, as base-2 logarithms: 1 to 64 m. */
 const LEAST = 0;
 const EXTENT = 6;
-/** Share of the picture that a light is taken to lie over where its textures are the GPU's alone. */
+/** Assumed share of the picture that a light covers, for fields whose textures only the GPU has. */
 const COVERAGE = 0.002;
 
 interface Told {

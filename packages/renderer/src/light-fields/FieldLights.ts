@@ -67,7 +67,7 @@ export class FieldLights {
     return this.target.width * this.target.height * BYTES;
   }
 
-  /** Begins a frame. @param rows - of 128 lights, of all fields */
+  /** Begins a frame. @param rows - number of rows of 128 lights, of all fields */
   begin(frame: Frame, rows: number, depths: FieldDepths): void {
     const { target, uniforms } = this;
     if (target.height < rows) target.setSize(128, Math.ceil(rows * 1.25));
@@ -79,7 +79,11 @@ export class FieldLights {
     uniforms.farol_fieldDepths.value.set(depths.least, 4 / depths.extent, depths.isLogarithmic ? 1 : 0);
   }
 
-  /** Draws the lights of a field. @param row - its first one of the target @param rows - that it has */
+  /**
+   * Draws the lights of a field.
+   * @param row - first row of the field in the target
+   * @param rows - number of its rows
+   */
   draw(
     frame: Frame,
     field: LightField,

@@ -19,7 +19,7 @@ import { fit } from './FieldOrder';
 import { type FieldSlices, SLICES } from './FieldSlices';
 
 const LIGHTS_PER_QUAD = 128;
-/** Pixels along the side of a block in which depths are looked at first. */
+/** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
 const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun'];
 const DEFINES = {
@@ -72,7 +72,7 @@ export class FieldLists {
     target: wordTarget(RedIntegerFormat, UnsignedIntType, 'R32UI'),
   };
 
-  /** All but `slices`: four words of 32 bits a texel. */
+  /** All passes but `slices`; their targets have four words of 32 bits a texel. */
   private readonly steps: readonly Step[];
 
   constructor(
@@ -88,7 +88,7 @@ export class FieldLists {
   get bytes(): number {
     const { boxes, slices, steps } = this;
     let bytes = slices.target.width * slices.target.height * 4 + boxes.target.width * boxes.target.height * 16;
-    // of boxes both attachments
+    // boxes have two attachments
     for (let i = 0; i < steps.length; i++) bytes += steps[i].target.width * steps[i].target.height * 16;
     return bytes;
   }
@@ -96,8 +96,8 @@ export class FieldLists {
   /**
    * Makes the lists.
    * @param first - record of the listed lights
-   * @param count - how many there are, at least 1
-   * @param plainQuads - quads of them, from the first on, that hold plain point lights alone
+   * @param count - number of listed lights, at least 1
+   * @param plainQuads - number of first quads that hold plain point lights alone
    * @param sliced - whether to find the quads of each slice of depth too
    */
   draw(frame: Frame, first: number, count: number, plainQuads: number, sliced: boolean): void {
@@ -125,7 +125,7 @@ export class FieldLists {
     draw(frame, this.blocks);
     fitGrids(this.fine.target, x, y, quads, shift);
     draw(frame, this.fine);
-    // made in any case: loops have it bound
+    // made in any case, since loops bind the texture
     fitGrids(this.summary.target, x, y, pages, pages > 1 ? shift : 0);
     draw(frame, this.summary);
     uniforms.farol_tileMask.value = this.fine.target.texture;

@@ -19,7 +19,7 @@ import type { Frame } from '../frame/Frame';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { PassMaterial } from '../gpu/PassMaterial';
 
-/** Cells of the view, and one for what is put out. */
+/** Number of cells of the view, and one for lights that are put out. */
 const CELLS = 129;
 
 /**
@@ -66,7 +66,7 @@ export class FieldOrder {
     this.points.frustumCulled = false;
   }
 
-  /** Numbers of the lights in their order, 128 a row. */
+  /** Numbers of the lights in sorted order, 128 a row. */
   get texture(): Texture {
     return this.order.texture;
   }
@@ -160,7 +160,9 @@ function target(type: TextureDataType): WebGLRenderTarget {
   });
 }
 
-/** Gives a target room for so many texels, some more rows when it grows, and limits drawing to these. */
+/**
+ * Makes a target large enough for a size (texels), with spare rows when it grows, and limits drawing to that size.
+ */
 export function fit(target: WebGLRenderTarget, width: number, rows: number): void {
   if (target.width !== width || target.height < rows) target.setSize(width, rows === 1 ? 1 : Math.ceil(rows * 1.25));
   target.viewport.set(0, 0, width, rows);

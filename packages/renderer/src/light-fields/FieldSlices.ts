@@ -1,6 +1,6 @@
 import { type IUniform, type Texture, Vector3 } from 'three';
 
-/** Slices of depth. */
+/** Number of slices of depth. */
 export const SLICES = 256;
 
 /** Uniforms of lightSlice.glsl and lightLoopSlices.glsl. */

@@ -1,20 +1,20 @@
-/** Lights whose values are sent together, at least. */
+/** Lights of a row, whose values are uploaded together. */
 const ROW = 128;
 
 /**
- * Four numbers of each light of a LightField, and which of them changed. Whoever writes to `array` says so by `update`;
- * any number of renderers then send what they do not have yet, in rows of 128 lights.
+ * Four numbers for each light of a LightField, with versions by row. Call `update` after writing to `array`; each
+ * renderer then uploads the rows of 128 lights that have changed for it.
  */
 export class LightArray {
-  /** [capacity, 4] */
+  /** Numbers of the lights, [capacity, 4]. */
   readonly array: Float32Array<ArrayBuffer>;
   /** Version in which each row last changed. */
   private readonly rows: Uint32Array;
   private version = 1;
-  /** The highest of `rows`. */
+  /** Highest version in `rows`. */
   private newest = 1;
 
-  /** @param capacity - lights */
+  /** @param capacity - number of lights */
   constructor(capacity: number) {
     const rows = Math.ceil(capacity / ROW);
     // whole rows, as the texture has them
@@ -22,7 +22,7 @@ export class LightArray {
     this.rows = new Uint32Array(rows).fill(1);
   }
 
-  /** Says that lights `first` to `first + count - 1` were changed. Default: all. */
+  /** Marks lights `first` to `first + count - 1` as changed. Default: all. */
   update(first = 0, count = Infinity): void {
     const last = Math.min(this.rows.length, Math.ceil((first + count) / ROW));
     for (let row = Math.max(0, Math.floor(first / ROW)); row < last; row++) this.rows[row] = this.version;
@@ -60,13 +60,13 @@ export class LightArray {
       while (row < rows && versions[row] > seen) row++;
       send(first, row - first);
     }
-    // those behind are still to be sent
+    // later rows must still be uploaded
     for (let row = rows; row < versions.length; row++)
       if (versions[row] > seen) versions[row] = this.newest = this.version + 1;
     return this.version++;
   }
 
-  /** @returns the version of a copy that has all of the array */
+  /** @returns the version that a copy of the whole array has */
   whole(): number {
     return this.version++;
   }

@@ -11,7 +11,7 @@ export interface LightFieldOptions {
   textures?: LightTextures | null;
 }
 
-/** Most lights of a field. */
+/** Greatest number of lights of a field. */
 const MOST = 2 ** 18;
 
 /**
@@ -33,9 +33,9 @@ const MOST = 2 ** 18;
 export class LightField extends Light {
   readonly isLightField = true;
   override readonly type = 'LightField';
-  /** Lights that there is room for. */
+  /** Number of lights that there is room for. */
   readonly capacity: number;
-  /** Lights that are drawn, the first ones: at most `capacity`, its default. */
+  /** Number of lights drawn, from the first on: at most `capacity`, the default. */
   override count: number;
   /** Position in the field's space (m), range (m) of each light. Empty where `textures` are given. */
   readonly spheres: LightArray;
@@ -92,7 +92,7 @@ export class LightField extends Light {
   }
 
   /**
-   * Makes a light, which `setPoint` has given all else, a spot light.
+   * Makes a light that was set by `setPoint` a spot light.
    * @param x - direction in which it shines, in the field's space, of any length but 0, with y and z
    * @param angle - from the direction to the edge of the cone (rad), above 0 and at most π / 2
    * @param penumbra - 0 to 1
@@ -117,7 +117,7 @@ export class LightField extends Light {
     this.emissions.set(light, r, g, b, this.emissions.array[light * 4 + 3]);
   }
 
-  /** Range (m); 0 puts the light out. @throws RangeError when there is no such light */
+  /** Sets the range of a light (m); 0 puts it out. @throws RangeError when there is no such light */
   setRange(light: number, range: number): void {
     this.check(light);
     const { array } = this.spheres;

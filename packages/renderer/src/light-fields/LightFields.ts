@@ -66,7 +66,7 @@ export class LightFields implements FieldDraws {
   isDrawn = false;
   count = 0;
 
-  /** @param slices - of the renderer's shared uniforms */
+  /** @param slices - uniforms of slices, shared by the renderer */
   constructor(
     private readonly frame: Frame,
     private readonly slices: FieldSlices,
@@ -86,7 +86,7 @@ export class LightFields implements FieldDraws {
     return bytes;
   }
 
-  /** Takes the fields of a frame, and sends what of them changed. */
+  /** Collects the fields of a frame, and uploads their changes. */
   begin(): void {
     const { frame } = this;
     const { lights, camera } = frame;
@@ -193,7 +193,7 @@ function warnOfShadow(field: LightField): void {
   );
 }
 
-/** Rows of 128 lights, at least one: a field keeps its place in shaders and tables when it has no light. */
+/** Rows of 128 lights of a field, at least one: a field without lights keeps its place in shaders and tables. */
 function rowsOf(field: LightField): number {
   return Math.max(1, Math.ceil(fieldCount(field) / 128));
 }

@@ -21,7 +21,7 @@ vec2 farol_blockRange(const in ivec2 block) {
   return range;
 }
 
-// how far a box reaches inside the four sides of a block, as numbers of one sign with it; below 0: not at all
+// sign of a box's extent inside the four sides of a block; below 0: outside
 float farol_insideSides(const in FarolTile tile, const in vec4 low, const in vec3 high) {
   vec2 k = mix(vec2(1.0), vec2(-low.w, -low.z), farol_perspective);
   vec4 nearK = tile.slopes * k.x;

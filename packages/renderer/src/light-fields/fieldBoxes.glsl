@@ -11,9 +11,9 @@ vec3 low = vec3(1e30);
 vec3 high = vec3(-1e30);
 for (int light = start; light < end; light++) {
   vec4 sphere = farol_lightSphere(farol_tileRun.x + light);
-  // those that are put out lie beyond
+  // lights that are put out lie beyond this
   if (sphere.x < 1e14) {
-    // a little wider: tests of single lights are
+    // a little wider, as tests of single lights are
     low = min(low, sphere.xyz - sphere.w * 1.001);
     high = max(high, sphere.xyz + sphere.w * 1.001);
   }

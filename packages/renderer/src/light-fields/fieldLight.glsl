@@ -4,9 +4,9 @@ uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
 uniform highp ivec4 farol_fieldRun; // lights; first row of the target; texels a row of the textures; 1: there are cones
-uniform highp mat4 farol_fieldMatrix; // of the field to view space
+uniform highp mat4 farol_fieldMatrix; // transform from the field's space to view space
 uniform highp vec3 farol_fieldColor;
-uniform highp vec4 farol_fieldPlanes[6]; // of the view, normals inward
+uniform highp vec4 farol_fieldPlanes[6]; // planes of the view, normals inward
 uniform highp mat4 farol_fieldProjection;
 uniform highp vec3 farol_fieldDepths; // least depth that cells tell; cells a depth; 1: depths are logarithms (m)
 layout(location = 0) out highp vec4 farol_fieldSphere;
@@ -15,12 +15,12 @@ layout(location = 1) out highp vec4 farol_fieldEmission; // decay as a light rec
 layout(location = 2) out highp vec4 farol_fieldCone;
 layout(location = 3) out highp vec4 farol_fieldCell;
 
-// false for what is no number, too
+// whether all are numbers below a limit; false for NaN
 bool farol_isWithin(const in vec3 v, const in float limit) {
   return abs(v.x) <= limit && abs(v.y) <= limit && abs(v.z) <= limit;
 }
 
-// of 8 × 4 parts of the picture by 4 of depth, 128 in all
+// cell of a light: 8 × 4 parts of the picture by 4 of depth, 128 in all
 float farol_cellOf(const in vec3 positionVS) {
   vec4 clip = farol_fieldProjection * vec4(positionVS, 1.0);
   vec2 at = (clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * vec2(8.0, 4.0);

@@ -21,7 +21,7 @@ vec4 sphere = farol_lightSphere(farol_record);
 // 1.33: the flat faces stay outside the sphere
 vec4 around = vec4(farol_lightPosition(sphere), farol_lightRange(sphere) * 1.33);
 if (sphere.x > 1e14) {
-  gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // put out
+  gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // the light is put out
 } else if (farol_isTooWide(around)) {
   gl_Position = farol_wholePicture();
 } else {

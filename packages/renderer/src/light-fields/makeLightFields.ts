@@ -10,7 +10,7 @@ export const microShaders = { ...chunks };
 
 const told = new WeakSet<object>();
 
-/** Makes what draws the lights of fields; null where the device draws to no float targets, which is told once. */
+/** Makes the draws of light fields; null, with one warning, if the device draws to no float targets. */
 export function makeLightFields(frame: Frame): LightFields | null {
   const { webgl, microshaders } = frame;
   const gl = webgl.getContext();
@@ -24,7 +24,7 @@ export function makeLightFields(frame: Frame): LightFields | null {
   }
   addMicroShaders(microshaders, 'light-fields', microShaders);
   const uniforms = frame.uniforms as typeof frame.uniforms & Partial<FieldSlices>;
-  // for twins that are made from here on
+  // for twins made later
   if (uniforms.farol_fieldSlices === undefined) Object.assign(uniforms, fieldSlices());
   return new LightFields(frame, uniforms as FieldSlices);
 }

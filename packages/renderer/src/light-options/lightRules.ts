@@ -6,7 +6,7 @@ export type LightKind = 'DirectionalLight' | 'PointLight' | 'SpotLight' | 'RectA
 export type LightOptionName = keyof LightOptions;
 
 interface LightRule {
-  /** Lights that have the option. */
+  /** Kinds of lights that have the option. */
   readonly kinds: readonly LightKind[];
   /** Values that are allowed, as the end of "give …". */
   readonly allows: string;
@@ -34,7 +34,10 @@ const area: readonly LightKind[] = ['RectAreaLight'];
 const colour = '[r, g, b], linear, each at least 0';
 const SHAPES = ['rectangle', 'disc', 'tube'];
 
-/** The lights that have an option, and its values. No call at the top: a bundler leaves the table out where nothing is checked. */
+/**
+ * Kinds of lights and allowed values of each option. No call at the top: a bundler leaves the table out where nothing
+ * is checked.
+ */
 export const lightRules: Readonly<Record<LightOptionName, LightRule>> = {
   ambient: { kinds: surfaces, allows: colour, isAllowed: isColour },
   specular: { kinds: surfaces, allows: colour, isAllowed: isColour },

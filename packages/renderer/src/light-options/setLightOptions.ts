@@ -6,14 +6,15 @@ import type { LightOptions } from './LightOptions';
 import { type LightOptionName, lightRules } from './lightRules';
 
 /**
- * Gives a light of three's what three has no property for; options that are left out stay as they are, those that are
- * undefined become their default. All but textures is kept as JSON at `light.userData.farol`, which is read anew in each frame:
- * scenes that were loaded have it back. Has the code fetched that draws such lights.
+ * Sets properties of a light for which three has none; options that are left out stay as they are, those that are
+ * undefined become their default. All but textures is kept as JSON at `light.userData.farol`, which is read anew in
+ * each frame: scenes that were loaded have it back. Starts to fetch the code that draws such lights.
  *
  * @example
  * setLightOptions(lamp, { shape: 'tube', range: 6 });
  *
- * @throws Error for an option that does not exist, that a light of this kind has not, or of a value that it cannot have;
+ * @throws Error for an option that does not exist, that a light of this kind has not, or of a value that it cannot
+ * have;
  *   nothing has changed then
  */
 export function setLightOptions(light: Light, options: LightOptions): void {
@@ -34,7 +35,7 @@ export function storeLightOptions(light: Light, options: LightOptions): void {
   if (cookie || profile) shadowCode.ask();
 }
 
-/** Not enumerable, since JSON and `clone` cannot have textures. */
+/** Stores a texture in `userData`, not enumerable, since JSON and `clone` cannot hold textures. */
 function storeTexture(light: Light, place: string, value: Texture | null = null): void {
   Object.defineProperty(light.userData, place, { value, writable: true, configurable: true });
 }
@@ -48,7 +49,7 @@ function check(light: Light, name: LightOptionName, value: unknown): void {
     throw new RangeError(`Farol: ${name} is ${said(value)}; give ${allows}.`);
 }
 
-/** A value for a message, short. */
+/** Short text of a value, for messages. */
 const said = (value: unknown): string =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
     ? 'an object'

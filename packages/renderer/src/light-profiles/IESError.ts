@@ -1,6 +1,6 @@
 /** Error in a file of photometric data, with its line. */
 export class IESError extends Error {
-  /** @param line - of the file, from 1 */
+  /** @param line - line of the file, from 1 */
   constructor(
     readonly line: number,
     /** Sentence that says what is wrong, and what to write there. */

@@ -50,7 +50,7 @@ export class IESLoader extends Loader<PhotometricProfile> {
             `${folder}${name}`,
             (tilt) => tell(tilt as string),
             undefined,
-            // what is missing is named
+            // the error names the missing file
             () => tell(null),
           );
         }
@@ -61,9 +61,9 @@ export class IESLoader extends Loader<PhotometricProfile> {
   }
 
   /**
-   * @param text - of the file
+   * @param text - text of the file
    * @param tilt - text of the file that `TILT=` names, if it names one
-   * @throws IESError with the line where it is wrong, and what to write there
+   * @throws IESError with the wrong line, and what to write there
    */
   parse(text: string, tilt: string | null = null): PhotometricProfile {
     return new PhotometricProfile(parseIES(text, { tilt }), this.tilt);

@@ -20,7 +20,7 @@ export class NumberReader {
 
   /**
    * The next number.
-   * @param what - it is, for the message, such as 'the number of lamps'
+   * @param what - meaning of the number, for the message, such as 'the number of lamps'
    * @throws IESError when there is none
    */
   number(what: string): number {

@@ -1,11 +1,11 @@
 /** Editions of the LM-63 standard. */
 export type IESVersion = 'LM-63-1986' | 'LM-63-1991' | 'LM-63-1995' | 'LM-63-2002' | 'LM-63-2019';
 
-/** How the lamps of a luminaire give less light as it is tilted. */
+/** Loss of light of a luminaire's lamps by tilt. */
 export interface LampTilt {
   /** Lamps along the axis of tilt: 1 vertical as photometered, 2 horizontal and parallel to it, 3 horizontal, across it. */
   readonly geometry: number;
-  /** Degrees from the photometered position, ascending. */
+  /** Angles from the photometered position (degrees), ascending. */
   readonly angles: Float64Array;
   /** Factor on the candelas, at each angle. */
   readonly factors: Float64Array;
@@ -33,9 +33,9 @@ export interface PhotometricData {
   readonly height: number;
   readonly inputWatts: number;
   readonly tilt: LampTilt | null;
-  /** Ascending. */
+  /** Vertical angles (degrees), ascending. */
   readonly verticalAngles: Float64Array;
-  /** Ascending. */
+  /** Horizontal angles (degrees), ascending. */
   readonly horizontalAngles: Float64Array;
   /** Candelas, factors included: for each horizontal angle, all vertical angles. */
   readonly candelas: Float64Array;

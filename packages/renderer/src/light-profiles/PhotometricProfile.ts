@@ -32,7 +32,10 @@ export class PhotometricProfile {
   readonly tiltFactor: number;
   private made: DataTexture | null = null;
 
-  /** @param tilt - of the luminaire from the position in which it was measured (degrees), for lamps that then give less light */
+  /**
+   * @param tilt - tilt of the luminaire from the position in which it was measured (degrees), for lamps that give less
+   * light tilted
+   */
   constructor(
     readonly data: PhotometricData,
     tilt = 0,
@@ -104,7 +107,7 @@ export class PhotometricProfile {
     return texture;
   }
 
-  /** Type C. */
+  /** Intensity by a file of type C. */
   private planeAt(vertical: number, horizontal: number): number {
     const { horizontalAngles: angles } = this.data;
     const first = angles[0];
@@ -126,7 +129,7 @@ export class PhotometricProfile {
     return this.fileAt(vertical, at);
   }
 
-  /** Types A and B. */
+  /** Intensity by a file of type A or B. */
   private axisAt(vertical: number, horizontal: number): number {
     const sine = Math.sin(vertical * RADIANS);
     const down = Math.cos(vertical * RADIANS);
@@ -144,7 +147,7 @@ export class PhotometricProfile {
     return this.fileAt(v, h);
   }
 
-  /** At angles of the file; 0 beyond its vertical angles. */
+  /** Intensity at the file's own angles; 0 beyond its vertical angles. */
   private fileAt(vertical: number, horizontal: number): number {
     const { verticalAngles: v, horizontalAngles: h, candelas } = this.data;
     const count = v.length;

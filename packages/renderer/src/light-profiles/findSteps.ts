@@ -3,12 +3,12 @@ import type { PhotometricData } from './PhotometricData';
 /** Degrees between texels, the widest first. */
 const STEPS = [90, 45, 30, 22.5, 20, 18, 15, 12, 10, 9, 7.5, 6, 5, 4, 3, 2.5, 2, 1, 0.5];
 const FINEST = 0.25;
-/** For light that ends at an angle, and for angles that are not those of the texture. */
+/** Step (degrees) for light that ends at an angle, and for angles that no step of the texture meets. */
 const FINE = 0.5;
 
 /**
- * How many texels the texture of a profile has: the fewest whose angles are those of the file, so that what lies between is
- * interpolated as the file's own values are.
+ * Size of a profile's texture (texels): the fewest whose angles include those of the file, so that values between are
+ * interpolated as in the file.
  */
 export function findSteps(data: PhotometricData): { columns: number; rows: number } {
   const { type, verticalAngles: v, horizontalAngles: h } = data;

@@ -1,6 +1,6 @@
 /**
- * A value between those of a table, linearly; the first or the last one beyond.
- * @param at - ascending
+ * Interpolates a table linearly; the first or last value beyond its ends.
+ * @param at - positions, ascending
  * @param values - one for each of `at`, from index `from` on
  */
 export function interpolate(at: Float64Array, values: Float64Array, from: number, x: number): number {

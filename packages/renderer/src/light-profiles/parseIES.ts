@@ -6,7 +6,7 @@ const METRES_PER_FOOT = 0.3048;
 const LINE_END = /\r\n?|\n/;
 const TILT_LINE = /^[ \t]*TILT[ \t]*=(.*)$/im;
 const TYPES = ['C', 'B', 'A'] as const;
-/** Angles of one kind at most; goniometers measure some hundreds. */
+/** Most angles of one kind; goniometers measure some hundreds. */
 const MOST_ANGLES = 3601;
 const MOST_CANDELAS = 1 << 22;
 
@@ -124,7 +124,7 @@ function readKeywords(lines: readonly string[], version: IESVersion): Map<string
 }
 
 /**
- * @param line - of the file, from 1
+ * @param line - line of the file, from 1
  * @param other - text of the file that is named, if one is
  */
 function readTilt(text: string, line: number, reader: NumberReader, other: string | null): LampTilt | null {

@@ -63,7 +63,7 @@ export interface FarolLightData {
   angle?: number;
 }
 
-/** What the maths of lights know of a LightField. */
+/** Parts of a LightField that the maths of lights use. */
 export interface LightFieldData extends Light {
   readonly capacity: number;
   readonly count: number;
@@ -74,12 +74,12 @@ export function fieldCount({ capacity, count }: LightFieldData): number {
   return Math.max(0, Math.min(capacity, Math.floor(count) || 0));
 }
 
-/** Where the texels of the light table are written. */
+/** Writes texels of the light table. */
 interface TexelTable {
   set4(at: number, x: number, y: number, z: number, w: number): void;
 }
 
-/** What the light table asks of area lights; their code is fetched when a scene has one. */
+/** Part of the light table for area lights, in late code that is fetched when a scene has one. */
 export interface AreaLights {
   /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
   threshold: number;

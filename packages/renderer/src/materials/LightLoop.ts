@@ -1,5 +1,5 @@
 interface LightLoopTraits {
-  /** Neighbouring pixels go through other lights: derivatives in the loop mean nothing. */
+  /** Whether neighbouring pixels may loop over different lights, so that derivatives in the loop are undefined. */
   readonly perPixel: boolean;
 }
 

@@ -10,29 +10,29 @@ const READS_LIGHTS = /\b(directional|point|spot|hemisphere)Lights\b|ambientLight
 const versionOf = ({ version }: Material) => version * 65536 + threeChunks.revision;
 
 /**
- * The materials whose shaders have no place for Farol's loop over the lights, since the host has changed three's: three's own
- * lights alone are right for them. A scene that shows one is lit by three, all of it.
+ * Materials whose shaders the host has changed so that Farol's light loop has no place: only three's own lights are
+ * right for them. three lights all of a scene that shows one.
  */
 export class RefusedMaterials {
   private readonly versions = new WeakMap<Material, number>();
   private readonly readers = new WeakMap<Material, { readonly text: string; readonly reads: boolean }>();
   private readonly scenes = new WeakMap<Object3D, number>();
-  /** One was met in the frame. */
+  /** Whether the frame has met a refused material. */
   private met = false;
 
-  /** The version of a material that is drawn now is refused. */
+  /** Refuses the present version of a material. */
   refuse(material: Material): void {
     this.versions.set(material, versionOf(material));
     this.met = true;
   }
 
-  /** Whether a material has been refused, and has not been changed since. */
+  /** Whether a material is refused, and not changed since. */
   has(material: Material): boolean {
     if (this.versions.get(material) !== versionOf(material)) return false;
     return (this.met = true);
   }
 
-  /** Looks at a shader material that is not lit light by light: one that reads three's lights by itself counts as refused. */
+  /** Checks a shader material without three's light loop: it counts as refused if it reads three's lights itself. */
   look(material: ShaderMaterial): void {
     let reader = this.readers.get(material);
     const text = material.fragmentShader;

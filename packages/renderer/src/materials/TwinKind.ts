@@ -17,13 +17,13 @@ export interface TwinKind {
   readonly role?: TwinRole;
   /** Microshaders whose headers the fragment shader of a source's twin gets; a live edit of any compiles the twins anew. */
   chunks(source: Material): readonly string[];
-  /** Values the twin owns in place of its source's, such as blending. */
+  /** Properties that the twin has in place of its source's, such as blending. */
   readonly properties?: Partial<Material> & { fog?: boolean };
-  /** More of the cache key, from what the patch reads of the source. */
+  /** Further part of the cache key, from source properties that the patch reads. */
   variant?(source: Material): string;
   /**
    * Rewrites the fragment shader; `header` is the resolved text of `chunks(source)`. Must not touch the source.
-   * @throws TwinRefusal where the host's shader has no place for it
+   * @throws TwinRefusal if the host's shader has no place for the patch
    */
   patch(shader: TwinShader, source: Material, header: string): void;
 }

@@ -20,13 +20,15 @@ import { TwinRefusal } from '../three/TwinRefusal';
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
   readonly uniforms: Record<string, { value: unknown }>;
-  /** The registry of the renderer. */
+  /** Microshaders of the renderer. */
   readonly microshaders: Pick<MicroShaderRegistry, 'header' | 'revision' | 'textKey'>;
-  /** Told of a source whose shader has no place for what a kind puts into it: its twin draws it by three's lights alone. */
+  /** Called for a source whose shader has no place for a kind's patch: its twin draws by three's lights alone. */
   refuse(source: Material): void;
 }
 
-/** three's lights of Farol's frames, for shader materials whose uniforms are the source's: its own are of other frames. */
+/**
+ * Replaces three's light uniforms by those of Farol's frames, for shader materials that share the source's uniforms.
+ */
 function ownLights(uniforms: TwinShader['uniforms']): TwinShader['uniforms'] {
   const own: TwinShader['uniforms'] = {};
   for (const name in UniformsLib.lights) if (name in uniforms) own[name] = { ...uniforms[name] };
@@ -46,7 +48,7 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     source.version +
     registry.revision(chunks) +
     (surfacesOf(source)?.version(registry) ?? 0) +
-    // between two versions of the source
+    // a value between two versions of the source
     (shadingOf(source) === 'flat' ? 0.5 : 0);
   const customProgramCacheKey = () =>
     `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
@@ -79,11 +81,11 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
     }),
     flatShading: { get: () => shadingOf(source) === 'flat' || (source as MeshPhongMaterial).flatShading },
     _listeners: { value: undefined, writable: true },
-    // the source lets go of what is its own
+    // the source frees its own resources
     dispose: { value: BaseMaterial.prototype.dispose },
     customProgramCacheKey: { value: customProgramCacheKey },
     onBeforeCompile: { value: onBeforeCompile },
-    // what a kind computes, it computes at each draw
+    // accessors of a kind's properties are evaluated at each draw
     ...Object.getOwnPropertyDescriptors(kind.properties ?? {}),
   });
 }

@@ -3,7 +3,7 @@ import { hasNodes } from '../three/hasNodes';
 import { afterChunkOrAtEnd } from '../three/replaceChunk';
 import type { TwinKind, TwinShader } from './TwinKind';
 
-/** Depth alone: three's own vertex stage, and of the fragment stage what may discard. */
+/** Writes depth alone, by three's own vertex stage and those parts of the fragment stage that may discard. */
 export const depthTwin: TwinKind = {
   key: 'depth',
   chunks: () => [],
@@ -21,8 +21,8 @@ export const depthBehindTwin: TwinKind = {
 };
 
 /**
- * True for materials of which the depth twin can be made. Units of an offset are not the same in depth of 24 bits and of
- * floats: what is pushed back by more than one has none.
+ * True for materials of which the depth twin can be made. False for offsets of more than one unit: units differ between
+ * depth of 24 bits and of floats.
  */
 export function hasDepthTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };

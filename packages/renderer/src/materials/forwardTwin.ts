@@ -6,14 +6,14 @@ import type { LightLoop } from './LightLoop';
 const OPAQUE = '#include <opaque_fragment>';
 const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
 
-/** Shows direct light alone, with three's tone mapping, colour space and fog where the shader has them. */
+/** Rewrites a shader to show direct light alone, with tone mapping, colour space and fog as it has them. */
 function onlyDirect(text: string): string {
   return text.replace(OPAQUE, `outgoingLight = ${DIRECT_LIGHT}\n${OPAQUE}`);
 }
 
 const COUNT = 'gl_FragColor = vec4(farol_heatMap(farol_lightsEvaluated * farol_heatScale), 1.0);';
 
-/** The three sides of one forward kind: as the source has it, and the two halves of a transparent double-sided draw. */
+/** Variants of a forward kind by side: the source's own, and the two halves of a transparent double-sided draw. */
 export interface ForwardTwins {
   readonly whole: TwinKind;
   readonly back: TwinKind;

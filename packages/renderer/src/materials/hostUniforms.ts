@@ -8,13 +8,13 @@ type Uniforms = Record<string, IUniform>;
  * given last and sets the uniforms of that: three draws the material by them, whatever programs it has, and so do all twins.
  */
 const added = new WeakMap<Material, Uniforms>();
-/** Those that stock three draws a material with, as far as they are in `added`. */
+/** Uniforms in `added` with which stock three draws a material. */
 const followed = new WeakMap<Material, Uniforms>();
 
 /**
  * @param before - the uniforms of a twin's shader as three has made them
- * @param after - the same once the page's callback was called
- * @returns those that a twin is drawn with: three's, and as their prototype the page's, of whichever shader it was given last
+ * @param after - these uniforms after the page's callback was called
+ * @returns uniforms of the twin: three's, with those of the page's last shader as prototype
  */
 export function withHostUniforms(webgl: WebGLRenderer, source: Material, before: Uniforms, after: Uniforms): Uniforms {
   // those of a ShaderMaterial are the page's anyway, and may be replaced at any time
@@ -29,7 +29,7 @@ export function withHostUniforms(webgl: WebGLRenderer, source: Material, before:
   return uniforms;
 }
 
-/** Takes over the uniforms of what stock three has compiled of a material since. */
+/** Adopts the uniforms of a program that stock three has compiled for a material since. */
 export function followHostUniforms(webgl: WebGLRenderer, source: Material): void {
   const stock = compiledUniforms(webgl, source);
   if (stock === undefined || stock === followed.get(source)) return;

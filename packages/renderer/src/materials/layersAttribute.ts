@@ -5,17 +5,17 @@ const LOCATION = 14;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_layersAttribute;\nflat out highp vec2 farol_objectLayers;\n`;
 
-/** The vertex shader with `farol_objectLayers`, the same over a whole draw: `setLayers` gives it. */
+/** Adds `farol_objectLayers` to a vertex shader: constant over a draw, set by `setLayers`. */
 export function withLayers(vertexShader: string): string {
   return `${DECLARATION}${beforeLastBrace(vertexShader, 'farol_objectLayers = farol_layersAttribute;')}`;
 }
 
-/** Sets the layers of the draws to come, 16 bits a number. */
+/** Sets the layers for the draws that follow, as two numbers of 16 bits. */
 export function setLayers(gl: WebGL2RenderingContext, mask: number): void {
   gl.vertexAttrib2f(LOCATION, mask & 0xffff, mask >>> 16);
 }
 
-/** Puts the attribute back to what a fresh context has. */
+/** Resets the attribute to its value in a new context. */
 export function resetLayers(gl: WebGL2RenderingContext): void {
   gl.vertexAttrib4f(LOCATION, 0, 0, 0, 1);
 }

@@ -13,10 +13,10 @@ export interface LitTwinOptions {
   readonly role?: TwinRole;
   readonly loop: LightLoop;
   readonly chunks?: readonly string[];
-  /** Shades light by light even where sums would do. Default false. */
+  /** Whether to shade light by light even if sums would do. Default false. */
   readonly oneByOne?: boolean;
   readonly properties?: TwinKind['properties'];
-  /** Leaves three's own light loops out. Default true: they stay. */
+  /** Whether three's own light loops stay. Default true. */
   readonly withThreeLights?: boolean;
   readonly variant?: (source: Material) => string;
   /** Statements put at the very end of main(), where gl_FragColor is complete. */
@@ -25,12 +25,12 @@ export interface LitTwinOptions {
   readonly rewrite?: (fragmentShader: string, source: Material) => string;
 }
 
-/** Outside of main(), which the host may have given another name. */
+/** Declared outside of main(), which the host may have renamed. */
 const COUNT = 'float farol_lightsEvaluated;\n';
-/** In lightMaskLayers.glsl. */
+/** Marks lightMaskLayers.glsl in a header. */
 const LAYERS = '#define FAROL_LAYERS';
 
-/** A kind of twin of lit materials: three's shader with Farol's light loop in it. */
+/** Makes a kind of twin for lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
     ...(oneByOne ? ['lightOneByOne'] : []),
@@ -38,7 +38,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   ];
   const chunks = chunksOf(options.loop, options.oneByOne ?? false);
   const ownChunks = chunksOf(options.loop, true);
-  // three's own toon shading takes derivatives
+  // three's own toon shading uses derivatives
   const { perPixel } = lightLoops[options.loop];
   const toonChunks = perPixel ? ['shadeToon', ...chunks] : chunks;
   const ownToonChunks = chunksOf(perPixel ? 'lightLoopAll' : options.loop, false);
@@ -58,7 +58,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
     patch(shader: TwinShader, source: Material, header: string) {
       const { fragmentShader } = shader;
       const isThrees = (source as Material & { isShaderMaterial?: boolean }).isShaderMaterial !== true;
-      // shadows that the host looks up otherwise are three's
+      // shadow look-ups that the host has changed are left to three
       if (isThrees && findChunk(fragmentShader, 'shadowmap_pars_fragment') === null) throw new TwinRefusal();
       const normal = findChunk(fragmentShader, 'normal_pars_fragment') === null ? '' : '#define FAROL_VERTEX_NORMAL\n';
       const layers = header.includes(LAYERS);

@@ -1,7 +1,7 @@
 import { AddEquation, CustomBlending, GLSL3, OneFactor, type Material, type ShaderMaterial } from 'three';
 import type { TwinKind, TwinShader } from './TwinKind';
 
-/** Adds one where the material would have been shaded. */
+/** Adds one to each pixel that the material would have shaded. */
 export const overdrawTwin: TwinKind = {
   key: 'overdraw',
   chunks: () => [],

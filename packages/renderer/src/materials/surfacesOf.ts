@@ -7,20 +7,20 @@ export interface WornSurfaces {
   /** Whether vertices are displaced; whether pixels may be discarded. */
   readonly displaces: boolean;
   readonly discards: boolean;
-  /** Changes with the list and with the texts. */
+  /** Number that changes with the list of surfaces and with their texts. */
   version(registry: MicroShaderRegistry): number;
   /** Part of a program's cache key; '' for no surfaces. */
   key(registry: MicroShaderRegistry): string;
-  /** Puts the surfaces into a shader of three's, before anything else is put into it. */
+  /** Adds the surfaces to a shader of three's, before any other patch. */
   rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void;
-  /** Numbers that stay as long as the look of the pixels, and the shape, do: by texts, values and times. */
+  /** Numbers that change with the look of the pixels, and with the shape: by texts, values and times. */
   look(): number;
   shape(): number;
   /** Writes the times (s) of the surfaces to a list. */
   copyTimes(times: number[]): void;
-  /** How far vertices may be displaced (m, in the object's own space); Infinity where a surface does not declare it. */
+  /** Greatest displacement of vertices (m, in the object's own space); Infinity if a surface does not declare it. */
   reach(): number;
-  /** Sets the times (s) that vertices are displaced by for where they were. */
+  /** Sets the times (s) for which former positions of vertices are computed. */
   setTimesBefore(times: readonly number[]): void;
 }
 
@@ -38,10 +38,10 @@ function inherited(material: Material): WornSurfaces | undefined {
   return Object.hasOwn(above, 'id') ? surfacesOf(above) : undefined;
 }
 
-/** As `surfacesOf`, without what a prototype wears. */
+/** Surfaces of a material, without those of a prototype. */
 export const ownSurfacesOf = (material: Material): WornSurfaces | undefined => worn.get(material);
 
-/** For the entry `surfaces` alone. */
+/** Sets the surfaces of a material. For the entry `surfaces` alone. */
 export function wearSurfaces(material: Material, surfaces: WornSurfaces): void {
   some = true;
   worn.set(material, surfaces);

@@ -5,18 +5,18 @@ export type MicroShaderStage = 'vertex' | 'fragment' | 'both';
  * @see thesis 3.1.2
  */
 export interface MicroShader {
-  /** Letters, digits and `_ - . /`. */
+  /** Name, of letters, digits and `_ - . /`. */
   readonly name: string;
   /** GLSL put before `main()`, once in a shader; `#include "name"` lines in it are dependencies. */
   readonly header: string;
   /** Statements of `main()`; '' for none. */
   readonly main: string;
-  /** Shader stage that may include it. Default 'both'. */
+  /** Shader stage that may include the chunk. Default 'both'. */
   readonly stage?: MicroShaderStage;
-  /** Chunks whose headers must come before this one's; those that the header includes are added to these. */
+  /** Chunks whose headers must come before this one's, besides those that the header includes. */
   readonly dependencies: readonly string[];
-  /** Line of its file (from 1) at which the header starts, for errors. Default 1. */
+  /** Line of the chunk's file (from 1) at which the header starts, for errors. Default 1. */
   readonly headerLine?: number;
-  /** Line of its file (from 1) at which the main part starts, for errors. Default 1. */
+  /** Line of the chunk's file (from 1) at which the main part starts, for errors. Default 1. */
   readonly mainLine?: number;
 }

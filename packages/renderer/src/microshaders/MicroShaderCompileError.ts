@@ -7,9 +7,9 @@ export class MicroShaderCompileError extends Error {
 
   /**
    * @param shader - name of the shader
-   * @param stage - that was refused, or 'link'
-   * @param log - of the driver
-   * @param source - as it was given to the driver; '' for 'link'
+   * @param stage - refused stage, or 'link'
+   * @param log - messages of the driver
+   * @param source - source given to the driver; '' for 'link'
    */
   constructor(
     readonly shader: string,

@@ -8,7 +8,7 @@ import { shortText } from './shortText';
 import { hashText } from './hashText';
 
 export interface MicroShaderRegistryOptions<Program> {
-  /** Makes the programs of `getShader`. Without it their `program` is null. */
+  /** Compiles the programs of `getShader`, whose `program` is null without a compiler. */
   compiler?: MicroShaderCompiler<Program>;
 }
 
@@ -25,16 +25,18 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
-  /** By name: the chunks that `replace` put others in the place of (undefined: the parent's), and those that `swap` put in. */
+  /**
+   * Chunks by name: those that `replace` has replaced (undefined: the parent's), and those that `swap` has put in.
+   */
   private readonly edited = new Map<string, MicroShader | undefined>();
   private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;
-  /** By chunk: the number of its own last replacement; of the last one among it and its dependencies. */
+  /** Number of each chunk's last replacement, and of the last one among the chunk and its dependencies. */
   private readonly replacedAt = new Map<string, number>();
   private readonly revisions = new Map<string, number>();
   private readonly textKeys = new WeakMap<readonly string[], { revision: number; key: string }>();
 
-  /** @param parent - chunks that are known besides those added; they are not to change */
+  /** @param parent - chunks known besides those added; must not change */
   constructor(
     private readonly parent: MicroShaderSource | null = null,
     options: MicroShaderRegistryOptions<Program> = {},
@@ -55,7 +57,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return [...new Set([...(this.parent?.names() ?? []), ...this.own.keys()])];
   }
 
-  /** @throws Error when a name is known already or cannot be; then none is added */
+  /** Adds chunks. @throws Error when a name is known already or not allowed; then none is added */
   add(chunks: MicroShader | readonly MicroShader[]): void {
     const added = ([] as MicroShader[]).concat(chunks).map(completeMicroShader);
     const names = new Set<string>();
@@ -140,14 +142,14 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
-  /** The parent's chunk of a name, whatever replaces it here; undefined when the parent has none. */
+  /** Chunk of a name in the parent, even if it is replaced here; undefined when the parent has none. */
   original(name: string): MicroShader | undefined {
     return this.parent?.get(name);
   }
 
   /**
-   * Puts another chunk in the place of a known one. All shaders that use it, directly or not, are composed and compiled
-   * anew, and the checks run; when any of that fails, everything stays as it was and the error is thrown.
+   * Replaces a known chunk. All shaders that use the chunk, directly or not, are composed and compiled anew, and the
+   * checks run; if any of that fails, nothing changes and the error is thrown.
    * @param content - text of a `.glsl` file, or a chunk of the same name
    * @throws MicroShaderCompileError with chunk and line; Error for unknown names, cycles and what a check throws
    */
@@ -162,8 +164,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Takes out a chunk that was added here, or puts the parent's back in the place of one that was replaced; as `replace`
-   * does it, all or nothing.
+   * Removes a chunk that was added here, or restores the parent's chunk; all or nothing, as `replace`.
    * @throws Error when there is no such chunk of its own, or another one or a shader needs it
    */
   remove(name: string): void {
@@ -188,8 +189,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * Puts the content of another chunk, known to be good, in the place of a chunk; of an edited one, once the edit is taken
-   * back. Programs that use the chunk compile anew when next drawn with. No check runs.
+   * Replaces a chunk by the content of another that is known to compile; an edited chunk once the edit is undone.
+   * Programs that use the chunk compile anew at their next draw. No check runs.
    */
   swap(name: string, other: string | MicroShader): void {
     const content = typeof other === 'string' ? this.get(other) : other;
@@ -204,7 +205,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     for (const listener of [...this.listeners]) listener(affected);
   }
 
-  /** A number that grows whenever one of these chunks or of those they depend on is replaced; 0 before that. */
+  /** Number that grows whenever one of these chunks or of their dependencies is replaced; 0 before. */
   revision(names: readonly string[]): number {
     let revision = 0;
     if (this.replacements > 0) for (const name of names) revision = Math.max(revision, this.revisionOf(name));
@@ -212,8 +213,8 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   }
 
   /**
-   * A key of the texts of these chunks, empty while none of them is replaced. Registries that share a WebGLRenderer, which
-   * shares programs by key, get different keys for different texts.
+   * Key of the texts of these chunks; empty while none of them is replaced. Registries that share a WebGLRenderer,
+   * which shares programs by key, get different keys for different texts.
    */
   textKey(names: readonly string[]): string {
     const revision = this.revision(names);
@@ -251,7 +252,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.shaders.dispose();
   }
 
-  /** @param chunk - undefined for the parent's, or none */
+  /** @param chunk - the new chunk; undefined restores the parent's, or none */
   private put(name: string, chunk: MicroShader | undefined): void {
     const before = this.own.get(name);
     const set = (value: MicroShader | undefined) => void (value ? this.own.set(name, value) : this.own.delete(name));

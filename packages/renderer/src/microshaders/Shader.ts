@@ -17,8 +17,8 @@ export interface MicroShaderCompiler<Program> {
 export interface Shader<Program = WebGLProgram> extends ShaderSource {
   readonly vertexChunks: readonly string[];
   readonly fragmentChunks: readonly string[];
-  /** Null when the registry has no compiler. */
+  /** Compiled program; null when the registry has no compiler. */
   readonly program: Program | null;
-  /** Grows each time the shader is composed anew; starts at 0. */
+  /** Number of times that the shader was composed anew. */
   readonly revision: number;
 }

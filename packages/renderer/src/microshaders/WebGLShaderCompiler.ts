@@ -3,7 +3,7 @@ import { MicroShaderCompileError } from './MicroShaderCompileError';
 import type { MicroShaderCompiler, ShaderSource } from './Shader';
 
 const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n';
-/** GLSL 1 names, as three lets its shaders use them. */
+/** Defines of the GLSL 1 names that three lets its shaders use. */
 const PREFIX = {
   vertex: `#version 300 es\n${PRECISION}#define attribute in\n#define varying out\n#define texture2D texture\n`,
   fragment: `#version 300 es\n${PRECISION}#define varying in\n#define texture2D texture\n#define textureCube texture\n`,

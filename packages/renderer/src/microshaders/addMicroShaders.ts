@@ -11,7 +11,7 @@ const added = new WeakMap<MicroShaderRegistry, Map<string, Added>>();
 
 /**
  * Adds chunks that several parts of a page may bring to a renderer's registry, each once.
- * @param owner - who brings them, for errors
+ * @param owner - name of the part that adds them, for errors
  * @param sources - texts by name
  * @throws Error when a name stands for another text already; then no chunk is added
  */

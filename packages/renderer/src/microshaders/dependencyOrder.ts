@@ -2,7 +2,7 @@ import type { MicroShader } from './MicroShader';
 import { nearestName } from './nearestName';
 import { shortText } from './shortText';
 
-/** Chunks that may need one another in a row: they are followed by recursion. */
+/** Greatest depth of dependencies, which are followed by recursion. */
 const DEEPEST = 200;
 
 /** Looks chunks up by name. */
@@ -33,7 +33,7 @@ export function dependencyOrder(names: readonly string[], source: MicroShaderSou
   return order;
 }
 
-/** Names on the way, its middle left out where it is long. */
+/** Text of the path of names; the middle of a long one is left out. */
 function wayOf(names: readonly string[]): string {
   const way = names.map((name) => shortText(name));
   return (way.length > 8 ? [...way.slice(0, 4), '…', ...way.slice(-3)] : way).join(' -> ');

@@ -1,6 +1,6 @@
 /** One message of a shader compiler, with the microshader and line that caused the message. */
 export interface MicroShaderCompileEntry {
-  /** Name of the chunk, `three/…` for one of three's; null outside of any. */
+  /** Name of the chunk, `three/…` for one of three's; null outside of chunks. */
   readonly chunk: string | null;
   /** Line in the chunk's file, or in the whole source when there is no chunk; from 1, 0 if unknown. */
   readonly line: number;
@@ -14,9 +14,10 @@ const LOG_LINE = /^(?:ERROR|WARNING)?[: ]*\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\)) *:
 const FRAME = /^\/\/ <(\/?)([^>]+)>(?: (\d+))?$/;
 
 /**
- * Maps each line number of a driver's log to chunk and line, by the frames of `MicroShaderRegistry.header` and `compose`.
- * @param log - of `getShaderInfoLog`
- * @param source - as it was given to the driver, whatever was put round the composed text
+ * Maps each line number of a driver's log to chunk and line, by the frames of `MicroShaderRegistry.header` and
+ * `compose`.
+ * @param log - result of `getShaderInfoLog`
+ * @param source - source given to the driver; may have other text round the composed one
  */
 export function explainCompileError(log: string, source: string): MicroShaderCompileEntry[] {
   const lines = source.split('\n');

@@ -1,4 +1,4 @@
-/** The known name that is fewest edits away from a wrong one, if near enough to be a slip of the pen. */
+/** Known name that is fewest edits away from a wrong one, if near enough to be a typing error. */
 export function nearestName(name: string, known: Iterable<string>): string | undefined {
   let best: string | undefined;
   let fewest = Math.max(2, name.length / 2);
@@ -12,7 +12,7 @@ export function nearestName(name: string, known: Iterable<string>): string | und
   return best;
 }
 
-/** Levenshtein 1966. */
+/** Edit distance of two texts. @see Levenshtein 1966 */
 function distance(a: string, b: string): number {
   let row = Array.from({ length: b.length + 1 }, (_, j) => j);
   for (let i = 1; i <= a.length; i++) {

@@ -124,7 +124,7 @@ export class SceneDraws {
     if (drawn) frame.resolveTransmission();
   }
 
-  /** Sets the colour that three would have cleared to, for techniques that write every pixel. */
+  /** Sets the colour that three would have cleared to, for techniques that fill the target. */
   private setBackground(): void {
     const { frame, background } = this;
     frame.fills = this.sceneView.uncleared;

@@ -13,7 +13,7 @@ export interface FoundLights {
   readonly nested: Light[];
   /** Children of a Scene as root, without managed lights that have no children; for another root, that root. */
   readonly rest: Object3D[];
-  /** Whether to look for lights that may cast a shadow, throw an image or have a profile, and how many there were. */
+  /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
   seeksMasks: boolean;
   masks: number;
   /** Number of lights left to three. */

@@ -19,7 +19,7 @@ import type { SurfaceUniform } from './SurfaceUniform';
 interface Worn {
   readonly surface: Surface;
   readonly uniforms: Record<string, IUniform<SurfaceValue>>;
-  /** Defaults that the values began with, by name. */
+  /** Default text of each uniform when its value was made, by name. */
   readonly defaults: Map<string, string>;
   /** `Surface.version` for which `uniforms` are complete. */
   version: number;
@@ -33,17 +33,20 @@ export class MaterialSurfaces implements WornSurfaces {
   list: readonly Worn[] = [];
   private names: readonly string[] = [];
   private stamp = 0;
-  /** All that were ever worn. */
+  /** All surfaces that the material ever wore. */
   private readonly known = new Map<Surface, Worn>();
-  /** Their uniforms by the names that shaders have. */
+  /** Uniforms of those surfaces, by their names in shaders. */
   private readonly uniforms: Record<string, IUniform> = {};
 
-  /** `Surface.version` of each for which `uniforms` has them. */
+  /** `Surface.version` of each surface for which `uniforms` is complete. */
   private readonly linked = new Map<Worn, number>();
 
   constructor(private readonly material: Material) {}
 
-  /** Wears what another material wears, its values by reference, and one more. @returns the values of that one */
+  /**
+   * Takes the surfaces of another material, their values by reference, and one more.
+   * @returns the values of that one
+   */
   layer(
     below: MaterialSurfaces | null,
     surface: Surface,
@@ -160,7 +163,7 @@ export class MaterialSurfaces implements WornSurfaces {
       this.list[i].timeBefore.value = times[i] ?? this.list[i].surface.time.value;
   }
 
-  /** Gives every declared uniform a value; those that had the default of an earlier text get the present one. */
+  /** Gives every declared uniform a value; values that equal an earlier text's default get the present default. */
   private complete(worn: Worn): void {
     const { surface, uniforms, defaults } = worn;
     if (worn.version === surface.version && defaults.size === surface.uniforms.length) return this.link(worn);
@@ -193,7 +196,7 @@ export class MaterialSurfaces implements WornSurfaces {
   }
 }
 
-/** How far a surface may displace by its present values (m). */
+/** Greatest displacement by a surface's present values (m). */
 function reachOf(terms: ParsedSurface['reach'], uniforms: Worn['uniforms']): number {
   if (terms === null) return Infinity;
   let reach = 0;

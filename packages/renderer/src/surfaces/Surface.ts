@@ -13,21 +13,21 @@ export type SurfaceValue = number | boolean | Color | Vector2 | Vector3 | Vector
 /** Values of the declared uniforms, by name. */
 export type SurfaceValues = Readonly<Record<string, SurfaceValue | readonly number[]>>;
 
-/** A renderer as surfaces need it: a FarolRenderer. */
+/** Parts of a FarolRenderer that surfaces use. */
 export interface SurfaceRenderer {
   readonly webgl: WebGLRenderer;
   readonly microshaders: MicroShaderRegistry;
 }
 
 export interface SurfaceOptions {
-  /** Time (s) of the hooks, as an object that others may share. Default one of its own. */
+  /** Time (s) of the hooks, as an object that surfaces may share. Default an object of its own. */
   readonly time?: IUniform<number>;
 }
 
 let count = 0;
 let white: DataTexture | null = null;
 
-/** In place of textures that are not given. */
+/** Makes the white texture that stands for textures not given. */
 function whiteTexture(): DataTexture {
   if (white === null) {
     white = new DataTexture(new Uint8Array([255, 255, 255, 255]));
@@ -46,24 +46,25 @@ function whiteTexture(): DataTexture {
 export class Surface {
   /** Number in the surface's names and chunks; unique on the page. */
   readonly id = ++count;
-  /** Time (s) as its hooks see it: to be set each frame, where they move. */
+  /** Time (s) that the hooks get; set it each frame for surfaces that move. */
   readonly time: IUniform<number>;
-  /** Grows with each change of the text. */
+  /** Number of changes of the text. */
   version = 0;
   private text: string;
   private read: ParsedSurface;
   private hash: string;
   private shown: string;
-  /** Those that hold its chunks: whether the text compiles there. */
+  /** Registries that hold the surface's chunks, and whether the text compiles there. */
   private readonly registries = new Map<
     MicroShaderRegistry,
     { readonly gl: WebGL2RenderingContext; isUsable: boolean }
   >();
 
   /**
-   * @param name - for errors and lists
-   * @param source - its text
-   * @throws MicroShaderCompileError with line, for a text without a hook or with a uniform that cannot be; what a driver
+   * @param name - name in errors and lists
+   * @param source - text of the surface
+   * @throws MicroShaderCompileError with line, for a text without a hook or with a uniform that cannot be; what a
+   * driver
    *   refuses is told when it is first drawn, or by `compile`
    */
   constructor(name: string, source: string, options: SurfaceOptions = {}) {
@@ -82,12 +83,12 @@ export class Surface {
     this.shown = name;
   }
 
-  /** Before its names in shaders. */
+  /** Prefix of the surface's names in shaders. */
   get prefix(): string {
     return `farol_s${this.id}_`;
   }
 
-  /** Its chunks in registries, of pixels and of vertices. */
+  /** Names of the surface's chunks in registries, for pixels and for vertices. */
   get chunk(): string {
     return `surface/${this.id}`;
   }
@@ -96,12 +97,12 @@ export class Surface {
     return `surface/${this.id}/vertex`;
   }
 
-  /** Uniforms that it declares. */
+  /** Uniforms that the surface declares. */
   get uniforms(): readonly SurfaceUniform[] {
     return this.read.uniforms;
   }
 
-  /** Whether it moves vertices: objects may then leave the bounds of their geometry. */
+  /** Whether the surface moves vertices: objects may then leave the bounds of their geometry. */
   get displaces(): boolean {
     return this.read.displaces;
   }
@@ -111,7 +112,7 @@ export class Surface {
     return this.read;
   }
 
-  /** Differs where texts do. */
+  /** Part of programs' cache keys that differs with the text. */
   get key(): string {
     return `${this.id}-${this.hash}`;
   }
@@ -121,8 +122,8 @@ export class Surface {
   }
 
   /**
-   * Puts another text in its place, everywhere at once; what is drawn with it compiles anew when next drawn. Nothing changes
-   * where it throws: pictures keep the last good text.
+   * Replaces the text everywhere at once; programs compile anew at their next draw. If this throws, nothing changes:
+   * pictures keep the last good text.
    * @throws MicroShaderCompileError with `entries` by line
    */
   set source(source: string) {
@@ -152,7 +153,7 @@ export class Surface {
     this.version++;
   }
 
-  /** The default of a uniform, as an object of its own; of textures a white one that all share. */
+  /** Default of a uniform, as a new object; for textures a white one that all share. */
   static defaultOf(uniform: SurfaceUniform): SurfaceValue {
     const { default: value, type, isColor } = uniform;
     if (value === null) return whiteTexture();
@@ -164,8 +165,9 @@ export class Surface {
   }
 
   /**
-   * Compiles it for a renderer, without waiting to be drawn.
-   * @throws MicroShaderCompileError with `entries` by line; Error for an unknown include. It is drawn without then.
+   * Compiles the surface for a renderer, before it is drawn.
+   * @throws MicroShaderCompileError with `entries` by line; Error for an unknown include. Materials are then drawn
+   * without the surface.
    */
   compile({ webgl, microshaders }: SurfaceRenderer): void {
     const problem = this.addTo(microshaders, webgl);
@@ -173,8 +175,8 @@ export class Surface {
   }
 
   /**
-   * @internal Brings its chunks into a registry.
-   * @returns what is wrong with it there, told once; null when it can be drawn or was told
+   * @internal Adds the surface's chunks to a registry.
+   * @returns the error there, reported once; null when the surface can be drawn or the error was reported
    */
   addTo(registry: MicroShaderRegistry, webgl: WebGLRenderer): Error | null {
     if (this.registries.has(registry)) return null;
@@ -194,7 +196,7 @@ export class Surface {
     }
   }
 
-  /** @internal Whether a registry holds it, and its text compiles there. */
+  /** @internal Whether a registry holds the surface, and its text compiles there. */
   isUsable(registry: MicroShaderRegistry): boolean {
     return this.registries.get(registry)?.isUsable === true;
   }
@@ -210,7 +212,7 @@ export class Surface {
     return [chunk(this.chunk, 'fragment', fragment), chunk(this.vertexChunk, 'vertex', vertex)];
   }
 
-  /** An error in the words of its text: its name for its chunks, its names without the prefix. */
+  /** Rewrites an error in terms of the surface's text: its name for its chunks, names without the prefix. */
   private named(error: unknown): Error {
     if (!(error instanceof MicroShaderCompileError)) return error instanceof Error ? error : new Error(String(error));
     const entries = error.entries.map((entry) => {
@@ -234,7 +236,7 @@ export class Surface {
   }
 }
 
-/** An error of a driver in the words of a surface. */
+/** A driver's error, rewritten in terms of a surface's text. */
 class SurfaceCompileError extends MicroShaderCompileError {
   static of(
     name: string,

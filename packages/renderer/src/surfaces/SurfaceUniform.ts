@@ -6,12 +6,12 @@ export interface SurfaceUniform {
   readonly type: SurfaceUniformType;
   /** True for a vec3 that is a colour. Linear in the API, written as #rrggbb in sRGB. */
   readonly isColor: boolean;
-  /** A number, a boolean, the numbers of a vector, or null for a texture. */
+  /** Default value: a number, a boolean, the numbers of a vector, or null for a texture. */
   readonly default: number | boolean | readonly number[] | null;
   readonly least?: number;
   readonly most?: number;
   readonly step?: number;
   readonly label: string;
-  /** Line of the text, from 1. */
+  /** Line of the declaration in the text, from 1. */
   readonly line: number;
 }

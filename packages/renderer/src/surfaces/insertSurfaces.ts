@@ -9,7 +9,7 @@ type ChunkName = keyof typeof ShaderChunk;
 const MAIN = /\bvoid\s+main\s*\(/;
 const STRUCTURES = /^\/\/ <surfaceData>\n[^]*?^\/\/ <\/surfaceData>\n/m;
 
-/** Whether a part of a hook's data is named anywhere. */
+/** Whether a surface names a member of a hook's data. */
 type Names = (member: string) => boolean;
 
 /**
@@ -27,14 +27,14 @@ export function insertSurfaces(shader: TwinShader, surfaces: readonly Surface[],
   insertVertices(shader, displacing, registry, varyings);
 }
 
-/** @returns the varyings that it needs */
+/** Adds the pixel hooks. @returns the varyings that they need */
 function insertPixels(shader: TwinShader, surfaces: readonly Surface[], headers: string, names: Names): string[] {
   let text = shader.fragmentShader;
   const has = (chunk: ChunkName) => findChunk(text, chunk) !== null;
   const hasNormal = has('normal_fragment_begin');
   const hasView = /\bvarying\s+vec3\s+vViewPosition\b/.test(text);
   const isLit = text.includes('totalEmissiveRadiance');
-  // of shaders that write depths or distances there is no picture
+  // shaders that write depths or distances have no picture
   const isUnlit = !isLit && has('opaque_fragment');
   const varyings: string[] = [];
   const varying = (name: string) => {
@@ -52,7 +52,7 @@ function insertPixels(shader: TwinShader, surfaces: readonly Surface[], headers:
   set('positionVS', positionVS, zero);
   set('normalOS', names('normalOS') ? varying('normalOS') : '', zero);
   const namesNormal = names('normalVS') || names('normalWS');
-  // unlit shaders have none
+  // unlit shaders have no normal
   const normalVS = hasNormal ? 'normal' : namesNormal ? `normalize(${varying('normalVS')})` : zero;
   set('normalVS', normalVS, zero);
   set('normalWS', `normalize((vec4(${normalVS}, 0.0) * viewMatrix).xyz)`, zero);
@@ -74,7 +74,7 @@ function insertPixels(shader: TwinShader, surfaces: readonly Surface[], headers:
   if (names('emissive') && isLit) lines.push('totalEmissiveRadiance = farol_surface.emissive;');
   if (names('emissive') && isUnlit) lines.push('diffuseColor.rgb += farol_surface.emissive;');
 
-  // what tests alpha comes after what may change it
+  // alpha tests come after the code that may change alpha
   let tests = '';
   for (const name of ['alphatest_fragment', 'alphahash_fragment'] as const) {
     const found = findChunk(text, name);
@@ -159,7 +159,7 @@ farol_world = instanceMatrix * farol_world;
 farol_positionWS = (modelMatrix * farol_world).xyz;
 `;
 
-/** As three's chunks do for shaders that have normals. */
+/** GLSL that finds normals as three's chunks do, for shaders without them. */
 const NORMAL = `#ifdef USE_SKINNING
 mat4 farol_skin = skinWeight.x * boneMatX + skinWeight.y * boneMatY + skinWeight.z * boneMatZ + skinWeight.w * boneMatW;
 farol_normal = (bindMatrixInverse * farol_skin * bindMatrix * vec4(farol_normal, 0.0)).xyz;

@@ -7,17 +7,17 @@ import type { SurfaceUniform } from './SurfaceUniform';
 /** Parsed text of a surface. */
 export interface ParsedSurface {
   readonly uniforms: readonly SurfaceUniform[];
-  /** Whether it has `void surface(inout SurfaceData s)`, `void displace(inout VertexData v)`. */
+  /** Whether the text has `void surface(inout SurfaceData s)`; `displaces`: `void displace(inout VertexData v)`. */
   readonly paints: boolean;
   readonly displaces: boolean;
-  /** Whether it discards pixels, or may make the alpha test do so. */
+  /** Whether the surface discards pixels, or may make the alpha test do so. */
   readonly discards: boolean;
-  /** Whether its look, and its shape, depend on the time: what is discarded counts as shape. */
+  /** Whether the surface's look, and its shape, depend on the time; discarded pixels count as shape. */
   readonly paintsByTime: boolean;
   readonly movesByTime: boolean;
-  /** How far it displaces (m), as a sum of products of uniforms; null where it does not say, see `readReach`. */
+  /** Greatest displacement (m), as a sum of products of uniforms; null if not declared, see `readReach`. */
   readonly reach: readonly ReachTerm[] | null;
-  /** Its GLSL for each stage, with every name of its own after a prefix; no line has moved. */
+  /** GLSL for each stage, with a prefix before every name that the text declares; no line has moved. */
   readonly fragment: string;
   readonly vertex: string;
 }
@@ -30,8 +30,8 @@ const HOOKS = {
 
 /**
  * Reads a surface: GLSL with one hook or both, and declared uniforms (see `readUniforms`).
- * @param name - for errors
- * @param prefix - of all names that the text declares, so that two surfaces, and three, never share one
+ * @param name - name in errors
+ * @param prefix - prefix of all names that the text declares, so that they differ from other surfaces' and three's
  * @throws MicroShaderCompileError with the line
  */
 export function parseSurface(name: string, source: string, prefix: string): ParsedSurface {
@@ -78,7 +78,7 @@ export function parseSurface(name: string, source: string, prefix: string): Pars
   return {
     uniforms,
     paints: paint !== undefined,
-    // one that does nothing keeps what it costs to draw vertices apart from those of others
+    // an empty hook does not count, since displaced vertices cost more
     displaces: displace !== undefined && !/\{\s*\}$/.test(code.slice(displace.start, displace.end)),
     paintsByTime,
     movesByTime: (displace !== undefined && TIME.test(withoutComments(vertex))) || (discards && paintsByTime),
@@ -98,7 +98,7 @@ function lineOf(text: string, at: number): number {
   return text.slice(0, at).split('\n').length;
 }
 
-/** Blanks in place of comments; every other character stays where it is. */
+/** Replaces comments by blanks; every other character keeps its place. */
 function withoutComments(text: string): string {
   return text.replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
 }
@@ -169,13 +169,13 @@ function closing(text: string, open: number): number {
   return text.length;
 }
 
-/** A text with blanks in place of a part of another one of the same lines. */
+/** Returns a text with one part blanked out; lines stay as they are. */
 function blanked(plain: string, text: string, start: number, end: number): string {
   const first = lineOf(text, start + /^\s*/.exec(text.slice(start))![0].length);
   const last = lineOf(text, end);
   const lines = plain.split('\n');
   const whole = text.split('\n');
-  // what stands before and after the part in its first and last line stays
+  // text before and after the part in its first and last line stays
   const before = text
     .slice(0, start + /^\s*/.exec(text.slice(start))![0].length)
     .split('\n')

@@ -27,8 +27,8 @@ uniform bool isOrthographic;
 };
 
 /**
- * Compiles a surface in a small shader of its own, which knows of three's what all of three's do.
- * @param chunks - of it, whether the registry has them or others in their place
+ * Compiles a surface in a small shader of its own, with the declarations common to all of three's.
+ * @param chunks - chunks of the surface; the registry may hold others of these names
  * @throws MicroShaderCompileError with chunk and line; Error for an unknown include
  */
 export function probeSurface(

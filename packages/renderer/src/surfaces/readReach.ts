@@ -10,10 +10,11 @@ export interface ReachTerm {
 const LINE = /^[ \t]*\/\/[ \t]*reach[ \t]*:(.*)$/;
 
 /**
- * How far a surface displaces vertices at most: a line `// reach: 0.1 + 2 * height`, a sum of products of numbers and of
- * uniforms of type float or int (m, in the object's own space). Objects are left out of pictures and shadow maps by it.
- * @param name - of the surface, for errors
- * @returns null where there is no such line
+ * Reads the greatest displacement of a surface's vertices: a line `// reach: 0.1 + 2 * height`, a sum of products of
+ * numbers and of uniforms of type float or int (m, in the object's own space). Objects are left out of pictures and
+ * shadow maps by it.
+ * @param name - name of the surface, for errors
+ * @returns null if there is no such line
  * @throws MicroShaderCompileError with the line, for what is no such sum
  */
 export function readReach(name: string, text: string, uniforms: readonly SurfaceUniform[]): ReachTerm[] | null {

@@ -26,9 +26,10 @@ const LIST = new RegExp(`^(?:i?vec[234]\\()?\\s*(${NUMBER}(?:\\s*,\\s*${NUMBER})
 const COLOR = /^#([\da-fA-F]{6}|[\da-fA-F]{3})\b/;
 
 /**
- * The uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`. What stands
- * in the comment, default, range with step and label, may be left out from the right; without `=` all of it is the label.
- * @param name - of the surface, for errors
+ * Reads the uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`.
+ * What stands in the comment, default, range with step and label, may be left out from the right; without `=` all of it
+ * is the label.
+ * @param name - name of the surface, for errors
  * @throws MicroShaderCompileError with the line, for a type or a default that cannot be
  */
 export function readUniforms(name: string, text: string): SurfaceUniform[] {
@@ -52,7 +53,7 @@ export function readUniforms(name: string, text: string): SurfaceUniform[] {
   return found;
 }
 
-/** @returns what is wrong, as a text */
+/** Reads the comment of a uniform. @returns a text that says what is wrong */
 function readComment(
   type: SurfaceUniformType,
   name: string,

@@ -36,8 +36,9 @@ function surfacesOf(material: Material): MaterialSurfaces {
  * its G-buffer, depth and motion, its shadows included. Nothing of the material is changed: stock three draws it
  * without the surface. Where vertices move farther than their geometry's bounding sphere reaches, set `frustumCulled`
  * of the objects to false, or give them a `boundingSphere` that is larger by `surfaceReach(material)`.
- * @param surface - null for none
- * @param values - of its uniforms, in place of their defaults; vectors and linear colours may be lists of numbers
+ * @param surface - the surface; null for none
+ * @param values - values of the surface's uniforms, in place of their defaults; vectors and linear colours may be lists
+ * of numbers
  * @returns the values, which may be changed at any time
  * @throws Error for a material that is none of three's mesh materials, or a value of a uniform that is not declared
  */
@@ -72,8 +73,8 @@ export function layerSurface(
 }
 
 /**
- * How far vertices of what wears a material may lie from where its geometry has them (m, in the object's own space): 0 where no
- * surface displaces, Infinity where one does that does not declare its reach (`// reach: 0.5 * height`).
+ * Greatest displacement of vertices by a material's surfaces (m, in the object's own space): 0 without displacement,
+ * Infinity if a surface that displaces does not declare its reach (`// reach: 0.5 * height`).
  */
 export function surfaceReach(material: Material): number {
   return wornBy(material)?.reach() ?? 0;

@@ -11,7 +11,7 @@ uvec3 farol_hash(uvec3 v) {
   v.z += v.x * v.y;
   return v;
 }
-// of a cell's corner, 0 to 1
+// random number of a cell's corner, 0 to 1
 float farol_random(const in ivec3 cell) {
   return float(farol_hash(uvec3(cell + 65536)).x >> 8u) / 16777216.0;
 }

@@ -1,7 +1,7 @@
 import { dependencyOrder } from '../microshaders/dependencyOrder';
 import type { MicroShader } from '../microshaders/MicroShader';
 
-/** Varyings of the thesis's chunks, by what a surface is given. */
+/** GLSL of a surface's data for each varying of the thesis's chunks. */
 const VARYINGS: Readonly<Record<string, string>> = {
   positionWS: 's.positionWS',
   normalWS: 's.normalWS',
@@ -10,12 +10,12 @@ const VARYINGS: Readonly<Record<string, string>> = {
 const VARYING_LINE = /^[ \t]*varying[ \t]+(?:(?:high|medium|low)p[ \t]+)?(\w+)[ \t]+(\w+)[ \t]*;.*$/;
 
 /**
- * The text of a surface that is what fragment microshaders draw, such as the thesis's of Phong materials under one light:
- * `['surface', 'light', 'light_point', 'phong', 'phong_output']` of `microshaders/thesis.xml`. What they write to
- * `gl_FragColor` is emitted, and nothing else is: wear it on a MeshBasicMaterial, or on a black one. Their uniforms are the
- * surface's.
+ * The text of a surface that is what fragment microshaders draw, such as the thesis's of Phong materials under one
+ * light: `['surface', 'light', 'light_point', 'phong', 'phong_output']` of `microshaders/thesis.xml`. What they write
+ * to `gl_FragColor` is emitted, and nothing else is: wear it on a MeshBasicMaterial, or on a black one. Their uniforms
+ * are the surface's.
  * @param chunks - that there are; of the varyings that they read, positionWS, normalWS and textureCoordinate can be had
- * @param names - of those whose main parts make the fragment shader, in this order
+ * @param names - names of the chunks whose main parts make the fragment shader, in this order
  * @throws Error for an unknown chunk or varying
  * @see thesis 3.1.2
  */

@@ -1,15 +1,15 @@
 import { gridCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
-/** Not a technique but the choice of one, by `TechniqueChooser`, anew for each frame. */
+/** Stands for the technique that `TechniqueChooser` picks for each frame. */
 export const auto: Technique = {
   label: 'Automatic',
   help: 'Picks the fastest technique for what is in view, and says why.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
-  // most scenes are drawn by it: fetched ahead
+  // fetched ahead, since most scenes are drawn by it
   lazy: gridCode,
-  // it picks one that writes what an effect works on
+  // the chooser picks a technique that writes what effects need
   writes: ['gbuffer'],
   passes() {
     throw new Error('Farol: "auto" has no passes; those of the technique that it picks draw.');

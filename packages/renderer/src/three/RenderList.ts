@@ -1,7 +1,7 @@
 import type { BufferGeometry, Camera, Material, Object3D, WebGLRenderer } from 'three';
 import type { GeometryGroup, RenderItemSort } from './RenderListItem';
 
-/** three's WebGLRenderList as far as it is used here. */
+/** Parts of three's WebGLRenderList that Farol uses. */
 export interface RenderList {
   opaque: unknown[];
   transmissive: unknown[];
@@ -12,7 +12,7 @@ export interface RenderList {
     groupOrder: number,
     z: number,
     group: GeometryGroup | null,
-    /** Since three 0.186. */
+    /** Passed since three 0.186. */
     camera?: Camera,
   ): void;
   init(): void;
@@ -27,7 +27,7 @@ export interface RenderLists {
   get(scene: Object3D, depth: number): RenderList;
 }
 
-/** The lists of a renderer; others once a lost context is restored. */
+/** Render lists of a renderer; replaced when a lost context is restored. */
 export function renderListsOf(webgl: WebGLRenderer): RenderLists {
   return webgl.renderLists as unknown as RenderLists;
 }

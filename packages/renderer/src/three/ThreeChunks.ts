@@ -4,7 +4,7 @@ import { hashText } from '../microshaders/hashText';
 const chunks = ShaderChunk as Record<string, string>;
 const INCLUDE = /#include +<([\w./]+)>/g;
 const LIGHTS = ['lights_pars_begin', 'lights_fragment_begin'];
-/** Those of lit materials, and from SHADERS_LIT on those that shadow maps are drawn by. */
+/** Shaders of lit materials; from SHADERS_LIT on, shaders that draw shadow maps. */
 const SHADERS = ['lambert', 'phong', 'toon', 'physical', 'depth', 'distance'] as const;
 const SHADERS_LIT = 4;
 
@@ -25,7 +25,7 @@ const PRISTINE: Record<string, Partial<Record<ChunkGroup, string>>> = {
   186: { lights: 'macnam', shadows: '1e3z16', shading: 'zpywff' },
   187: { lights: '1oj3hy', shadows: '1m54z6', shading: '1cwb5h' },
 };
-/** Those of the page's three; none of a three that Farol does not know, which then counts as changed. */
+/** Hashes of the page's version of three; none for an unknown version, which then counts as changed. */
 const pristine = PRISTINE[REVISION] ?? {};
 
 /** Whether this three's shading of a light is a sum that buffers can hold: since 0.186. */
@@ -50,18 +50,18 @@ function addIncludes(text: string, names: Set<string>): void {
  * closer soft shadows, cascades, fogs and tone mappings come so.
  */
 export class ThreeChunks {
-  /** Grows with each change. */
+  /** Number that grows with each change. */
   revision = 0;
-  /** The light loops or what they read of lights: only three's own lights are right. */
+  /** Whether the light loops or the lights' data have changed: then only three's own lights are right. */
   lights = false;
-  /** How shadows are looked up, or where casters are: only three's own shadow maps are right. */
+  /** Whether shadow look-ups or casters' positions have changed: then only three's own shadow maps are right. */
   shadows = false;
-  /** Any other part of lit shaders: only three's shaders, run whole, are right. */
+  /** Whether any other part of lit shaders has changed: then only three's whole shaders are right. */
   shading = false;
   private readonly names: string[] = [];
   private readonly texts: string[] = [];
 
-  /** Looks for changes. @returns whether there are any since the last call */
+  /** Compares three's texts. @returns whether any has changed since the last call */
   follow(): boolean {
     const { names, texts } = this;
     let same = names.length > 0;
@@ -76,7 +76,7 @@ export class ThreeChunks {
     return true;
   }
 
-  /** Those of the texts as they are. */
+  /** Hashes of the present texts. */
   hashes(): Record<ChunkGroup, string> {
     const casters = new Set(['shadowmap_pars_fragment', 'shadowmap_pars_vertex', 'shadowmap_vertex']);
     const lit = new Set<string>(['tonemapping_pars_fragment', 'colorspace_pars_fragment']);

@@ -1,10 +1,10 @@
 import type { WebGLRenderer } from 'three';
 
-/** three's WebGLProgram as far as it is used here. */
+/** Parts of three's WebGLProgram that Farol uses. */
 export interface Program {
-  /** Undefined once it is deleted. */
+  /** The WebGL program; undefined once deleted. */
   readonly program?: WebGLProgram;
-  /** Waits for the link where it has not been called before, as does `getAttributes`. */
+  /** The first call waits for the link, as does that of `getAttributes`. */
   getUniforms: () => unknown;
   getAttributes(): unknown;
   isReady(): boolean;
@@ -62,7 +62,7 @@ export function waitingPrograms(programs: ProgramList): WaitingPrograms {
   return waiting;
 }
 
-/** three's list of what it has compiled: another one once a lost context is restored. */
+/** three's list of compiled programs; replaced when a lost context is restored. */
 export function programsOf(webgl: WebGLRenderer): ProgramList {
   return webgl.info.programs as unknown as ProgramList;
 }

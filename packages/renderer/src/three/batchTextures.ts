@@ -12,7 +12,7 @@ export function batchMatrices(mesh: BatchedMesh): DataTexture {
   return (mesh as unknown as Batch)._matricesTexture;
 }
 
-/** Which instance each draw of a batch is of. */
+/** Index of the instance of each draw of a batch. */
 export function batchIndices(mesh: BatchedMesh): DataTexture {
   return (mesh as unknown as Batch)._indirectTexture;
 }

@@ -9,7 +9,7 @@ interface Program {
   readonly fragmentShader: WebGLShader;
 }
 
-/** A line of a program whose material has put other names in the place of some: 'old=new', in the order they were replaced. */
+/** Matches the line in which a material lists names that it has replaced in its program: 'old=new', in order. */
 const NAMES = /^\/\/ names (.+)$/m;
 
 const THREE_INCLUDE = /^[ \t]*#include +<([\w./]+)>/gm;

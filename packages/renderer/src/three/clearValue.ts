@@ -24,7 +24,7 @@ export function clearValue(webgl: WebGLRenderer, source: Object3D, premultiplied
   else webgl.getClearColor(colour);
   const alpha = isColor ? 1 : webgl.getClearAlpha();
   const target = webgl.getRenderTarget() as (WebGLRenderTarget & { isXRRenderTarget?: boolean }) | null;
-  // targets of that mark are drawn to as the canvas is
+  // targets marked by setDrawnAsCanvas are drawn to as the canvas is
   const space =
     target === null
       ? webgl.outputColorSpace

@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 
-/** three's render lists: another object once a lost context is restored. */
+/** three's render lists, which identify a context: another object after a lost context is restored. */
 export function contextLists(webgl: WebGLRenderer): object {
   return webgl.renderLists;
 }

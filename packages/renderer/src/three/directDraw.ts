@@ -11,7 +11,7 @@ export type DirectDraw = (
   group: GeometryGroup | null,
 ) => void;
 
-/** How a renderer draws one object with one material, inside its own `render`. */
+/** Returns the function by which a renderer draws one object with one material, inside its own `render`. */
 export function directDraw(webgl: WebGLRenderer): DirectDraw {
   return webgl.renderBufferDirect as unknown as DirectDraw;
 }

@@ -23,12 +23,15 @@ export function textureHandle(webgl: WebGLRenderer, texture: Texture): WebGLText
   return (webgl.properties.get(texture) as TextureProperties).__webglTexture;
 }
 
-/** The framebuffer of a target that is no cube, of several samples a pixel the one they are resolved to; undefined until it is used. */
+/**
+ * Framebuffer of a target that is no cube; for a multisampled target the one it is resolved to; undefined before the
+ * first use.
+ */
 export function framebufferHandle(webgl: WebGLRenderer, target: RenderTarget): WebGLFramebuffer | undefined {
   return (webgl.properties.get(target) as TargetProperties).__webglFramebuffer;
 }
 
-/** The framebuffer of several samples a pixel; undefined where the target has none. */
+/** Multisampled framebuffer of a target; undefined if the target is not multisampled. */
 export function multisampledFramebufferHandle(
   webgl: WebGLRenderer,
   target: RenderTarget,
@@ -36,12 +39,12 @@ export function multisampledFramebufferHandle(
   return (webgl.properties.get(target) as TargetProperties).__webglMultisampledFramebuffer;
 }
 
-/** Whether three has a program of a material's present version. */
+/** Whether three has compiled a program for a material's present version. */
 export function isCompiled(webgl: WebGLRenderer, material: Material): boolean {
   return (webgl.properties.get(material) as MaterialProperties).__version === material.version;
 }
 
-/** The uniforms that a material is drawn with, whatever its program: of the one that was compiled last; undefined before. */
+/** Uniforms that a material is drawn with: those of the program compiled last; undefined before the first. */
 export function compiledUniforms(webgl: WebGLRenderer, material: Material): Record<string, IUniform> | undefined {
   return (webgl.properties.get(material) as MaterialProperties).uniforms;
 }

@@ -1,4 +1,6 @@
-/** Depths, positions and words of 32 bits need it, whatever the host's materials are computed in. */
+/**
+ * Precision statements of Farol's code: depths, positions and 32-bit words need it, whatever the host's materials use.
+ */
 export const FULL_PRECISION = 'precision highp float;\nprecision highp int;\n';
 
 /**
@@ -12,5 +14,7 @@ precision lowp float;
 #endif
 `;
 
-/** Declarations of ours in a fragment shader of three's: in full precision, and those after it in the host's again. */
+/**
+ * Wraps Farol's declarations in a fragment shader of three's: full precision for them, the host's again after them.
+ */
 export const inFullPrecision = (header: string): string => (header === '' ? '' : `${FULL_PRECISION}${header}\n${BACK}`);

@@ -1,6 +1,6 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 
-/** Time between two looks at whether the GPU is done (ms). */
+/** Interval between tests whether the GPU is done (ms). */
 const POLL_EVERY = 4;
 
 type Pixels = Uint8Array | Uint8ClampedArray | Uint16Array | Float32Array;

@@ -31,7 +31,7 @@ export function renderArray(webgl: WebGLRenderer, { cameras }: ArrayCamera, rend
     cameras.forEach((camera: PerspectiveCamera & { viewport?: Vector4 }, i) => {
       part.copy(camera.viewport ?? oldViewport);
       if (camera.viewport !== undefined && target === null) part.divideScalar(ratio);
-      // the first clears the whole target, the others what is theirs
+      // the first camera clears the whole target, the others clear their viewports
       if (i === 0) setRectangles(part, oldScissor, test);
       else setRectangles(part, test ? common(part, oldScissor) : part, true);
       render(camera);

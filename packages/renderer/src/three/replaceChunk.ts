@@ -15,8 +15,8 @@ export function findChunk(shader: string, name: ChunkName): string | null {
 
 /**
  * Replaces a chunk of three's wherever a shader has it.
- * @param by - gives the new text for what stands for it now
- * @throws TwinRefusal where there is none, since the host has changed or left it out
+ * @param by - returns the new text, given the present one
+ * @throws TwinRefusal if the shader has no such chunk, since the host has changed or left it out
  */
 export function replaceChunk(shader: string, name: ChunkName, by: (found: string) => string): string {
   const found = findChunk(shader, name);
@@ -24,7 +24,7 @@ export function replaceChunk(shader: string, name: ChunkName, by: (found: string
   return shader.split(found).join(by(found));
 }
 
-/** Replaces a part of a text. @throws TwinRefusal where there is none */
+/** Replaces a part of a text. @throws TwinRefusal if the text has no such part */
 export function replacePart(text: string, part: string, by: string): string {
   if (!text.includes(part)) throw new TwinRefusal(part);
   return text.replace(part, () => by);

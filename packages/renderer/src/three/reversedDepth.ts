@@ -5,7 +5,7 @@ interface DepthOfCamera {
   _reversedDepth: boolean;
 }
 
-/** Says whether depths of a camera's projection are reversed, from its next `updateProjectionMatrix` on. */
+/** Sets whether depths of a camera's projection are reversed, from its next `updateProjectionMatrix` on. */
 export function setReversedDepth(camera: Camera, reversed: boolean): void {
   (camera as unknown as DepthOfCamera)._reversedDepth = reversed;
 }

@@ -5,7 +5,7 @@ export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute | GLB
 
 type AnyAttribute = Partial<BufferAttribute & InterleavedBufferAttribute & GLBufferAttribute>;
 
-/** Numbers below 0 of buffers that three gives none. */
+/** Negative numbers for buffers that three gives no id. */
 const ids = new WeakMap<object, number>();
 let lastId = 0;
 
@@ -15,7 +15,10 @@ export function attributeVersion(attribute: VertexAttribute): number {
   return data === undefined ? version! : data.version;
 }
 
-/** Number of what holds an attribute's data: two of one number and one `attributeVersion` have the same data. */
+/**
+ * Number of the storage of an attribute's data: attributes with equal numbers and `attributeVersion` have the same
+ * data.
+ */
 export function attributeId(attribute: VertexAttribute): number {
   const { data, buffer, offset, id } = attribute as AnyAttribute & { id?: number };
   if (id !== undefined) return id;
@@ -26,17 +29,17 @@ export function attributeId(attribute: VertexAttribute): number {
   return number * 256 - (offset ?? 0);
 }
 
-/** A number that stays as long as an attribute has the same data: `attributeId` and `attributeVersion` in one. */
+/** Number that changes with an attribute's data: `attributeId` and `attributeVersion` in one. */
 export function attributeState(attribute: VertexAttribute): number {
   return attributeId(attribute) * 65_536 + attributeVersion(attribute);
 }
 
-/** True for data that the GPU may write without a word. */
+/** True for data that the GPU may write without a change of version. */
 export function isOnGPU(attribute: VertexAttribute | undefined): boolean {
   return (attribute as AnyAttribute | undefined)?.isGLBufferAttribute === true;
 }
 
-/** False for data that the GPU alone has: of a `GLBufferAttribute`, or let go of by the page once three had sent them. */
+/** False for data that only the GPU has: of a `GLBufferAttribute`, or freed by the page after three's upload. */
 export function isReadable(attribute: VertexAttribute): boolean {
   if (isOnGPU(attribute)) return false;
   const { array, count, data, itemSize } = attribute as BufferAttribute & Partial<InterleavedBufferAttribute>;

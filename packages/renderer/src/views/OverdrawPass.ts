@@ -6,7 +6,7 @@ import type { RenderItem } from '../frame/RenderItem';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { PassTarget } from '../gpu/PassTarget';
 
-/** Counts how often a material is shaded at each pixel, in the order in which the technique draws. For the view 'overdraw'. */
+/** Counts the shadings of each pixel, in the order in which the technique draws, for the view 'overdraw'. */
 export class OverdrawPass {
   private readonly target = new PassTarget({ type: HalfFloatType, depthBuffer: true });
   private readonly counts = new FullscreenPass({
@@ -21,7 +21,7 @@ export class OverdrawPass {
     return this.target.bytes;
   }
 
-  /** @param depthFirst - the technique draws depth before it shades */
+  /** @param depthFirst - whether the technique draws depth before it shades */
   render(frame: Frame, depthFirst: boolean): void {
     const target = this.target.of(frame.width, frame.height);
     frame.bind(target);
@@ -37,7 +37,7 @@ export class OverdrawPass {
     frame.resources.put('overdraw', target.texture);
   }
 
-  /** Shows the counts alone, for techniques that have no output pass. */
+  /** Draws the counts as a heat map, for techniques that have no output pass. */
   show(frame: Frame): void {
     const { uniforms } = this.counts;
     uniforms.farol_overdrawMap.value = frame.resources.get('overdraw');

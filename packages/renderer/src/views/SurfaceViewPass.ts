@@ -10,7 +10,7 @@ import { isPlain, type RenderItem } from '../frame/RenderItem';
 import type { TwinKind } from '../materials/TwinKind';
 import { setViewport } from '../three/state';
 
-/** `farol_view` of surfaceView.glsl. */
+/** Values of `farol_view` in surfaceView.glsl, by view. */
 const CODES: Partial<Record<View, number>> = {
   albedo: 0,
   normal: 1,
@@ -40,7 +40,10 @@ function viewTwinOf(item: RenderItem): TwinKind | null {
   return m.isMeshBasicMaterial === true ? unlitViewTwin : null;
 }
 
-/** Fills a G-buffer with every mesh, whatever the technique, and shows one of its things, or three of them round the picture. */
+/**
+ * Fills a G-buffer with every mesh, whatever the technique, and shows one of its properties, or three of them beside
+ * the picture.
+ */
 export class SurfaceViewPass {
   private readonly target = new GBufferTarget(false);
   private readonly surface = new FullscreenPass({

@@ -3,7 +3,7 @@ import { nearestModel, OUTPUTS, outputs } from '../passes/gbuffer/gbufferTwins';
 import { litTwin } from '../materials/litTwin';
 import type { TwinKind, TwinShader } from '../materials/TwinKind';
 
-/** As `gbufferTwin`, but the first attachment holds emissive alone. */
+/** Twin as `gbufferTwin`, but the first attachment holds emissive light alone. */
 export const litViewTwin: TwinKind = litTwin({
   key: 'gbuffer-view',
   loop: 'lightLoopNone',
@@ -14,7 +14,7 @@ export const litViewTwin: TwinKind = litTwin({
   atEnd: 'FAROL_WRITE_GBUFFER\ngl_FragColor.rgb = totalEmissiveRadiance;',
 });
 
-/** MeshBasicMaterial in the views: its colour is emissive. */
+/** Twin of MeshBasicMaterial in the views: its colour counts as emissive. */
 export const unlitViewTwin: TwinKind = {
   key: 'gbuffer-unlit',
   chunks: () => [],

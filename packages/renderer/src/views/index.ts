@@ -4,7 +4,7 @@ import * as chunks from './chunks';
 import { OverdrawPass } from './OverdrawPass';
 import { SurfaceViewPass } from './SurfaceViewPass';
 
-/** Its chunks, by name. */
+/** Microshaders of the views, by name. */
 export const microShaders = { ...chunks };
 
 /** Passes of the views that no technique draws. */
@@ -16,7 +16,7 @@ export interface ViewPasses {
   dispose(): void;
 }
 
-/** The renderer fetches this when such a view is first asked for. */
+/** Makes the passes; the renderer fetches this code when such a view is first asked for. */
 export function makeViewPasses(registry: MicroShaderRegistry): ViewPasses {
   addMicroShaders(registry, 'views', microShaders);
   const overdraw = new OverdrawPass();

@@ -2,13 +2,13 @@ import type { Camera, Object3D, WebGLRenderer } from 'three';
 
 type Render = WebGLRenderer['render'];
 
-/** Stands in for a renderer's `render`. @param next - draws as it would be drawn without it */
+/** Replaces a renderer's `render`. @param next - draws as without this replacement */
 export type Interceptor = (scene: Object3D, camera: Camera, next: Render) => void;
 
 export interface Interception {
-  /** The renderer's own `render`, past all that stands in for it. */
+  /** The renderer's own `render`, without any replacement. */
   readonly stock: Render;
-  /** Takes it out; with the last one the renderer has its own `render` again. */
+  /** Removes the replacement; after the last one the renderer has its own `render` again. */
   remove(): void;
 }
 
@@ -39,7 +39,9 @@ class RenderChain {
     webgl.render = this.hooked;
   }
 
-  /** Whether calls of `render` come here: directly, or, as has to be taken for granted, through a wrapper put round it. */
+  /**
+   * Whether calls of `render` arrive here: directly, or (assumed) through a wrapper that another tool has put round.
+   */
   get isInPlace(): boolean {
     return this.webgl.render === this.hooked || this.interceptors.length > 0;
   }
@@ -54,7 +56,7 @@ class RenderChain {
         if (index < 0) return;
         this.interceptors.splice(index, 1);
         this.link();
-        // another tool may have wrapped it since: then it stays, and only passes calls on
+        // if another tool has wrapped `render` since, this stays and only passes calls on
         if (this.interceptors.length === 0 && this.webgl.render === this.hooked) this.webgl.render = this.original;
       },
     };

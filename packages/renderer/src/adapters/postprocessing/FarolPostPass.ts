@@ -19,7 +19,7 @@ export class FarolPostPass extends RenderPass {
   private readonly standIn: WebGLRenderer;
 
   /**
-   * @param farol - what draws; it stays the host's, who also disposes it
+   * @param farol - renderer that draws the scene; stays the host's to dispose
    * @param overrideMaterial - drawn with in place of all materials; default none
    */
   constructor(

@@ -5,7 +5,7 @@ import { FarolRenderer } from '../../renderer/FarolRenderer';
 import { type Interception, interceptRender } from '../intercept';
 import { isWorthFarol } from './isWorthFarol';
 
-/** How one component wants to be drawn. */
+/** Settings of one component. */
 export interface FarolSettings {
   readonly options: FarolOptions;
   /** Scene that the settings apply to, or null for all that the canvas draws. */
@@ -37,7 +37,7 @@ export class CanvasFarol {
 
   private constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** Calls back when `farol` changes. @returns what ends that */
+  /** Calls back when `farol` changes. @returns a function that ends that */
   readonly subscribe = (listener: () => void): (() => void) => {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -47,7 +47,7 @@ export class CanvasFarol {
 
   /**
    * Applies a component's settings from the next draw on.
-   * @param owner - stands for the component
+   * @param owner - identifies the component
    * @throws Error as FarolRenderer does
    */
   mount(owner: object, settings: FarolSettings): void {
@@ -108,7 +108,7 @@ export class CanvasFarol {
     this.applied = settings;
   }
 
-  /** The settings by which Farol draws a scene; null where three does. */
+  /** Settings by which Farol draws a scene; null if three draws it. */
   private settingsFor(scene: Object3D, camera: Camera): FarolSettings | null {
     let found: FarolSettings | null = null;
     if (this.webgl.xr.isPresenting || this.farol === null) return null;

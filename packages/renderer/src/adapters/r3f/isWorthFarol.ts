@@ -2,7 +2,7 @@ import type { ArrayCamera, Camera, Mesh, Object3D, OrthographicCamera, Perspecti
 import { isLit } from '../../materials/isLit';
 import type { FarolView } from '../../renderer/SceneView';
 
-/** Objects that are looked at; a scene with more is taken to be lit. */
+/** Most objects tested; a scene with more counts as lit. */
 const LOOKS = 64;
 
 let looks = 0;
@@ -16,7 +16,7 @@ export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean):
   const { isPerspectiveCamera } = camera as PerspectiveCamera;
   const { isOrthographicCamera } = camera as OrthographicCamera;
   if (!isPerspectiveCamera && !isOrthographicCamera && !(camera as ArrayCamera).isArrayCamera) return false;
-  if ((scene as FarolView).isFarolView) return false; // another FarolRenderer draws it
+  if ((scene as FarolView).isFarolView) return false; // another FarolRenderer draws this scene
   const { overrideMaterial = null } = scene as Scene;
   if (overrideMaterial !== null) return isLit(overrideMaterial);
   looks = LOOKS;
@@ -24,7 +24,7 @@ export function isWorthFarol(scene: Object3D, camera: Camera, effects: boolean):
   return hasLit(scene) || (effects && LOOKS - looks > 2);
 }
 
-/** Whether an object or something below it is lit, or there is too much to look at. */
+/** Whether an object or a descendant is lit, or there are more than LOOKS objects. */
 function hasLit(object: Object3D): boolean {
   if (--looks < 0) return true;
   const { material } = object as Partial<Mesh>;

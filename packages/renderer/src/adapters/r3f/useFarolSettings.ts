@@ -8,9 +8,9 @@ import { useFarol } from './useFarol';
 
 /** Options of the FarolRenderer, and of how a component asks for it; all may change at any time. */
 export interface FarolProps extends FarolOptions {
-  /** Stays the same list from render to render (`useMemo`); its effects are freed with the component. Default none. */
+  /** Effects: must be the same list from render to render (`useMemo`); freed with the component. Default none. */
   effects?: FarolOptions['effects'];
-  /** False: Farol frees what it holds, and three draws. Default true. */
+  /** Whether Farol draws; if false, Farol frees its resources, and three draws. Default true. */
   enabled?: boolean;
   /** Gets the FarolRenderer, for `info`, `microshaders` and what else it offers; null while not enabled. */
   ref?: Ref<FarolRenderer | null>;
@@ -39,7 +39,7 @@ export function useFarolSettings(props: FarolProps, scene: Object3D | null): voi
   if (!isSame(asked, settings)) setSettings(asked);
   const follow = useRef(() => {});
 
-  // Before the next frame. Not taken out with a layout effect: React ends those while a sibling suspends.
+  // mounts before the next frame; not unmounted by a layout effect, since React ends those while a sibling suspends
   useLayoutEffect(() => {
     follow.current = () => (enabled ? canvas.mount(owner, settings) : canvas.unmount(owner));
     follow.current();

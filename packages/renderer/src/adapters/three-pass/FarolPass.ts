@@ -19,10 +19,10 @@ export class FarolPass extends RenderPass {
   private readonly hostColor = new Color();
 
   /**
-   * @param farol - what draws; it stays the host's, who also disposes it
-   * @param overrideMaterial - drawn with in place of all materials; null for none
-   * @param clearColor - cleared to in place of the renderer's own clear colour; null for that
-   * @param clearAlpha - the same for alpha, 0 to 1
+   * @param farol - renderer that draws the scene; stays the host's to dispose
+   * @param overrideMaterial - material that replaces all materials; null for none
+   * @param clearColor - clear colour; null for the renderer's own
+   * @param clearAlpha - clear alpha, 0 to 1; null for the renderer's own
    */
   constructor(
     readonly farol: FarolRenderer,

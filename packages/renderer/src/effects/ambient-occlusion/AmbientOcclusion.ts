@@ -53,17 +53,17 @@ export class AmbientOcclusion implements FarolEffect {
   readonly needsSurfaces = true;
   readonly attachments = [INDIRECT];
   readonly lacks = lacksFloatTargets;
-  /** How far off things close the sky (m), above 0. Default 0.5. */
+  /** Distance within which surfaces occlude (m), above 0. Default 0.5. */
   radius = 0.5;
-  /** Power of the open share; 0 is none, 1 as it is. Default 1. */
+  /** Exponent of the open share of the sky: 0 is no occlusion, 1 as computed. Default 1. */
   strength = 1;
-  /** Computes it at half the resolution, and brings it up by a filter that keeps to edges. Default false. */
+  /** Whether to compute occlusion at half the resolution, upsampled by a filter that keeps edges. Default false. */
   halfResolution = false;
   private use: Use = 'none';
   private warned = false;
-  /** Location of the attachment of indirect light, -1 where the device has no room for it. */
+  /** Location of the attachment of indirect light; -1 if the device has no room for it. */
   private location = -1;
-  /** Whether the frame has a G-buffer without it. */
+  /** Whether the frame's G-buffer lacks that attachment. */
   private unfit = false;
   private readonly surface = {
     ...unprojectUniforms(),

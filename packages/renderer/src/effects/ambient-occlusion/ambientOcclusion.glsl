@@ -22,7 +22,7 @@ bool farol_isInside(const in ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(farol_surfaceDepth, 0)));
 }
 
-// change of the position over one pixel, from the neighbour that is more like it
+// change of the position over one pixel, by the neighbour nearer in depth
 vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
   vec3 after = farol_positionAt(pixel + to) - position;
   vec3 before = position - farol_positionAt(pixel - to);
@@ -50,7 +50,7 @@ float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 
     vec3 there = farol_positionAt(pixel + offset) - position;
     float distanceSquared = dot(there, there);
     float cosine = dot(there, toEye) * inversesqrt(max(distanceSquared, 1e-12));
-    // what lies farther off than the radius does not count, and what is nearly so counts little
+    // samples beyond the radius do not count, those near the radius count little
     float weight = clamp(2.0 - 2.0 * distanceSquared / (farol_reach.x * farol_reach.x), 0.0, 1.0);
     highest = max(highest, mix(lowest, cosine, weight));
   }
@@ -69,7 +69,7 @@ if (!farol_isEmpty(depth)) {
     vec3 toEye = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-position);
     vec3 normal = farol_normalAt(pixel, position);
     ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
-    // 16 turns and 4 shifts in each four by four texels, which the filter averages again
+    // 16 turns and 4 shifts in each 4 × 4 texels, which the filter averages
     float turn = float((((cell.x + cell.y) & 3) << 2) + cell.x) / 16.0;
     float shift = 0.25 + 0.25 * float((cell.y - cell.x) & 3);
     float open = 0.0;

@@ -4,7 +4,7 @@
 uniform highp sampler2D farol_openMap;
 uniform highp sampler2D farol_surfaceDepth;
 uniform highp vec4 farol_reach; // radius (m); the same in pixels at 1 m; pixels a texel; largest radius (pixels)
-uniform highp float farol_strength; // power of the result
+uniform highp float farol_strength; // exponent of the result
 #ifdef FAROL_ACCUMULATION
 uniform highp sampler2D farol_lit; // emissive and indirect light
 uniform highp sampler2D farol_indirect; // indirect light alone
@@ -17,7 +17,7 @@ float open = 1.0;
 if (!farol_isEmpty(depth)) {
   vec2 size = vec2(textureSize(farol_surfaceDepth, 0));
   float z = farol_unproject((vec2(pixel) + 0.5) / size, depth).z;
-  // slope of the surface, by the neighbour that is more like it
+  // slope of the surface, by the neighbour nearer in depth
   vec2 left = vec2(texelFetch(farol_surfaceDepth, pixel - ivec2(1, 0), 0).r,
     texelFetch(farol_surfaceDepth, pixel - ivec2(0, 1), 0).r);
   vec2 right = vec2(texelFetch(farol_surfaceDepth, pixel + ivec2(1, 0), 0).r,
@@ -44,7 +44,7 @@ if (!farol_isEmpty(depth)) {
   open = pow(sum / total, farol_strength);
 }
 #ifdef FAROL_ACCUMULATION
-// what outgrew half floats is as good as their limit
+// infinity counts as the greatest half float
 farol_result = min(texelFetch(farol_lit, pixel, 0), 65504.0);
 farol_result.rgb = max(farol_result.rgb - (1.0 - open) * min(texelFetch(farol_indirect, pixel, 0).rgb, 65504.0), 0.0);
 #else

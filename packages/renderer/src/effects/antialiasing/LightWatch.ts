@@ -1,15 +1,18 @@
 import type { DirectionalLight, Light, SpotLight } from 'three';
 import type { LightTable } from '../../lighting/LightTable';
 
-/** Lights that are looked at in a frame; of more, others each frame. */
+/** Most lights compared in a frame; of more lights, different ones each frame. */
 const LOOKS = 256;
 
-/** Tells that a light has changed or moved, also while the camera moves, in whose space the table of lights is. */
+/**
+ * Detects changed or moved lights by the lights themselves, since the light table is in the space of a camera that may
+ * move.
+ */
 export class LightWatch {
   private readonly known = new WeakMap<Light, number>();
   private next = 0;
 
-  /** Whether a light that has been seen before is otherwise now. Of many lights some are looked at only in later frames. */
+  /** Whether a light seen before has changed. With many lights, some are compared only in later frames. */
   changed(lights: Pick<LightTable, 'directionals' | 'unboundeds' | 'boundeds'>): boolean {
     const { boundeds } = lights;
     let changed = this.look(lights.directionals, 0, LOOKS);

@@ -10,17 +10,19 @@ import type { ObjectMotions } from './ObjectMotions';
 const clip = new Matrix4();
 
 /**
- * Draws how far each pixel of what moves by itself has moved since the last frame (x, y in pictures; z how much farther it
- * was, m; alpha 1 where something was drawn), under the depth of the finished picture: objects, skins, morphs, instances and batches. What
- * stands still moves by the camera alone, and is left out.
+ * Draws the motion of moving objects' pixels since the last frame, where they are visible (x, y: in widths and heights
+ * of the picture; z: former minus present distance, m; alpha: 1 where drawn): objects, skins, morphs, instances and
+ * batches. Left out are pixels that move by the camera alone.
  */
 export class MotionPass {
-  /** Whether something was drawn in this frame, and whether something has changed at all. */
+  /** Whether the pass has drawn in this frame; `changed`: whether an object has changed at all. */
   drawn = false;
   changed = false;
-  /** Whether it is known of everything where it was, and what moves has moved in the last frame too. */
+  /** Whether former positions of all objects are known, and moving ones moved in the last frame too. */
   known = true;
-  /** Whether something has moved that cannot be drawn here: transparent things, and those with shaders of the host's. */
+  /**
+   * Whether an object has moved that this pass cannot draw: a transparent one, or one with a shader of the host's.
+   */
   undrawn = false;
   target: WebGLRenderTarget | null = null;
   private readonly uniforms;
@@ -28,7 +30,7 @@ export class MotionPass {
   private slot = 0;
   private readonly objects: Object3D[] = [];
 
-  /** @param jitter - of the frame, normalised device coordinates */
+  /** @param jitter - jitter of the frame (normalised device coordinates) */
   constructor(jitter: Vector2) {
     this.uniforms = {
       farol_clipBefore: { value: new Matrix4() },
@@ -46,10 +48,10 @@ export class MotionPass {
   }
 
   /**
-   * @param motions - how objects stood in the last frame of this camera; brought up to this frame
-   * @param number - of this frame
+   * @param motions - states of objects in the last frame of this camera; updated to this frame
+   * @param number - number of this frame
    * @param before - last frame's projection × view
-   * @param picture - whose depth it is drawn under
+   * @param picture - finished picture, whose depth hides motion behind it
    */
   render(frame: Frame, motions: ObjectMotions, number: number, before: Matrix4, picture: WebGLRenderTarget): void {
     this.drawn = this.changed = false;
@@ -80,7 +82,7 @@ export class MotionPass {
       const { object } = item;
       if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
-      if (motion.frame === number) continue; // another group of what has not moved
+      if (motion.frame === number) continue; // another group of an object that has not moved
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {

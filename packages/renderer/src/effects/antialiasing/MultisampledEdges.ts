@@ -36,9 +36,12 @@ export class MultisampledEdges implements FarolEffect {
   readonly lacks = lacksFloatTargets;
   readonly takesPicture = true;
   readonly smoothsEdges = true;
-  /** Lights up to which all edges are shaded anew. Default 32. */
+  /** Greatest number of lights at which all edges are shaded anew. Default 32. */
   shadedLights = 32;
-  /** Lights beyond which nothing is shaded: what no pixel nearby shows has edges as in the picture. Default 128. */
+  /**
+   * Number of lights above which no edge is shaded: surfaces that no pixel nearby shows keep the picture's edges.
+   * Default 128.
+   */
   mostLights = 128;
   private readonly picture = { value: null as Texture | null };
   private readonly depth = { value: null as Texture | null };
@@ -134,7 +137,7 @@ export class MultisampledEdges implements FarolEffect {
     else if (depthWrite || stencilWrite) this.whole.value = false;
   }
 
-  /** A multisampled target that is drawn to as the picture is. */
+  /** Returns a multisampled target with the size and colour space of the picture. */
   private targetLike(picture: WebGLRenderTarget): WebGLRenderTarget {
     const { width, height, texture } = picture;
     if (this.target?.texture.colorSpace !== texture.colorSpace) {
@@ -154,7 +157,7 @@ export class MultisampledEdges implements FarolEffect {
   }
 }
 
-/** Brings the mean of a multisampled target's samples into its texture. */
+/** Resolves a multisampled target into its texture. */
 function average({ gl, webgl }: Frame, target: WebGLRenderTarget): void {
   const { width, height } = target;
   bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, multisampledFramebufferHandle(webgl, target)!);

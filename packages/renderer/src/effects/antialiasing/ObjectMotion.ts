@@ -14,33 +14,33 @@ import { surfacesOf } from '../../materials/surfacesOf';
 import { batchMatrices } from '../../three/batchTextures';
 import { attributeState } from '../../three/vertexData';
 
-/** Instance matrices in a row of a texture, each four texels. */
+/** Instance matrices in a row of a texture, four texels each. */
 const INSTANCES_PER_ROW = 512;
 
-/** How an object stood in the last frame: its matrix, bones, morphs and instances. */
+/** State of an object in the last frame: its matrix, bones, morphs and instances. */
 export class ObjectMotion {
-  /** Frame of the copies. */
+  /** Number of the frame in which the state was copied. */
   frame = -1;
-  /** Whether it stood otherwise then than in the frame before. */
+  /** Whether the object had moved then since the frame before. */
   moves = false;
-  /** World matrix; of a skinned mesh times its bind matrix's inverse. */
+  /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
   /** Bone matrices, or null. */
   bones: DataTexture | null = null;
-  /** Matrices of instances, or null while they have not changed. */
+  /** Matrices of instances; null while they have not changed. */
   instances: DataTexture | null = null;
   morphBase = 1;
   morphs: number[] = [];
-  /** Whether its textures are known to who frees them. */
+  /** Whether the list of ObjectMotions that frees textures has this object. */
   listed = false;
-  /** Times (s) of the surfaces that displace its vertices, and their state; 0 for none. */
+  /** Times (s) of the surfaces that displace the object's vertices; `surfaces` is their state, 0 for none. */
   readonly surfaceTimes: number[] = [];
   private surfaces = 0;
   private instancesVersion = -1;
   /** Number of the vertices, see `verticesOf`. */
   private vertices = 0;
 
-  /** Whether the object stands otherwise than at the last `remember`. */
+  /** Whether the object has moved since the last `remember`. */
   hasMoved(object: Object3D): boolean {
     worldOf(object, world);
     for (let i = 0; i < 16; i++) if (world[i] !== this.matrix[i]) return true;
@@ -60,8 +60,8 @@ export class ObjectMotion {
   }
 
   /**
-   * Whether it is known how it stood. Vertices themselves are not, where the page has changed them; matrices of instances are
-   * copied from their first change on.
+   * Whether the former state is known. It is not if the page has changed vertices; matrices of instances are known from
+   * their first change on.
    */
   isKnown(object: Object3D): boolean {
     if (verticesOf(object) !== this.vertices) return false;
@@ -72,7 +72,7 @@ export class ObjectMotion {
     return true;
   }
 
-  /** Copies how the object stands now. */
+  /** Copies the object's present state. */
   remember(object: Object3D, frame: number): void {
     this.frame = frame;
     worldOf(object, this.matrix);
@@ -101,12 +101,12 @@ export class ObjectMotion {
     this.rememberInstances(object);
   }
 
-  /** Whether it has textures. */
+  /** Whether the state has textures. */
   get holds(): boolean {
     return this.bones !== null || this.instances !== null;
   }
 
-  /** Frees its textures, and forgets what was in them. */
+  /** Frees the textures, and forgets their contents. */
   dispose(): void {
     this.bones?.dispose();
     this.instances?.dispose();
@@ -140,7 +140,7 @@ export class ObjectMotion {
 
 const world = new Float64Array(16);
 
-/** A number that stays as long as the surfaces of an object displace its vertices alike; 0 where none does. */
+/** Number that changes when an object's surfaces displace vertices otherwise; 0 if none does. */
 function displacementOf(object: Object3D): number {
   const { material } = object as Mesh;
   if (Array.isArray(material)) {
@@ -191,7 +191,7 @@ function instancesOf(object: Object3D): Float32Array | null {
   return null;
 }
 
-/** A number that stays as long as the page leaves an object's vertices, and the morphs of its instances, as they are. */
+/** Number that changes when the page changes an object's vertices or the morphs of its instances. */
 function verticesOf(object: Object3D): number {
   const { geometry, morphTexture } = object as InstancedMesh;
   const { position } = geometry.attributes;

@@ -4,10 +4,10 @@ import { ObjectMotion } from './ObjectMotion';
 /** Frames without being seen after which an object's textures are freed. */
 const UNSEEN = 60;
 
-/** How objects stood in the last frame of one camera and scene. */
+/** States of objects in the last frame of one camera and scene. */
 export class ObjectMotions {
   private known = new WeakMap<Object3D, ObjectMotion>();
-  /** Those with textures. */
+  /** Objects whose state has textures. */
   private readonly holders: ObjectMotion[] = [];
 
   of(object: Object3D): ObjectMotion {
@@ -16,7 +16,7 @@ export class ObjectMotions {
     return motion;
   }
 
-  /** Copies how an object stands in a frame. */
+  /** Copies an object's state in a frame. */
   remember(object: Object3D, frame: number): void {
     const motion = this.of(object);
     motion.remember(object, frame);
@@ -25,7 +25,7 @@ export class ObjectMotions {
     this.holders.push(motion);
   }
 
-  /** Frees the textures of what has not been seen for long. */
+  /** Frees the textures of objects not seen for UNSEEN frames. */
   forget(frame: number): void {
     const { holders } = this;
     let kept = 0;

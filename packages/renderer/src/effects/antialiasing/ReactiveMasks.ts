@@ -12,7 +12,9 @@ import type { ReactiveMask } from '../../frame/ReactiveMask';
 import type { RenderItem } from '../../frame/RenderItem';
 import { targetBytes } from '../../gpu/targetBytes';
 
-/** The reactive masks of this frame and of the last, of one camera and scene: of frames without any there is none. */
+/**
+ * Reactive masks of this frame and of the last, for one camera and scene; frames without reactive draws have none.
+ */
 export class ReactiveMasks implements ReactiveMask<Frame> {
   private targets: [WebGLRenderTarget | null, WebGLRenderTarget | null] = [null, null];
   private picture: WebGLRenderTarget | null = null;
@@ -35,7 +37,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     return this.wasDrawn ? (this.targets[1]?.texture ?? null) : null;
   }
 
-  /** @param picture - whose depth hides what lies behind it */
+  /** @param picture - picture whose depth hides reactive draws behind it */
   begin(picture: WebGLRenderTarget): void {
     this.picture = picture;
     this.isDrawn = false;
@@ -47,7 +49,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
     frame.drawItem(item, material);
   }
 
-  /** Ends the frame: its mask is that of the last. */
+  /** Ends the frame: its mask becomes that of the last frame. */
   advance(): void {
     this.wasDrawn = this.isDrawn;
     this.isDrawn = false;
@@ -83,7 +85,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
   }
 }
 
-/** The picture's depth stays. */
+/** Frees a mask's target, but not its depth, which is the picture's. */
 function free(target: WebGLRenderTarget | null): null {
   if (target === null) return null;
   target.depthTexture = null;

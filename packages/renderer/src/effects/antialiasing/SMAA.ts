@@ -57,7 +57,7 @@ export class SMAA implements FarolEffect {
     this.shared.begin(frame);
   }
 
-  /** @param goesOn - as of `Picture.end` */
+  /** @param goesOn - whether more of the frame is drawn afterwards, as for `Picture.end` */
   end(frame: Frame, goesOn = false): void {
     const picture = this.shared!;
     const { edges, weights, blend } = this;

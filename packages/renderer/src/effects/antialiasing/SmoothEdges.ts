@@ -4,29 +4,30 @@ import type { Frame } from '../../frame/Frame';
 import { SMAA } from './SMAA';
 
 /**
- * `FarolOptions.antialias`: SMAA of what a G-buffer has shaded, one sample a pixel. What is drawn over it afterwards, such as
- * lines, sprites and glass, is multisampled as stock three's, where no other effect needs the whole picture.
+ * Implements `FarolOptions.antialias`: SMAA of the pixels shaded from a G-buffer, one sample each. Later draws over
+ * them, such as lines, sprites and glass, are multisampled as stock three's, unless another effect needs the whole
+ * picture.
  */
 export class SmoothEdges extends SMAA {
   readonly after = ['output'] as const;
   private effects: ActiveEffects | null = null;
   private withThis!: ActiveEffects;
-  /** Whether three may draw to a buffer of its own in place of the canvas; null until it was asked. */
+  /** Whether three draws to an output buffer in place of the canvas; null until tested. */
   private buffered: boolean | null = null;
   private isOn = false;
 
-  /** Frames are drawn to the picture once it is known that the technique has a G-buffer. */
+  /** Does nothing: `picked` redirects the frame, once the technique is known to have a G-buffer. */
   override begin(): void {}
 
   picked(frame: Frame): void {
-    // asked here: within three's render it cannot be
+    // tested here, since it cannot be within three's render
     if (frame.target === null) this.buffered ??= hasOutputBuffer(frame.webgl);
     this.isOn = !this.isLeftOut(frame);
     if (this.isOn) super.begin(frame);
   }
 
   render(frame: Frame): void {
-    // what was drawn early has written depth and stencil that the target lacks
+    // early items have written depth and stencil that the host's target lacks
     if (this.isOn && frame.queue.early === 0 && this.shared!.isAlone) this.finish(frame, true);
   }
 
@@ -40,8 +41,8 @@ export class SmoothEdges extends SMAA {
   }
 
   /**
-   * The effects of a frame with this one after them; as they are where one of them smooths edges, where the target has several
-   * textures, and where effects of three's own are drawn from its output buffer.
+   * Effects of a frame with this one appended; unchanged if one of them smooths edges, if the target has several
+   * textures, or if effects of three's own draw from its output buffer.
    */
   addTo(effects: ActiveEffects, frame: Frame): ActiveEffects {
     if (this.isLeftOut(frame) || effects.all.some(smoothsEdges)) return effects;
@@ -68,7 +69,7 @@ function hasOutputBuffer(webgl: WebGLRenderer): boolean {
   const target = webgl.getRenderTarget();
   let has = false;
   scene.onBeforeRender = () => {
-    has = webgl.toneMapping === NoToneMapping; // it tone maps when it copies the buffer to the canvas
+    has = webgl.toneMapping === NoToneMapping; // three tone maps when it copies that buffer to the canvas
     throw STOP; // before three clears
   };
   webgl.setRenderTarget(null);

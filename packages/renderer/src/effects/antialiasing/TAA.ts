@@ -20,27 +20,27 @@ import { standInOf } from '../../three/standInOf';
 import { TemporalHistory } from './TemporalHistory';
 import { contextLists } from '../../three/contextLists';
 
-/** Places in the pixel that the frames take in turns. */
+/** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
 /** Factor on the new frame's share in pixels that do not move while others do. */
 const STILL = 0.5;
-/** Frames after a change of light or looks in which the past is nowhere believed as it is. */
+/** Frames after a change of light or materials in which the past is always clipped to present neighbours. */
 const RELIT = 8;
-/** Frames after something came, or began to move, in which what stands still is not taken for granted. */
+/** Frames after an object appeared, or began to move, in which still pixels are not trusted to be still. */
 const MET = 2;
 /** Frames after any change until the mean of all frames is begun. */
 const SETTLED = 4;
-/** Frames that a picture counts as in which things have moved. */
+/** Number of frames as which an accumulated picture counts after objects have moved. */
 const MOVED = 3;
-/** Pixels from which on a picture gets one cell a pixel unless asked for more. */
+/** Size of a picture (pixels) from which on it has one cell a pixel by default. */
 const LARGE = 4e6;
-/** A camera that turns by more than this from one frame to the next (cosine) shows another shot. */
+/** Cosine of the turn of a camera from frame to frame below which it counts as a cut to another shot. */
 const CUT = 0.7;
 
 export interface TAAOptions {
   /**
-   * Cells along a pixel's side that the past is kept in: 2 is sharp also while things move, at 72 bytes a pixel; 1 takes 24.
-   * Default 2, from 4 million pixels on 1. Where a target of twice the picture's size is beyond the device, it is 1.
+   * History cells along a pixel's side: 2 stays sharp in motion, at 72 bytes a pixel; 1 takes 24. Default 2, or 1 from
+   * 4 million pixels on. Always 1 if the device has no targets of twice the picture's size.
    */
   readonly cells?: 1 | 2;
 }
@@ -66,9 +66,13 @@ export class TAA implements FarolEffect {
   readonly takesPicture = true;
   readonly smoothsEdges = true;
   readonly movesCamera = true;
-  /** Share of a sample in a quarter of a pixel that it falls in, if that moves; half of it if not: above 0, at most 1. Default 0.65. */
+  /**
+   * Share of a new sample in its quarter of a moving pixel; half of that in others. Above 0, at most 1. Default 0.65.
+   */
   share = 0.65;
-  /** Standard deviations of its neighbours to which a pixel's past is clipped where it may not be believed. Default 2, above 0. */
+  /**
+   * Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2.
+   */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
   private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {
@@ -124,7 +128,7 @@ export class TAA implements FarolEffect {
     },
   });
   private shared: Picture | null = null;
-  /** From `begin` to `end`: found at `begin`, an exception has ended the last frame. */
+  /** True from `begin` to `end`. If true at `begin`, an exception has ended the last frame. */
   private open = false;
   private contextLists: unknown = null;
 
@@ -141,13 +145,13 @@ export class TAA implements FarolEffect {
     return bytes;
   }
 
-  /** Forgets the past: after a cut, or when something has changed that cannot be seen in the scene's objects. */
+  /** Forgets the past. Call after a cut, or after a change that the scene's objects do not show. */
   reset(): void {
     for (const history of this.histories) history.reset();
   }
 
   begin(frame: Frame): void {
-    // what the targets hold is of a frame that broke, or gone with a lost context: three then makes its lists anew
+    // targets hold a failed frame, or are lost with the context: three then makes its lists anew
     if (this.open || this.contextLists !== contextLists(frame.webgl)) this.reset();
     this.open = true;
     this.contextLists = contextLists(frame.webgl);
@@ -210,19 +214,19 @@ export class TAA implements FarolEffect {
     this.shared?.dispose();
   }
 
-  /** Draws the motion and finds out what has changed. */
+  /** Draws the motion and detects changes. */
   private drawMotion(frame: Frame): void {
     const { history, motion, viewProjection } = this;
     motion.render(frame, history.motions, history.frame + 1, history.viewProjection, this.shared!.target);
     const looks = looksOf(frame.queue) + surroundingsOf(frame.lights, frame.scene) * 11;
     const follows = !history.isEmpty;
     const moved = !viewProjection.equals(history.viewProjection);
-    // a camera that moves sees other things; what of them has changed is left to clipping
+    // a moving camera sees new objects; changes among them are left to clipping
     const relit =
       history.lights.changed(frame.lights) ||
       (!moved && (frame.lights.uploadedBytes > 0 || sendsFields(frame) || looks !== history.looks));
     history.looks = looks;
-    // where the reactive mask was, pixels begin anew among those that have settled
+    // pixels of the former reactive mask begin anew among settled ones
     const { reactive } = history;
     const covers = reactive.now !== null || reactive.before !== null;
     const changed = moved || relit || motion.changed || covers || frame.shadowMapsDrawn > 0;
@@ -236,7 +240,7 @@ export class TAA implements FarolEffect {
     else belief.value = moved ? 4 : 3;
   }
 
-  /** Says how much this frame's samples count. */
+  /** Sets the weights of this frame's samples. */
   private setShares(frame: Frame): void {
     const { history, share } = this;
     const { gathered } = history;
@@ -296,7 +300,7 @@ export class TAA implements FarolEffect {
     return history;
   }
 
-  /** The host's camera with a projection moved by the jitter. */
+  /** View of the host's camera with a projection moved by the jitter. */
   private viewOf(camera: Camera): Camera {
     let view = this.views.get(camera);
     if (view === undefined) {
@@ -313,7 +317,7 @@ export class TAA implements FarolEffect {
   }
 }
 
-/** Whether lights of fields are others than in the last frame. */
+/** Whether lights of fields have changed since the last frame. */
 function sendsFields({ lights, uploadedBytes }: Frame): boolean {
   return lights.fields.length > 0 && uploadedBytes > 0;
 }

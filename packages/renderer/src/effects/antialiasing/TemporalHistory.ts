@@ -20,11 +20,11 @@ const REACH = { type: HalfFloatType, format: RGFormat } as const;
 
 /** State that temporal anti-aliasing keeps from frame to frame, for one camera and scene. */
 export class TemporalHistory {
-  /** How objects stood in the last frame. */
+  /** States of objects in the last frame. */
   readonly motions = new ObjectMotions();
   /** Pixels whose past is ignored: particles and others that change without motion. */
   readonly reactive = new ReactiveMasks();
-  /** How lights were. */
+  /** Detects changes of lights. */
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
   readonly viewProjection = new Matrix4();
@@ -32,11 +32,14 @@ export class TemporalHistory {
   readonly forward = new Vector3();
   /** Frames since the last reset. */
   count = 0;
-  /** Frames since anything changed, since light or looks did, and since all motion was known; endless after a reset. */
+  /**
+   * Frames since any change, since a change of light or materials (`sure`), and since unknown motion (`known`);
+   * Infinity after a reset.
+   */
   quiet = Infinity;
   sure = Infinity;
   known = Infinity;
-  /** Number of the last frame, never put back. */
+  /** Number of the last frame; `reset` does not change it. */
   frame = 0;
   /** Hash of the last frame's settings, by `looksOf`. */
   looks = 0;
@@ -79,7 +82,7 @@ export class TemporalHistory {
     return this.width === width && this.height === height && this.cells === cells;
   }
 
-  /** Begins a frame of a size (pixels) and cells along a pixel's side; `next` and `nextReach` are what it is drawn to. */
+  /** Begins a frame with a size (pixels) and cells along a pixel's side; it is drawn to `next` and `nextReach`. */
   setSize(width: number, height: number, cells: number): void {
     this.width = width;
     this.height = height;
@@ -94,7 +97,7 @@ export class TemporalHistory {
     return this.reaches[this.frame & 1].of(this.width, this.height);
   }
 
-  /** Ends a frame: what was drawn is the past now. */
+  /** Ends a frame: its targets become the past. */
   advance(viewProjection: Matrix4, camera: Camera): void {
     this.last = this.next.texture;
     this.lastReach = this.nextReach.texture;

@@ -4,10 +4,11 @@ import type { Vector2, Vector4 } from 'three';
 const REACH = 0.42;
 
 /**
- * How much a sample counts in each cell of a pixel: the Gaussian of its way to the cell's middle, or whether it lies in it.
- * @param jitter - by which the picture is moved (normalised device coordinates)
- * @param cells - along a pixel's side: 1, where it counts whole, or 2
- * @param strict - count 1 in the cell that the sample lies in and 0 in the others
+ * Weight of a sample in each cell of a pixel: a Gaussian of its distance to the cell's middle, or 1 in its own cell
+ * alone.
+ * @param jitter - shift of the picture (normalised device coordinates)
+ * @param cells - cells along a pixel's side: 1 (the weight is 1) or 2
+ * @param strict - whether the weight is 1 in the sample's own cell and 0 in others
  * @param out - 0 to 1, rows of cells from the lower left on
  * @see Karis 2014, High Quality Temporal Supersampling
  */

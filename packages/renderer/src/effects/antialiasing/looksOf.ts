@@ -9,14 +9,14 @@ type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
 type MovingTexture = Texture & { isVideoTexture?: boolean };
 
 /**
- * A number that stays as long as the materials of what is drawn look the same: their colours, opacity, roughness and the
- * like, versions, and textures. NaN, which equals nothing, where a shader of the host's or a video may change by itself.
+ * Number that changes with the looks of drawn materials: colours, opacity, roughness and the like, versions, textures.
+ * NaN, which equals nothing, if a shader of the host's or a video may change by itself.
  */
 export function looksOf(queue: RenderQueue): number {
   return looksOfList(queue.opaque) + looksOfList(queue.transmissive) * 3 + looksOfList(queue.transparent) * 7;
 }
 
-/** A number that stays as long as the lights that are kept are as many, and ambient light, environment and background the same. */
+/** Number that changes with the count of visible lights, ambient light, environment and background. */
 export function surroundingsOf(lights: Pick<LightTable, 'visible' | 'ambient' | 'fields'>, scene: Object3D): number {
   const { environmentIntensity, backgroundIntensity, background } = scene as Scene;
   let sum = lights.visible + number(environmentIntensity) * 3 + number(backgroundIntensity) * 5;
@@ -38,7 +38,7 @@ function looksOfList(items: RenderQueue['opaque']): number {
   let sum = items.length;
   for (let i = 0; i < items.length; i++) {
     const m = items[i].material as AnyMaterial & ReactiveMaterial;
-    // the mask says where it is
+    // the reactive mask covers its pixels
     if (m.isReactive === true) continue;
     if (items[i].shading === 'nodes' || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
       return Number.NaN;

@@ -7,7 +7,7 @@ import type { RenderItem } from '../../frame/RenderItem';
 import motionVertexHeader from './motionVertexHeader.glsl?raw';
 import motionVertex from './motionVertex.glsl?raw';
 
-/** Also as the host may write it. */
+/** Matches main(), also as a host may write it. */
 const MAIN = /\bvoid\s+main\s*\(/;
 const VARYINGS = 'varying highp vec4 farol_now;\nvarying highp vec4 farol_before;\n';
 const WRITE =
@@ -22,7 +22,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   const kind = (): TwinKind => ({
     key: 'motion',
     chunks: () => [],
-    // what is drawn has this very depth in the picture already, but for rounding
+    // the picture already has the same depth here, up to rounding
     properties: {
       blending: NoBlending,
       depthWrite: false,
@@ -40,7 +40,7 @@ export function motionTwins(uniforms: Record<string, IUniform>): readonly [TwinK
   return [kind(), kind()];
 }
 
-/** True for draws whose motion the twins can show; the rest counts as standing still. */
+/** True for draws whose motion the twins can show; others count as standing still. */
 export function hasMotionTwin(item: RenderItem): boolean {
   const material = item.material as RenderItem['material'] & {
     isMeshBasicMaterial?: boolean;

@@ -21,7 +21,7 @@ vec4 own = farol_weightsAt(pixel);
 // from below, above, left, right
 vec4 weights = vec4(own.r, farol_weightsAt(pixel + ivec2(0, 1)).g, own.b, farol_weightsAt(pixel + ivec2(1, 0)).a);
 farol_color = farol_linearAt(pixel);
-// over the longer direction alone: both would blur corners
+// only over the longer direction: both would blur corners
 if (max(weights.z, weights.w) > max(weights.x, weights.y)) weights.xy = vec2(0.0);
 else weights.zw = vec2(0.0);
 float sum = weights.x + weights.y + weights.z + weights.w;

@@ -3,11 +3,11 @@
 uniform highp sampler2D farol_pictureDepth;
 // x, y: way in pictures; z: change of distance (m); w: 1 where something moves by itself
 uniform highp sampler2D farol_motionMap;
-uniform highp mat4 farol_reproject; // this frame's normalised device coordinates to last frame's
+uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
 uniform highp vec2 farol_jitter; // normalised device coordinates
 uniform highp vec2 farol_depthKind; // 1 if depth is reversed; log2(far + 1) if it is logarithmic, else 0
 uniform highp vec4 farol_projectZ; // of a view z: factor and sum of clip z, factor and sum of clip w
-uniform bool farol_hasMotion; // the motion map holds something
+uniform bool farol_hasMotion; // whether the motion map holds any motion
 
 ivec2 farol_inPicture(const in ivec2 pixel) {
   return clamp(pixel, ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
@@ -22,7 +22,7 @@ float farol_deviceZ(const in float depth) {
   return farol_depthKind.x > 0.5 ? depth : depth * 2.0 - 1.0;
 }
 
-// within what half floats hold
+// limited to the range of half floats
 float farol_distanceOf(const in float deviceZ) {
   float z = (farol_projectZ.y - deviceZ * farol_projectZ.w) / (deviceZ * farol_projectZ.z - farol_projectZ.x);
   return clamp(-z, 1e-3, 6e4);

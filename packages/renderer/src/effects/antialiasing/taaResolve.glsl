@@ -7,13 +7,13 @@
 #include "lanczosCross"
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_history;
-uniform highp sampler2D farol_reach; // of taaNear
-uniform highp sampler2D farol_reachBefore; // the same of the last frame
-uniform int farol_cells; // along a pixel's side
-uniform highp vec4 farol_weights; // of this frame's sample in each cell of a pixel, 0 to 1
+uniform highp sampler2D farol_reach; // distances of taaNear.glsl, this frame
+uniform highp sampler2D farol_reachBefore; // distances of taaNear.glsl, last frame
+uniform int farol_cells; // history cells along a pixel's side
+uniform highp vec4 farol_weights; // weight of this frame's sample in each cell of a pixel, 0 to 1
 uniform bool farol_encoded;
 uniform bool farol_hasPast;
-uniform highp vec2 farol_share; // of a sample of weight 1 in what moves, and in what does not
+uniform highp vec2 farol_share; // share of a sample of weight 1 in moving pixels, in others
 uniform float farol_gamma; // standard deviations to which the past is clipped; 0: nothing has changed, it is not
 // 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the
 // camera has

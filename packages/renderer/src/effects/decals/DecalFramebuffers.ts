@@ -11,11 +11,11 @@ export class DecalFramebuffers {
   private framebuffers: WebGLFramebuffer[] = [];
   private gl: WebGL2RenderingContext | null = null;
 
-  /** Brings them up to the G-buffer as it is now. */
+  /** Updates the framebuffers to the present G-buffer. */
   follow(frame: Frame, gbuffer: GBuffer): void {
     const { gl, webgl } = frame;
     const handle = (texture: Texture) => textureHandle(webgl, texture)!;
-    // what effects add to the layout is light
+    // attachments that effects add hold light
     const light = [gbuffer.emissive, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
     const all = groups.flat();
@@ -34,12 +34,12 @@ export class DecalFramebuffers {
     });
   }
 
-  /** Draws to accumulation (and indirect light) from here on. */
+  /** Binds accumulation (and indirect light) for the draws that follow. */
   bindLight(frame: Frame): void {
     bindFramebuffer(frame.webgl, frame.gl.FRAMEBUFFER, this.framebuffers[0]);
   }
 
-  /** Draws to albedo, normal and material from here on. */
+  /** Binds albedo, normal and material for the draws that follow. */
   bindSurface(frame: Frame): void {
     bindFramebuffer(frame.webgl, frame.gl.FRAMEBUFFER, this.framebuffers[1]);
   }

@@ -35,7 +35,7 @@ import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
 import { SurfaceCopies } from './SurfaceCopies';
 
-/** In place of a normal map's scale where there is none. */
+/** Stands for the scale of a missing normal map. */
 const NO_NORMAL_MAP = 1e9;
 const BLENDINGS: readonly Blending[] = [AdditiveBlending, SubtractiveBlending, MultiplyBlending];
 const colour = new Color();
@@ -121,7 +121,7 @@ export class Decals implements FarolEffect {
     this.materials = null;
   }
 
-  /** Copies what is read of the surfaces while it is written, and points the uniforms at it. */
+  /** Copies the surface attachments that are read while written, and sets the uniforms to the copies. */
   private prepare(frame: Frame, gbuffer: GBuffer): void {
     const { copies, uniforms } = this;
     copies.take(frame, gbuffer);

@@ -15,7 +15,7 @@ export class SurfaceCopies {
   private gbuffer!: WebGLRenderTarget;
   private normals!: WebGLRenderTarget;
   private albedos!: WebGLRenderTarget;
-  /** Pixels that were written since `take`: x, y, width, height of each box. */
+  /** Rectangles of pixels written since `take`: x, y, width, height of each decal's box. */
   private readonly written: Vector4[] = [];
   private boxes = 0;
 
@@ -28,12 +28,12 @@ export class SurfaceCopies {
     return this.normals.texture;
   }
 
-  /** Albedo of what is below the next decal. */
+  /** Albedo below the next decal, earlier decals included. */
   get albedo(): Texture {
     return this.albedos.texture;
   }
 
-  /** Copies all of a G-buffer; another target is bound then. */
+  /** Copies normals, albedo and distances of a G-buffer. Leaves another target bound. */
   take(frame: Frame, { target, storesDistance }: GBuffer): void {
     const { width, height } = target;
     this.gbuffer = target;
@@ -48,8 +48,8 @@ export class SurfaceCopies {
   }
 
   /**
-   * Brings the albedo up to date where the next decal may lie over earlier ones; another framebuffer is bound then.
-   * @param modelView - from the decal's box to view space
+   * Updates the albedo where the next decal may overlap earlier ones. May leave another framebuffer bound.
+   * @param modelView - transform from the decal's box to view space
    */
   follow(frame: Frame, modelView: Matrix4): void {
     const rectangle = this.rectangle(this.boxes);

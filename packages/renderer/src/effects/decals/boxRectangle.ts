@@ -3,9 +3,9 @@ import { type Matrix4, Vector4 } from 'three';
 const corner = new Vector4();
 
 /**
- * The pixels that a unit cube round the origin may cover: x, y, width and height, whole numbers within the size. All of them
- * where the cube reaches behind the camera.
- * @param modelView - from the cube to view space (m)
+ * Rectangle of pixels that a unit cube round the origin may cover: x, y, width, height, whole numbers. The whole
+ * picture if the cube reaches behind the camera.
+ * @param modelView - transform from the cube to view space (m)
  */
 export function boxRectangle(
   modelView: Matrix4,

@@ -1,9 +1,9 @@
 import { Data3DTexture, DataUtils, HalfFloatType, LinearFilter, RGBAFormat, Vector3 } from 'three';
 import { type ProbeBox, probeCount } from './ProbeBox';
 
-/** Numbers a probe: nine coefficients of red, green and blue, as three's SphericalHarmonics3 has them. */
+/** Numbers of a probe: nine coefficients of red, green and blue, as three's SphericalHarmonics3 has them. */
 export const PROBE_NUMBERS = 27;
-/** Texels a probe. */
+/** Texels of a probe. */
 const TEXELS = 7;
 
 /**

@@ -1,4 +1,4 @@
-/** Also as the host may write it. */
+/** Matches main(), also as a host may write it. */
 const MAIN = /\bvoid\s+main\s*\(/;
 
 /** Puts declarations before a shader's main(). */

@@ -23,7 +23,7 @@ export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): 
     patch(shader, source, header) {
       kind.patch(shader, source, header);
       const { fragmentShader } = shader;
-      // a shader of the host's without three's maps takes no ambient light of them either
+      // a host's shader without three's map chunk gets no ambient light from probes either
       const maps = findChunk(fragmentShader, 'lights_fragment_maps');
       if (maps === null) return;
       Object.assign(shader.uniforms, uniforms);

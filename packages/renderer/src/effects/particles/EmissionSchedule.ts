@@ -2,46 +2,51 @@ import type { ParticleSettings } from './ParticleSettings';
 
 /** Longest step of the simulation (s); longer ones are split. */
 export const LONGEST_STEP = 1 / 30;
-/** Times closer than this are one (s). */
+/** Times closer than this count as equal (s). */
 const CLOSE = 1e-9;
 
 /** One step of the simulation, at most `LONGEST_STEP` long, with the particles that begin in it. */
 export interface SimulationStep {
-  /** Length (s). */
+  /** Length of the step (s). */
   seconds: number;
   /** Number of the first particle that begins, counted from the last restart. */
   first: number;
-  /** Particles that begin at the start of the step; then `rated` ones at equal intervals. */
+  /** Number of particles that begin at the start of the step; `rated` more begin at equal intervals. */
   bursting: number;
   rated: number;
-  /** The first of these begins so long after the start of the step, and the others as long after one another (s). */
+  /** Time from the start of the step to the first of the `rated` particles; `interval`: time between them (s). */
   offset: number;
   interval: number;
-  /** Time of the emitter at the end of the step (s). */
+  /** The emitter's time at the end of the step (s). */
   time: number;
 }
 
 type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'delay' | 'duration' | 'loop' | 'life'>;
 
-/** When particles begin: the emitter's clock, without a GPU. Particles are numbered; one lies in slot number % capacity. */
+/**
+ * Schedule of the particles' beginnings: the emitter's clock, without a GPU. Particles are numbered; one lies in slot
+ * number % capacity.
+ */
 export class EmissionSchedule {
   /** Time since the last restart (s). */
   time = 0;
-  /** Particles that have begun. */
+  /** Number of particles that have begun. */
   begun = 0;
-  /** The first of them that may live still: all before it have ended. */
+  /** Number of the first particle that may still live: all before it have ended. */
   oldest = 0;
-  /** Whether particles could not begin since the restart, because there were as many as `capacity` has room for. */
+  /** Whether particles could not begin since the restart, because `capacity` was reached. */
   wasFull = false;
-  /** Whether particles begin, now and later. */
+  /** Whether no particle begins any more. */
   isOver = false;
   private cycle = 0;
   private nextBurst = 0;
   private sorted: ParticleSettings['bursts'] = [];
   private bursts: ParticleSettings['bursts'] | null = null;
-  /** Share of a particle that `rate` has made since the last one. */
+  /** Fraction of the next particle that `rate` has accumulated, 0 to 1. */
   private share = 0;
-  /** Ring of what began together: the number after the last of them, and when all of them have ended. */
+  /**
+   * Ring of groups that began together: the number after the group's last particle, and the time when all have ended.
+   */
   private ends = new Float64Array(4);
   private expiries = new Float64Array(4);
   private firstBatch = 0;
@@ -63,9 +68,9 @@ export class EmissionSchedule {
   }
 
   /**
-   * Goes on by a time, in one or several steps: none is longer than LONGEST_STEP, and bursts lie between steps.
+   * Advances the time in one or several steps: none is longer than LONGEST_STEP, and bursts lie between steps.
    * @param emits - whether particles begin
-   * @param take - gets each step; the object is used again
+   * @param take - gets each step; the object is reused
    */
   advance(seconds: number, settings: Emission, emits: boolean, take: (step: SimulationStep) => void): void {
     this.follow(settings);
@@ -80,7 +85,7 @@ export class EmissionSchedule {
     }
   }
 
-  /** Takes new bursts over: those whose time is past are not made up for. */
+  /** Adopts new bursts; those whose time is past are skipped. */
   private follow({ bursts, delay }: Emission): void {
     if (bursts === this.bursts) return;
     const isFirst = this.bursts === null;
@@ -161,7 +166,7 @@ export class EmissionSchedule {
     this.expiries[at] = expiry;
   }
 
-  /** Finds out which particles have ended. */
+  /** Updates `oldest` by the particles that have ended. */
   private forget(): void {
     while (this.batches > 0 && this.expiries[this.firstBatch] <= this.time) {
       this.oldest = this.ends[this.firstBatch];

@@ -33,7 +33,7 @@ nothing.allowOverride = false;
 
 /** Most lights of an emitter: those of a LightField. */
 const MOST_LIGHTS = 2 ** 18;
-/** One light without a range: none is on. */
+/** Texture of one light without a range, which lights nothing. */
 const DARK = new DataTexture(new Float32Array(4), 1, 1, undefined, FloatType);
 DARK.needsUpdate = true;
 const NO_LIGHTS: LightTextures = { sphere: DARK, emission: DARK };
@@ -77,7 +77,7 @@ const MeshWithSettings = Mesh as unknown as new (
  */
 export class ParticleEmitter extends MeshWithSettings {
   readonly isParticleEmitter = true;
-  /** Whether particles begin; those that live go on either way. Default true. */
+  /** Whether new particles begin; living ones continue either way. Default true. */
   emitting = true;
   /** Grows when a curve or gradient gets another value. @internal */
   curvesVersion = 0;
@@ -85,18 +85,18 @@ export class ParticleEmitter extends MeshWithSettings {
   restarts = 0;
   /** @internal */
   readonly pending = new PendingSteps();
-  /** Called before it is drawn, by the effect that draws it. @internal */
+  /** Set by the effect `Particles`, called before the emitter is drawn. @internal */
   prepareDraw: ((emitter: ParticleEmitter) => void) | null = null;
   /** @internal */
   readonly values: ParticleSettings;
   private field: LightField | null = null;
   private hasBegun = false;
   private prewarmed = 0;
-  /** The capacity that was said to be too small. */
+  /** Capacity that a warning has called too small; 0 for none. */
   private toldOf = 0;
 
   /**
-   * @param settings - those that are not the defaults
+   * @param settings - settings that differ from the defaults
    * @throws RangeError that names the setting which cannot be
    */
   constructor(settings: Partial<ParticleSettings> = {}) {
@@ -129,8 +129,9 @@ export class ParticleEmitter extends MeshWithSettings {
   }
 
   /**
-   * Gives several settings other values.
-   * @throws RangeError that names the first which cannot be; those before it have theirs. None has where a name is unknown
+   * Sets several settings.
+   * @throws RangeError that names the first which cannot be; those before it have theirs. None has where a name is
+   * unknown
    */
   set(settings: Partial<ParticleSettings>): this {
     for (const name of Object.keys(settings)) checkParticleName(this.owner, name);
@@ -140,8 +141,8 @@ export class ParticleEmitter extends MeshWithSettings {
   }
 
   /**
-   * Lets time go by: long steps are made in parts of at most 1/30 s, between which the emitter's transform is interpolated.
-   * The GPU follows in the next frame that draws the emitter.
+   * Advances the time: long steps are made in parts of at most 1/30 s, between which the emitter's transform is
+   * interpolated. The GPU follows in the next frame that draws the emitter.
    * @param seconds - 0 or more
    * @throws RangeError when it is no such number
    */
@@ -162,7 +163,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.prewarmed = 0;
   }
 
-  /** Makes what a restart makes, if that is yet to be done: the world matrix is up to date. @internal */
+  /** Completes a restart, if one is due. The world matrix must be up to date. @internal */
   begin(): void {
     if (this.hasBegun) return;
     this.hasBegun = true;
@@ -188,7 +189,7 @@ export class ParticleEmitter extends MeshWithSettings {
     return this.set(source.settings);
   }
 
-  /** The cameras that see the particles see by their light. */
+  /** Updates matrices, and copies the emitter's layers to its lights: cameras that see particles are lit by them. */
   override updateMatrixWorld(force?: boolean): void {
     if (this.field !== null) this.field.layers.mask = this.layers.mask;
     super.updateMatrixWorld(force);
@@ -227,7 +228,7 @@ export class ParticleEmitter extends MeshWithSettings {
     if (this.field !== null) this.field.textures = textures ?? NO_LIGHTS;
   }
 
-  /** Makes what is drawn: vertices without attributes, or instances of a mesh. @internal */
+  /** Makes the geometry: vertices without attributes, or instances of a mesh. @internal */
   takeGeometry(): void {
     const { render, particleGeometry } = this.values;
     this.geometry.dispose();
@@ -239,7 +240,7 @@ export class ParticleEmitter extends MeshWithSettings {
     this.geometry.boundingSphere = new Sphere();
   }
 
-  /** Draws nothing, until an effect says how many particles there are. @internal */
+  /** Sets the number of drawn particles to 0, until an effect sets it. @internal */
   hide(): void {
     const { geometry } = this;
     this.setLightTextures(null);
@@ -252,14 +253,14 @@ export class ParticleEmitter extends MeshWithSettings {
     const { capacity, rate, life, bursts } = this.values;
     this.toldOf = capacity;
     const enough = Math.ceil(rate * life[1]) + bursts.reduce((sum, { count }) => sum + count, 0);
-    // what ends in a step makes room in the next alone, which nobody sees
+    // particles that end in a step make room only in the next: a warning would be wrong
     if (capacity >= enough) return;
     console.warn(
       `${this.owner}: capacity ${capacity} is reached, and no more particles begin; set it to ${enough} or more.`,
     );
   }
 
-  /** The emitter, for errors. @internal */
+  /** Name of the emitter, for errors. @internal */
   get owner(): string {
     return this.name === '' || this.name === 'ParticleEmitter' ? 'ParticleEmitter' : `ParticleEmitter "${this.name}"`;
   }

@@ -24,9 +24,9 @@ export type EmitterShape =
    */
   | { readonly kind: 'mesh'; readonly mesh: Mesh | null };
 
-/** A number of particles at once. */
+/** A number of particles that begin at once. */
 export interface ParticleBurst {
-  /** After the emitter's beginning, or that of each of its loops (s). */
+  /** Time after the beginning of the emitter, or of each of its loops (s). */
   readonly time: number;
   readonly count: number;
 }
@@ -42,23 +42,23 @@ export type ParticleCollider = {
       readonly kind: 'plane';
       /** Normal of the plane, of any length but 0. */
       readonly normal: readonly [number, number, number];
-      /** Height along the normal (m). */
+      /** Distance of the plane from the origin along its normal (m). */
       readonly height: number;
     }
   | {
       readonly kind: 'sphere';
-      /** Metres. */
+      /** Centre of the sphere (m). */
       readonly center: readonly [number, number, number];
-      /** Above 0 (m). */
+      /** Radius of the sphere, above 0 (m). */
       readonly radius: number;
     }
 );
 
-/** How one picture of a grid of them follows another over a particle's life, row by row from the top left. */
+/** Animation by a grid of pictures, shown over a particle's life row by row from the top left. */
 export interface FlipBook {
   readonly columns: number;
   readonly rows: number;
-  /** Times that all pictures are shown in a life. Default 1. */
+  /** Number of times that all pictures are shown in a life. Default 1. */
   readonly cycles?: number;
 }
 
@@ -74,21 +74,21 @@ export interface ParticleSettings {
   capacity: number;
   /** Seed of all random numbers: equal seeds and steps give equal particles. Default 1. */
   seed: number;
-  /** Particles a second. Default 100. */
+  /** Particles that begin each second. Default 100. */
   rate: number;
-  /** Default none. */
+  /** Groups of particles that begin at once. Default none. */
   bursts: readonly ParticleBurst[];
   /** Time before the first particle begins (s), of which `duration` and bursts count from the end; `prewarm` counts it. Default 0. */
   delay: number;
   /** Time in which the emitter emits (s); 0: without an end. Default 0. */
   duration: number;
-  /** Begins again after `duration`. Default true. */
+  /** Whether the emitter begins again after `duration`. Default true. */
   loop: boolean;
   /** Time that is simulated at the beginning and at each restart, 0 to 60 s: the picture begins in full swing. Default 0. */
   prewarm: number;
-  /** Default a cone of 0.1 m and 0.35 rad. Another one begins anew. */
+  /** Region in which particles begin. A change restarts the emitter. Default a cone of 0.1 m and 0.35 rad. */
   shape: EmitterShape;
-  /** Life (s). Default [1, 2]. */
+  /** Lifetime of a particle (s). Default [1, 2]. */
   life: readonly [number, number];
   /** Speed at the beginning (m/s). Default [1, 2]. */
   speed: readonly [number, number];
@@ -104,33 +104,36 @@ export interface ParticleSettings {
   drag: number;
   /** Acceleration by curl noise (m/s²). Default 0. */
   noiseStrength: number;
-  /** Waves of the noise a metre. Default 1. */
+  /** Spatial frequency of the noise (1/m). Default 1. */
   noiseFrequency: number;
   /** Speed at which the noise sinks through the particles (m/s), so that it changes where they stay. Default 0. */
   noiseScroll: number;
-  /** At most 4, met in their order in each step. Default none. */
+  /** Obstacles, at most 4, tested in their order in each step. Default none. */
   colliders: readonly ParticleCollider[];
-  /** Diameter (m), times `sizeOverLife`. Default [0.1, 0.2]. */
+  /** Diameter of a particle (m), multiplied by `sizeOverLife`. Default [0.1, 0.2]. */
   size: readonly [number, number];
   /** Default [[0, 1], [1, 1]]. */
   sizeOverLife: readonly CurveKey[];
-  /** Default white, fading out. */
+  /** Colour and opacity over a particle's life. Default white, fading out. */
   colorOverLife: readonly GradientKey[];
-  /** Factor of the colour, for particles brighter than white. Default 1. */
+  /** Factor on the colour, for particles brighter than white. Default 1. */
   brightness: number;
-  /** Turn at the beginning (rad): of meshes about an axis of each, else in the picture. Default [0, 2π]. */
+  /** Initial rotation (rad): of meshes about an axis of their own, else in the picture plane. Default [0, 2π]. */
   initialRotation: readonly [number, number];
-  /** Turning (rad/s), times `spinOverLife`. Default [0, 0]. */
+  /** Angular speed (rad/s), multiplied by `spinOverLife`. Default [0, 0]. */
   spin: readonly [number, number];
   /** Default [[0, 1], [1, 1]]. */
   spinOverLife: readonly CurveKey[];
-  /** Null: a soft round dot. It stays the caller's. Default null. */
+  /** Picture of a particle; stays the caller's. Default null: a soft round dot. */
   texture: Texture | null;
-  /** Null: all of the texture. Default null. */
+  /** Animation by parts of `texture`. Default null: the whole texture. */
   flipBook: FlipBook | null;
-  /** Faces the camera; is drawn out along its velocity; or a mesh of its own. Default 'billboard'. */
+  /**
+   * Shape of a particle: faces the camera, is stretched along its velocity, or is `particleGeometry`. Default
+   * 'billboard'.
+   */
   render: 'billboard' | 'stretched' | 'mesh';
-  /** Length of a stretched particle a metre a second of its speed (s). Default 0.05. */
+  /** Length of a stretched particle for each m/s of its speed (s). Default 0.05. */
   stretch: number;
   /**
    * How meshes begin: turned by `initialRotation` about an axis that is random for each, or about the mesh's +Y, which then is
@@ -155,12 +158,12 @@ export interface ParticleSettings {
    * at its centre. Else it shines by itself. Default false.
    */
   lit: boolean;
-  /** Lit particles receive shadows. Default false. */
+  /** Whether lit particles receive shadows. Default false. */
   receiveShadow: boolean;
-  /** Every so many particles is a point light; 0: none. Default 0. */
+  /** One particle in this many is a point light; 0: none. Default 0. */
   lightEvery: number;
-  /** Luminous intensity of each (cd), in the particle's colour, times its opacity. Default 1. */
+  /** Luminous intensity of each such light (cd), in the particle's colour, multiplied by its opacity. Default 1. */
   lightIntensity: number;
-  /** Range of each (m), times `sizeOverLife`. Default 1. */
+  /** Range of each such light (m), multiplied by `sizeOverLife`. Default 1. */
   lightRange: number;
 }

@@ -28,21 +28,21 @@ import { type ParticleSurroundings, SurroundingLight } from './ParticleSurroundi
 import { surfaceTable, TEXELS_PER_TRIANGLE } from './surfaceTable';
 
 const SHAPES = { point: 0, sphere: 1, cone: 2, box: 3, mesh: 4 } as const;
-/** Texels a row of the table of a surface. */
+/** Width of the texture of a mesh shape's triangles (texels). */
 const SURFACE_COLUMNS = 1026;
 const WORDS = 4_294_967_296;
 const float = new Float64Array(1);
 const words = new Uint32Array(float.buffer);
 const from = new Vector3();
 const turn = new Matrix4();
-/** As particleVertex.glsl has them. */
+/** Codes of `orientation` in particleVertex.glsl. */
 const ORIENTATIONS = { random: 0, emitter: 1, velocity: 2 } as const;
 const to = new Vector3();
 
-/** Columns of a texture with a texel a slot, about as wide as high. */
+/** Width (texels) of an about square texture with a texel for each slot. */
 const columnsOf = (slots: number): number => 2 ** Math.ceil(Math.log2(slots) / 2);
 
-/** A seed as 32 bits: whole numbers below 2³² are themselves. */
+/** Converts a seed to 32 bits; whole numbers below 2³² stay as they are. */
 function seedBits(seed: number): number {
   if (Number.isInteger(seed) && seed >= 0 && seed < WORDS) return seed;
   float[0] = seed;
@@ -66,7 +66,7 @@ function floatTexture(data: Float32Array<ArrayBuffer>, width: number, height: nu
 }
 
 export interface ParticleTextures {
-  /** Place in the world (m), age (s). */
+  /** Position in the world (m), age (s). */
   readonly positions: Texture;
   /** Velocity (m/s), life (s). */
   readonly velocities: Texture;
@@ -106,7 +106,7 @@ export class ParticleState {
     return bytes;
   }
 
-  /** As the last step left them. */
+  /** Particles after the last step; null before the first. */
   get textures(): ParticleTextures | null {
     return this.particles === null ? null : { positions: this.positions, velocities: this.velocities };
   }
@@ -120,8 +120,8 @@ export class ParticleState {
   }
 
   /**
-   * Makes the steps that the emitter was told to. Binds targets.
-   * @returns whether there was anything to do
+   * Simulates the emitter's pending steps. Binds targets.
+   * @returns whether there were any
    */
   simulate(frame: Frame, pass: ReturnType<typeof particleStepPass>): boolean {
     const { emitter } = this;
@@ -129,7 +129,7 @@ export class ParticleState {
     this.bakeCurves();
     emitter.begin();
     if (this.particles === null || this.slots !== emitter.capacity) {
-      // what is lost cannot be gone on with
+      // lost particles cannot be continued
       if (!pending.clears) {
         emitter.restart();
         emitter.begin();
@@ -176,7 +176,7 @@ export class ParticleState {
     this.uniforms.farol_particleBlue.value = blue;
   }
 
-  /** Writes the lights of the emitter's LightField, which it has. Binds a target. */
+  /** Writes the lights of the emitter's LightField, which must exist. Binds a target. */
   writeLights(frame: Frame, pass: ReturnType<typeof particleLightsPass>): void {
     const { emitter } = this;
     const { uniforms } = pass;
@@ -198,7 +198,7 @@ export class ParticleState {
     emitter.setLightTextures(this.lightTextures);
   }
 
-  /** Sorts the particles where their order shows. Binds targets. @returns whether it does */
+  /** Sorts the particles if their order is visible. Binds targets. @returns whether it is */
   sort(frame: Frame, passes: ReturnType<typeof particleSortPasses>): boolean {
     if (this.emitter.blending === 'additive') return false;
     this.order ??= new ParticleOrder(this.slots);
@@ -213,7 +213,7 @@ export class ParticleState {
     const { schedule } = emitter.pending;
     const { capacity, size, initialRotation, spin, stretch, brightness, flipBook, render } = emitter;
     const isSorted = emitter.blending !== 'additive';
-    // what is sorted lies anywhere
+    // sorted slots lie anywhere in the order
     const count = isSorted ? this.order!.places : schedule.begun - schedule.oldest;
     uniforms.farol_particlePositions.value = this.positions;
     uniforms.farol_particleVelocities.value = this.velocities;
@@ -234,7 +234,7 @@ export class ParticleState {
     else emitter.geometry.setDrawRange(0, 6 * count);
   }
 
-  /** @param depth - of the opaque surfaces */
+  /** @param depth - depth of the opaque surfaces */
   setDepth(frame: Frame, depth: Texture): void {
     const { uniforms } = this;
     const { near } = frame.camera as PerspectiveCamera;
@@ -248,7 +248,7 @@ export class ParticleState {
     if (this.material !== null) this.material.uniformsNeedUpdate = true;
   }
 
-  /** Draws which pixels the particles cover. */
+  /** Draws the particles' coverage into the reactive mask. */
   drawMask(frame: Frame, item: RenderItem, mask: ReactiveMask<Frame>): void {
     this.maskMaterial ??= particleMaterial(frame, { ...this.parts!, reactive: true }, this.uniforms);
     this.maskMaterial.uniformsNeedUpdate = true;

@@ -18,10 +18,10 @@ import type { TwinKind } from '../../materials/TwinKind';
 import { beforeLastBrace } from '../../three/beforeLastBrace';
 import surroundingNormals from './surroundingNormals.glsl?raw';
 
-/** Normals of surroundingNormals.glsl, a texel each. */
+/** Number of normals in surroundingNormals.glsl, a texel each. */
 const NORMALS = 9;
 
-/** Also as the host may write it. */
+/** Matches main(), also as a host may write it. */
 const MAIN = /\bvoid\s+main\s*\(\s*\)\s*\{/;
 const NORMAL = 'vec3 farol_axisNormal;\n#define normal farol_axisNormal\n';
 const PLACE = `gl_Position = vec4((float(farol_texelIndex) + (farol_isRightCorner ? 1.0 : 0.0)) / ${(NORMALS / 2).toFixed(1)} - 1.0,
@@ -41,7 +41,9 @@ function surroundingsKind(): TwinKind {
   };
 }
 
-/** A quad for each texel. The shader makes positions and normals; three asks only whether there are any. */
+/**
+ * Makes a quad for each texel. The shader makes positions and normals; three only tests that the attributes exist.
+ */
 function texels(): BufferGeometry {
   const none = new BufferAttribute(new Float32Array(18 * NORMALS), 3);
   const geometry = new BufferGeometry().setAttribute('position', none).setAttribute('normal', none);
@@ -50,8 +52,9 @@ function texels(): BufferGeometry {
 }
 
 /**
- * Light from all around at an emitter: environment map, ambient and hemisphere lights, light probes, and what effects add for
- * lit materials. A white Lambert surface of three's own is shaded for nine normals, from which follow spherical harmonics of second order.
+ * Indirect light at an emitter: environment map, ambient and hemisphere lights, light probes, and what effects add for
+ * lit materials. A white Lambert surface of three's own is shaded for nine normals, from which follow spherical
+ * harmonics of second order.
  * @see Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps
  */
 export class ParticleSurroundings {
@@ -88,7 +91,10 @@ export class ParticleSurroundings {
     };
   }
 
-  /** Draws the light at an emitter's place. Binds the target. @param place - world matrix of the emitter */
+  /**
+   * Draws the indirect light at an emitter's position. Binds the target.
+   * @param place - world matrix of the emitter
+   */
   draw(frame: Frame, target: WebGLRenderTarget, place: Matrix4): void {
     this.mesh.matrixWorld.identity().copyPosition(place);
     frame.bind(target);
@@ -101,7 +107,7 @@ export class ParticleSurroundings {
   }
 }
 
-/** The light around one emitter. */
+/** Indirect light at one emitter. */
 export class SurroundingLight {
   private readonly target = new WebGLRenderTarget(NORMALS, 1, {
     type: FloatType,

@@ -114,7 +114,7 @@ export class Particles implements FarolEffect {
     this.lightingPasses.clear();
   }
 
-  /** three, and another renderer, draw nothing of the emitters. */
+  /** Hides the emitters from three and other renderers after the frame. */
   private hide(): void {
     for (const emitter of this.drawn) {
       emitter.prepareDraw = null;
@@ -140,7 +140,7 @@ export class Particles implements FarolEffect {
     this.states.delete(emitter);
   };
 
-  /** Right before an emitter is drawn: opaque surfaces and light lists are there. */
+  /** Called right before an emitter is drawn, when opaque surfaces and light lists exist. */
   private readonly prepareDraw = (emitter: ParticleEmitter): void => {
     const { frame } = this;
     const state = this.states.get(emitter);

@@ -4,13 +4,13 @@ import type { ParticleSettings } from './ParticleSettings';
 
 /** A step that the GPU has yet to make. */
 export interface PendingStep extends SimulationStep {
-  /** World matrix of the emitter at the end of the step; that of the step before is the one at its start. */
+  /** World matrix of the emitter at the end of the step; at its start it is that of the step before. */
   readonly matrix: Matrix4;
 }
 
-/** Steps that are kept at most while nobody draws the emitter. */
+/** Most steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Steps after which it is first looked which of them are of particles that have all ended. */
+/** Number of steps from which on those are dropped whose particles have all ended. */
 const FEW = 64;
 
 function makeStep(): PendingStep {
@@ -22,22 +22,22 @@ function makeStep(): PendingStep {
  */
 export class PendingSteps {
   readonly schedule = new EmissionSchedule();
-  /** The steps, the first `count` of them. */
+  /** Pending steps; only the first `count` are valid. */
   readonly steps: PendingStep[] = [];
   count = 0;
-  /** The emitter's world matrix at the start of the first of them. */
+  /** The emitter's world matrix at the start of the first pending step. */
   readonly start = new Matrix4();
-  /** Whether all particles from before the first of them have ended. */
+  /** Whether all particles from before the first pending step have ended. */
   clears = true;
   private readonly last = new Matrix4();
   private readonly next = new Matrix4();
   private longestLife = 0;
   private from = 0;
   private length = 0;
-  /** Steps at which it is looked again which are needed still. */
+  /** Number of steps at which unneeded ones are next dropped. */
   private limit = FEW;
 
-  /** No particle has begun, and the emitter is where it is. */
+  /** Begins anew at the emitter's present world matrix. */
   restart(matrix: Matrix4): void {
     this.schedule.restart();
     this.count = 0;
@@ -59,14 +59,14 @@ export class PendingSteps {
     this.last.copy(matrix);
   }
 
-  /** Says that the GPU has made all of them. */
+  /** Forgets the pending steps, since the GPU has made them. */
   done(): void {
     this.count = 0;
     this.clears = false;
     this.letGo();
   }
 
-  /** Lets go of the room for steps that came while nobody drew the emitter: 0.6 MB after a minute. */
+  /** Frees the memory of steps that gathered while the emitter was not drawn: 0.6 MB after a minute. */
   private letGo(): void {
     if (this.steps.length > FEW) this.steps.length = FEW;
   }
@@ -87,13 +87,13 @@ export class PendingSteps {
     for (let i = 0; i < 16; i++) kept.matrix.elements[i] = a[i] + share * (b[i] - a[i]);
   };
 
-  /** Lets go of steps of which no particle lives still, and, where there are too many, of half of them. */
+  /** Drops steps whose particles have all ended and, if there are too many, half of the rest. */
   private drop(time: number): void {
     const { steps, count } = this;
     let first = 0;
     while (first < count && time - steps[first].time >= this.longestLife) first++;
     if (count === MOST) first = Math.max(first, MOST / 2);
-    // at most half of what is kept is of no use
+    // at most half of the kept steps are unneeded
     this.limit = Math.min(MOST, Math.max(FEW, 2 * (count - first)));
     if (first === 0) return;
     this.start.copy(steps[first - 1].matrix);

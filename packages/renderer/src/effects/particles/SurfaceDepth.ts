@@ -6,11 +6,11 @@ import { PassTarget } from '../../gpu/PassTarget';
 import { targetBytes } from '../../gpu/targetBytes';
 
 /**
- * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: what the technique has handed
- * over, else a copy of the target's depth texture, else drawn once more.
+ * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: from the technique's
+ * resources, else a copy of the target's depth texture, else drawn once more.
  */
 export class SurfaceDepth {
-  /** Null until it is known in this frame. */
+  /** Depth of this frame; null until `of` is called. */
   texture: Texture | null = null;
   private copied: WebGLRenderTarget | null = null;
   private readonly drawn = new PassTarget({ depthTexture: true });
@@ -19,7 +19,7 @@ export class SurfaceDepth {
     return this.drawn.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
   }
 
-  /** The depth texture; the frame's target is bound afterwards. Call when all opaque surfaces are drawn. */
+  /** Returns the depth texture, and binds the frame's target. Call when all opaque surfaces are drawn. */
   of(frame: Frame): Texture {
     if (this.texture !== null) return this.texture;
     const { target } = frame;

@@ -1,13 +1,13 @@
 import type { CurveKey, GradientKey, ParticleSettings } from './ParticleSettings';
 
-/** Texels of a row of the baked curves, the first at a life's beginning, the last at its end. */
+/** Width of the baked curves (texels): the first at a life's beginning, the last at its end. */
 export const CURVE_TEXELS = 256;
-/** Colour and opacity; size, and how much of its spin a particle has turned. */
+/** Rows of the baked curves: colour and opacity; size, and share of its spin that a particle has turned. */
 export const CURVE_ROWS = 2;
 
 type Curves = Pick<ParticleSettings, 'colorOverLife' | 'sizeOverLife' | 'spinOverLife'>;
 
-/** The first key after a time; the number of keys when there is none. */
+/** Index of the first key after a time; the number of keys if there is none. */
 function keyAfter(keys: readonly (CurveKey | GradientKey)[], time: number): number {
   let next = 0;
   while (next < keys.length && keys[next][0] <= time) next++;
@@ -53,7 +53,7 @@ export function curveIntegral(keys: readonly CurveKey[], time: number): number {
   return sum + ((value + end) / 2) * (time - last);
 }
 
-/** A curve's value as a time is come to: before a jump where two keys have that time. */
+/** Limit of a curve as time approaches from below: the value before a jump if two keys have that time. */
 function curveBefore(keys: readonly CurveKey[], time: number): number {
   const at = keys.findIndex((key) => key[0] >= time);
   if (at <= 0) return at === 0 ? keys[0][1] : keys[keys.length - 1][1];

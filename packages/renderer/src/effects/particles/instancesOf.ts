@@ -2,9 +2,8 @@ import { hasReadableVertices } from '../../three/vertexData';
 import { type BufferGeometry, InstancedBufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
 
 /**
- * Instances of a copy of a geometry; none yet. Attributes are copied since three deletes the GPU buffers of a geometry's
- * attributes when that geometry is disposed of: another one of the same attributes would draw from deleted buffers. None are
- * copied that the CPU cannot read.
+ * Makes an instanced copy of a geometry, with no instances yet. Attributes are copied since three deletes their GPU
+ * buffers when one geometry that has them is disposed. Attributes that the CPU cannot read are left out.
  */
 export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeometry {
   const instanced = new InstancedBufferGeometry();

@@ -1,6 +1,6 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** The settings of an emitter of which none is given. */
+/** Default settings of an emitter. */
 export const particleDefaults: ParticleSettings = {
   capacity: 1000,
   seed: 1,

@@ -16,7 +16,7 @@ uniform highp vec4 farol_softness; // 1 / distance of fading (1/m), distance of 
 in highp vec4 farol_particleColor;
 in highp vec4 farol_particleUV; // of two pictures
 in highp vec3 farol_particleBall; // place on a ball of the particle's size; share of the second picture
-in highp float farol_particleDistance; // along the view (m)
+in highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_LIT
 #include "particleSurroundings"
 flat in highp mat3x4 farol_particleLit;
@@ -52,7 +52,7 @@ if (!farol_isEmpty(farol_surface)) farol_room = min(farol_room, -farol_viewZ(far
 farol_color.a *= clamp(farol_room * farol_softness.x, 0.0, 1.0);
 #endif
 #ifdef FAROL_REACTIVE
-// what covers a quarter of a pixel, or adds as much, has no past that counts
+// pixels covered or brightened by a quarter have no valid past
 float farol_brightest = max(1.0, max(farol_color.r, max(farol_color.g, farol_color.b)));
 gl_FragColor = vec4(min(1.0, 4.0 * farol_color.a * farol_brightest));
 return;

@@ -12,7 +12,7 @@ int slot = texel.y * farol_sortSlots.y + texel.x;
 if (farol_sortSlots.z == 0) slot = int(texelFetch(farol_sorted, texel, 0).y);
 int columns = textureSize(farol_particlePositions, 0).x;
 ivec2 at = ivec2(slot % columns, slot / columns);
-// what is not there comes last
+// slots without a particle come last
 farol_key = vec2(-1e30, slot);
 if (slot < farol_sortSlots.x) {
   vec4 center = texelFetch(farol_particlePositions, at, 0);

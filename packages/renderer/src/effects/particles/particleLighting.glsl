@@ -21,7 +21,7 @@ void farol_addParticleLight(const in vec3 color, const in vec3 direction) {
   farol_blue += color.b * facing;
 }
 
-// by the irradiance of a surface that faces its middle, of a rectangle where that is greatest
+// area light: by the irradiance of a surface that faces its middle; of a rectangle, of the brightest direction
 void farol_addAreaToParticle(const in FarolLight light) {
 #ifdef FAROL_AREA_LIGHTS
   vec3 toLight = light.direction * light.distance;

@@ -27,7 +27,7 @@ import particleVertex from './particleVertex.glsl?raw';
 
 const noTexture = () => ({ value: null as Texture | null });
 
-/** Uniforms of the material of one emitter. */
+/** Makes the uniforms of one emitter's material. */
 export function particleUniforms() {
   return {
     ...(UniformsUtils.clone(UniformsLib.fog) as typeof UniformsLib.fog),
@@ -59,11 +59,11 @@ export type ParticleLook = Pick<ParticleSettings, 'render' | 'blending' | 'lit'>
   readonly map: boolean;
   readonly soft: boolean;
   readonly sorted: boolean;
-  /** Writes the reactive mask. Default false. */
+  /** Whether the material writes the reactive mask. Default false. */
   readonly reactive?: boolean;
 };
 
-/** Blending of what WeightedBlendedOIT leaves alone, as NormalBlending. */
+/** Blending that equals NormalBlending but that WeightedBlendedOIT leaves alone. */
 const OVER = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,

@@ -16,7 +16,7 @@ const noTexture = () => ({ value: null as Texture | null });
 /** Textures with the position and velocity of each particle. */
 const particles = () => ({ farol_particlePositions: noTexture(), farol_particleVelocities: noTexture() });
 
-/** One step of all particles of an emitter. */
+/** Makes the pass of one step of all particles of an emitter. */
 export function particleStepPass() {
   return new FullscreenPass({
     program: 'particle step',
@@ -47,7 +47,7 @@ export function particleStepPass() {
   });
 }
 
-/** The lights of an emitter's particles, as a LightField has them. */
+/** Makes the pass that writes the lights of an emitter's particles as a LightField has them. */
 export function particleLightsPass() {
   return new FullscreenPass({
     program: 'lights of particles',
@@ -78,7 +78,7 @@ function nameCoordinates(parameters: { fragmentShader: string }): void {
     .replace('precision highp float;\n', `precision highp float;\n${NAMES}vec4 ${COORDINATE};\n`);
 }
 
-/** The light that reaches each particle of an emitter, by a light loop. */
+/** Computes the light on each particle of an emitter, by a light loop. */
 export class ParticleLightingPass extends FullscreenPass<ReturnType<typeof lightingUniforms>> {
   private prepared: unknown = null;
 

@@ -5,13 +5,13 @@
 uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
 uniform highp sampler2D farol_particleVelocities; // m/s, life (s); an age of at least the life: none
 uniform highp ivec4 farol_beginning; // slot of the first that begins, how many at the start, how many after, slots
-uniform highp uint farol_firstNumber; // of the particles that begin
+uniform highp uint farol_firstNumber; // number of the first particle that begins
 uniform highp vec3 farol_stepTimes; // length of the step, start of the first after it, time between these (s)
 uniform highp mat4 farol_emitterStart; // world matrix of what particles begin on, at the start of the step, and its end
 uniform highp mat4 farol_emitterEnd;
 uniform highp mat4 farol_carried; // what living particles are moved by with the emitter in the step
 uniform highp vec4 farol_lifeAndSpeed; // least, most life (s); least, most speed (m/s)
-uniform highp vec3 farol_inherited; // velocity (m/s)
+uniform highp vec3 farol_inherited; // inherited velocity (m/s)
 layout(location = 0) out highp vec4 farol_position;
 layout(location = 1) out highp vec4 farol_velocity;
 

@@ -1,4 +1,4 @@
-/** Steps of the network that one pass makes. */
+/** Steps of the network in one pass. */
 const STEPS_PER_PASS = 3;
 
 /**

@@ -1,7 +1,9 @@
 import { Matrix4, Vector3, type Mesh } from 'three';
 import { hasReadableVertices, isReadable } from '../../three/vertexData';
 
-/** Texels of a triangle: three corners, the first two with its share and its alias, then their normals. */
+/**
+ * Texels of a triangle: three corners, of which the first two also hold its share and its alias; then their normals.
+ */
 export const TEXELS_PER_TRIANGLE = 6;
 
 /** A surface as triangles that can be drawn by area with one random number for the column and one for the choice. */
@@ -49,7 +51,7 @@ type Attribute = Mesh['geometry']['attributes'][string];
 const readable = (attribute: Attribute | undefined) =>
   attribute !== undefined && isReadable(attribute) ? attribute : undefined;
 
-/** @param mesh - its triangles count by their areas in the world @returns null where it has no area that the CPU can read */
+/** @param mesh - mesh whose triangles are weighted by area in the world @returns null without readable area */
 export function surfaceTable(mesh: Mesh): SurfaceTable | null {
   const { geometry } = mesh;
   const { position: positions } = geometry.attributes;

@@ -42,7 +42,7 @@ export class WeightedBlendedOIT implements FarolEffect {
   private underTarget: WebGLRenderTarget | null = null;
   private shared: Picture | null = null;
   private readonly twins = new Map<TwinKind, TwinKind>();
-  /** While transparent items are added to the weighted sums. */
+  /** True while transparent items are added to the weighted sums. */
   private isWeighing = false;
   private readonly resolve = new FullscreenPass({
     program: 'weighted transparency',
@@ -95,7 +95,7 @@ export class WeightedBlendedOIT implements FarolEffect {
     this.shared?.dispose();
   }
 
-  /** The weighted sums, under the picture's depth, then over the picture. */
+  /** Draws the weighted sums, hidden by the picture's depth, then blends them over the picture. */
   private drawLayers(frame: Frame, pass: Pass): void {
     const picture = this.shared!.target;
     const target = this.prepareTarget(picture);

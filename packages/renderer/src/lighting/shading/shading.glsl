@@ -11,9 +11,9 @@ struct FarolShading {
   vec3 positionVS;
   vec3 normalVS;
   vec3 viewDirVS;
-  float dotNV; // not clamped
+  float dotNV; // cosine of view and normal, not clamped
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
-  float lambdaV; // of the height-correlated Smith term
+  float lambdaV; // view's part of the height-correlated Smith term
   float diffuse0; // 1 - F at normal incidence, of the layer over the diffuse one
   float diffuse90; // of diffuse0, lost at grazing angles: times Schlick's fifth power
   vec3 diffuse; // sum of c N·L (1 - F)

@@ -14,7 +14,7 @@ farol_lightVertex(mvPosition.xyz, -farol_vertexNormal, farol_backSums);
 #endif
 `;
 
-/** A forward kind whose lights are evaluated at the vertices. */
+/** Changes a forward kind to evaluate lights at the vertices. */
 function atVertices(kind: TwinKind): TwinKind {
   return {
     ...kind,

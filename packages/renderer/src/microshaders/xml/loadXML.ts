@@ -2,7 +2,7 @@ import type { MicroShader } from '../MicroShader';
 import { shortText } from '../shortText';
 import { parseMicroShaderXML } from './parseMicroShaderXML';
 
-/** A MicroShaderRegistry. */
+/** Parts of a MicroShaderRegistry that loading uses. */
 interface Registry {
   has(name: string): boolean;
   add(chunks: readonly MicroShader[]): void;

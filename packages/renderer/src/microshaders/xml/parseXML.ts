@@ -4,7 +4,7 @@ export interface XMLElement {
   readonly name: string;
   readonly attributes: Readonly<Record<string, string>>;
   readonly children: XMLElement[];
-  /** All text directly inside, CDATA included. */
+  /** All text directly inside the element, CDATA included. */
   text: string;
   /** Line of the opening tag, and of its end, from 1. */
   readonly line: number;

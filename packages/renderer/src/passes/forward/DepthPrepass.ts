@@ -8,9 +8,9 @@ import { setDepthMode } from '../../gpu/unprojectUniforms';
 import { setViewport } from '../../three/state';
 
 /**
- * Draws the depth of the opaque lit items first: into a texture for the light lists, and from there into the host's target,
- * so that what is hidden is not shaded. Where that is multisampled the items are drawn into it once more: depths of pixels
- * are not those of samples.
+ * Draws the depth of opaque lit items first: into a texture for the light lists, and from there into the host's target,
+ * so that hidden surfaces are not shaded. The items are drawn again into a multisampled target, whose samples have
+ * depths of their own.
  * @see Harada, McKee and Yang 2012, Forward+: Bringing Deferred Lighting to the Next Level
  */
 export class DepthPrepass implements Pass {
@@ -19,7 +19,10 @@ export class DepthPrepass implements Pass {
   readonly writes = ['scene-depth', 'target'] as const;
   /** Depth of the opaque items, as a texture of the picture's size. */
   private readonly target = new PassTarget({ depthTexture: true });
-  /** Drawn to first where the viewport does not begin at the corner: at another place, vertices may be rounded otherwise. */
+  /**
+   * Target used first for a viewport that does not begin at the corner, since vertices elsewhere may be rounded
+   * otherwise.
+   */
   private readonly shifted = new PassTarget({ depthTexture: true });
   private readonly toTarget = new FullscreenPass({
     program: 'depth',
@@ -73,7 +76,7 @@ export class DepthPrepass implements Pass {
   }
 
   private drawSamples(frame: Frame): void {
-    // depth that the shader writes spares no shading
+    // logarithmic depth is written by the shader, and so spares no shading
     if (frame.webgl.capabilities.logarithmicDepthBuffer) return;
     frame.bindTarget();
     for (const item of frame.queue.opaque) {

@@ -17,7 +17,10 @@ export interface ForwardPassOptions {
   readonly reads?: readonly Resource[];
 }
 
-/** Draws what is left of one of three's lists into the host's target, each lit item once, by the lights of the loop. */
+/**
+ * Draws the remaining items of one of three's lists into the host's target, each lit item once, by the lights of the
+ * loop.
+ */
 export class ForwardPass implements Pass {
   readonly name: string;
   readonly reads: readonly Resource[];

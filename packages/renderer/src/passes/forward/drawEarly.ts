@@ -2,8 +2,8 @@ import type { Frame } from '../../frame/Frame';
 import type { ForwardTwins } from '../../materials/forwardTwin';
 
 /**
- * Draws into the host's target what must be there before the rest, in three's order.
- * @param twins - of a loop without lists: those are not made yet
+ * Draws the `early` items into the host's target, in three's order, before all others.
+ * @param twins - twins of a loop without lists, which are not made yet
  */
 export function drawEarly(frame: Frame, twins: ForwardTwins): void {
   const { queue } = frame;

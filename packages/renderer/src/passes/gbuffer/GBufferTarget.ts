@@ -4,12 +4,12 @@ import { GBuffer } from '../../gbuffer/GBuffer';
 import { attachmentIndex } from '../../gbuffer/gbufferNames';
 import { shadingModelOf } from '../../gbuffer/shadingModel';
 
-/** True for an item that the G-buffer holds without loss that shows; others are left to forward passes. */
+/** True for an item that the G-buffer holds without visible loss; others are left to forward passes. */
 export function fitsGBuffer(item: RenderItem): boolean {
   return item.route === 'split' && !item.layered && shadingModelOf(item.material) !== null;
 }
 
-/** The G-buffer of a pass: made for what a frame asks of it, and made anew when that changes. */
+/** Makes the G-buffer of a pass for the needs of a frame, and makes it anew when these change. */
 export class GBufferTarget {
   private made: GBuffer | null = null;
 
@@ -31,7 +31,7 @@ export class GBufferTarget {
     frame.bind(gbuffer.target);
     // depth 1 says that nothing is drawn there: other attachments need no clear, which costs as much as a draw
     frame.clear(0, true);
-    // a surface at depth 1 is told from nothing by its flags, beside the albedo
+    // flags, beside the albedo, tell a surface at depth 1 from an empty pixel
     if (frame.queue.reachesFar) frame.clearOne(attachmentIndex.albedo);
     return gbuffer;
   }

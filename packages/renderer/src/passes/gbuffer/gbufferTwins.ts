@@ -5,7 +5,7 @@ import type { ShadingModel } from '../../gbuffer/surfaceFlags';
 import { litTwin } from '../../materials/litTwin';
 import type { TwinKind } from '../../materials/TwinKind';
 
-/** Declares what the G-buffer's shaders write beside gl_FragColor. */
+/** Declarations of the outputs of G-buffer shaders beside gl_FragColor. */
 export const OUTPUTS = attachmentOutputs();
 
 type AnyMaterial = Material & {
@@ -25,7 +25,10 @@ export function nearestModel(source: Material): ShadingModel {
 export const outputs = (text: string, source: Material) =>
   `${OUTPUTS}#define FAROL_FLAGS ${flagsOf(source, nearestModel(source))}\n${text}`;
 
-/** Writes the G-buffer; the first attachment gets emissive, ambient, environment and what three itself lights. */
+/**
+ * Twin that writes the G-buffer; the first attachment gets emissive, ambient and environment light, and lights left to
+ * three.
+ */
 export const gbufferTwin: TwinKind = litTwin({
   key: 'gbuffer',
   role: 'gbuffer',

@@ -4,10 +4,10 @@ import type { GBuffer } from '../../gbuffer/GBuffer';
 import { gbufferTextureUniforms, type GBufferTextureUniforms, textureUniforms } from '../../gbuffer/gbufferNames';
 import { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../../gpu/unprojectUniforms';
 
-/** Uniforms of gbufferRead.glsl and of where the picture lies. */
+/** Uniforms of gbufferRead.glsl and viewport.glsl. */
 export interface GBufferUniforms extends GBufferTextureUniforms, UnprojectUniforms {
   farol_gStored: IUniform<number[]>;
-  /** Pixels. */
+  /** Size of the picture (pixels). */
   farol_size: IUniform<Vector2>;
   farol_offset: IUniform<Vector2>;
 }
@@ -22,12 +22,12 @@ export function gbufferUniforms(): GBufferUniforms {
   };
 }
 
-/** How the fragment shaders of three's materials, which know `isOrthographic`, store distances. */
+/** Kind of stored distance for a camera, as in shaders by `isOrthographic`: 1 perspective, 2 orthographic. */
 export function storedKind(camera: Camera): 1 | 2 {
   return (camera as OrthographicCamera).isOrthographicCamera === true ? 2 : 1;
 }
 
-/** Points the uniforms at a G-buffer and at this frame's camera and size. */
+/** Sets the uniforms for a G-buffer and this frame's camera and size. */
 export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, frame: Frame): void {
   for (let i = 0; i < textureUniforms.length; i++) uniforms[textureUniforms[i]].value = gbuffer.target.textures[i];
   uniforms.farol_gAccumulation.value = gbuffer.accumulation;

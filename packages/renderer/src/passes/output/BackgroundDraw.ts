@@ -1,7 +1,7 @@
 import { LessEqualDepth } from 'three';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 
-/** Writes the colour that three would have cleared the target to, where depth is still 1: behind all that is drawn. */
+/** Writes the colour that three would have cleared to, where depth is still 1: behind all drawn surfaces. */
 export class BackgroundDraw extends FullscreenPass {
   constructor() {
     super({

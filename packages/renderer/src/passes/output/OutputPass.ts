@@ -14,7 +14,7 @@ export abstract class OutputPass<U extends Uniforms> extends FullscreenPass<Outp
   abstract readonly reads: readonly Resource[];
   readonly writes = ['target', 'output'] as const;
 
-  /** @param options - `uniforms` are those of the pass beside `OutputUniforms` */
+  /** @param options - options of the pass; `uniforms` are added to `OutputUniforms` */
   constructor(options: Omit<FullscreenPassOptions<U>, 'asThree'> & { readonly uniforms: U }) {
     super({
       shared: 'all',
@@ -27,7 +27,7 @@ export abstract class OutputPass<U extends Uniforms> extends FullscreenPass<Outp
     });
   }
 
-  /** Points the uniforms at what the pass reads. */
+  /** Sets the uniforms to the resources that the pass reads. */
   protected abstract read(frame: Frame): void;
 
   render(frame: Frame): void {

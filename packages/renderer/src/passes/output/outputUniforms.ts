@@ -1,11 +1,11 @@
 import { Color, type Texture } from 'three';
 
-/** `farol_view` of the output shaders: the picture, the light alone, or counts. */
+/** Values of `farol_view` in the output shaders: the picture, the light alone, or counts. */
 export const OUTPUT_FINAL = 0;
 export const OUTPUT_LIGHTING = 1;
 export const OUTPUT_COUNTS = 2;
 
-/** Uniforms of all output shaders; those of fog three fills for materials with `fog`. */
+/** Makes the uniforms of all output shaders; three sets those of fog for materials with `fog`. */
 export function outputUniforms() {
   return {
     fogColor: { value: new Color() },

@@ -73,7 +73,7 @@ export class WarmUp implements Preparation {
   step(effects: readonly FarolEffect[]): void {
     const programs = programsOf(this.frame.webgl);
     if (programs !== this.programs) {
-      // passes are new, also after a lost context
+      // the list of programs is new after a lost context
       this.programs = programs;
       this.waiting = waitingPrograms(programs);
       this.seen.clear();

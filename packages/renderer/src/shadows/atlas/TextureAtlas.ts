@@ -38,7 +38,7 @@ const SMALLEST = 512;
 const FINE_STEPS = 4096;
 /** Side of a map (texels) below which it is not halved. */
 const SMALLEST_MAP = 16;
-/** Of this many rebalancings of a full atlas, one may place all maps anew. */
+/** One in this many rebalancings of a full atlas may place all maps anew. */
 const REBALANCINGS = 10;
 /** Share of the atlas that regions of mixed sizes are expected to fill. */
 const FILLED = 0.9;

@@ -26,7 +26,7 @@ export class LightBufferPass implements Pass, LightBuffer {
   readonly writes = ['light-buffer'] as const;
   readonly uniforms = lightBufferUniforms();
   readonly twins = lightBufferTwins(this.uniforms);
-  /** The sums, and a copy of the thin G-buffer's depth, since that is read meanwhile. */
+  /** Target of the sums, with a copy of the thin G-buffer's depth, which is read meanwhile. */
   private target = sumsTarget(ATTACHMENTS);
   private attachments = ATTACHMENTS;
   private readonly surfaces = thinGBufferUniforms();
@@ -46,7 +46,7 @@ export class LightBufferPass implements Pass, LightBuffer {
     }
     const target = this.target.of(source.target.width, source.target.height);
     frame.bind(target);
-    frame.clear(attachments, frame.view === 'overdraw'); // else its depth is the copy
+    frame.clear(attachments, frame.view === 'overdraw'); // in other cases the target's depth is the copy
     if (frame.view === 'overdraw') countSurfaces(frame, source);
     frame.copyDepth(source.target, target);
     setThinGBufferUniforms(this.surfaces, source, frame);
@@ -65,7 +65,7 @@ function sumsTarget(count: number): PassTarget {
   return new PassTarget({ count, type: HalfFloatType, depthTexture: true });
 }
 
-/** The draws of the surfaces themselves count too. */
+/** Adds the draws of the surfaces themselves to the counts. */
 function countSurfaces(frame: Frame, source: ThinGBuffer): void {
   for (const item of source.items) frame.drawTwin(item, lightBufferCountTwin);
   for (const item of frame.queue.transparent) if (source.isStippled(item)) frame.drawTwin(item, lightBufferCountTwin);

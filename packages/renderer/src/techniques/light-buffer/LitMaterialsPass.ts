@@ -16,7 +16,7 @@ export class LitMaterialsPass implements Pass {
   readonly reads = ['thin-gbuffer', 'light-buffer', 'overdraw'] as const;
   readonly writes = ['target'] as const;
   readonly bytes = 0;
-  /** Shows the counts; made for the light buffer of its technique. */
+  /** Pass that shows the counts of the technique's light buffer; null until needed. */
   private counts: ReturnType<typeof countPass> | null = null;
 
   render(frame: Frame): void {

@@ -14,7 +14,7 @@ import { gridFit, gridTexels } from './gridFit';
 import { objectNumber } from './objectNumbers';
 import type { Pass } from '../../frame/Pass';
 
-/** How large the buffers of lighting are, and what is in them. */
+/** Size and contents of the thin G-buffer. */
 export interface ThinGBufferOptions {
   /** Whether buffers have `Frame.inferredScale` texels a pixel along each side; else one. */
   readonly scaled: boolean;
@@ -48,7 +48,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     return this.made === null ? 0 : targetBytes(this.made);
   }
 
-  /** Made by `render`. */
+  /** Target of the thin G-buffer; made by `render`. */
   get target(): WebGLRenderTarget {
     return this.made!;
   }
@@ -125,7 +125,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   }
 }
 
-/** @param storesDistance - with an attachment more, of how far each texel is, see storedDistance.glsl */
+/** @param storesDistance - whether an attachment holds the distance of each texel, see storedDistance.glsl */
 function makeTarget(storesDistance: boolean): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, {
     count: storesDistance ? 2 : 1,

@@ -1,12 +1,12 @@
 import type { Vector4 } from 'three';
 
-/** Texels of a buffer of `scale` (above 0, at most 1) texels a pixel, along a side of so many pixels. */
+/** Texels along a side of a buffer with `scale` (above 0, at most 1) texels for each of `pixels`. */
 export function gridTexels(pixels: number, scale: number): number {
   return Math.max(1, Math.ceil(pixels * scale));
 }
 
 /**
- * How far a picture is moved (pixels, 0 to 1) so that texel centres of a smaller buffer fall on pixel centres: at half the
+ * Shift of a picture (pixels, 0 to 1) by which texel centres of a smaller buffer fall on pixel centres: at half the
  * resolution a texel's centre would lie between four pixels, and every pixel would be interpolated.
  */
 export function gridShift(scale: number): number {

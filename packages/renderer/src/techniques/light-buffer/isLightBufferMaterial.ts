@@ -14,10 +14,10 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
  * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity
- * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what mirrors those
- * of the frame sharply.
- * @param knowsAreas - shaders know area lights. Default false
- * @param hasAreas - the frame has some. Default false
+ * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what mirrors
+ * those of the frame sharply.
+ * @param knowsAreas - whether shaders have code for area lights. Default false
+ * @param hasAreas - whether the frame has area lights. Default false
  */
 export function isLightBufferMaterial(material: Material, knowsAreas = false, hasAreas = false): boolean {
   const m = material as AnyMaterial;

@@ -15,10 +15,10 @@ struct FarolReader {
   vec3 positionVS;
   vec3 normalVS;
   float object;
-  vec2 size; // of the light buffer, texels
+  vec2 size; // size of the light buffer (texels)
   float reach; // how far off the tangent plane a texel may lie: the width of two texels there (m)
   int stride; // 2 for a stippled layer: every second texel
-  ivec2 corner; // of the stipple
+  ivec2 corner; // corner of the stipple
   ivec2 last; // last place of the stride
   vec4 sums0;
   vec4 sums1;
@@ -26,7 +26,7 @@ struct FarolReader {
 #ifdef FAROL_AREA_LIGHTS
   vec4 sums3;
 #endif
-  float total; // of the weights
+  float total; // sum of the weights
 };
 
 ivec2 farol_texelAt(const in FarolReader reader, const in ivec2 place) {

@@ -4,7 +4,7 @@ import { withObject } from './objectAttribute';
 import type { TwinKind } from '../../materials/TwinKind';
 
 /**
- * Lit materials that take their direct light from the light buffer.
+ * Makes the twins of lit materials that take their direct light from the light buffer.
  * @param uniforms - of lightBufferFilter.glsl
  */
 export function lightBufferTwins(uniforms: Record<string, IUniform>): (view: string) => ForwardTwins {

@@ -6,7 +6,7 @@ const LOCATION = 15;
 
 const DECLARATION = `layout(location = ${LOCATION}) in highp vec2 farol_objectAttribute;\nvarying highp vec2 farol_object;\n`;
 
-/** Each instance is an object of its own. */
+/** Vertex shader code: each instance has an object number of its own. */
 const NUMBER = `farol_object = farol_objectAttribute;
 #if defined( USE_BATCHING )
   farol_object.x = mod(farol_object.x + 89.0 * float(getIndirectIndex(gl_DrawID)), 2047.0) + 1.0;
@@ -30,7 +30,7 @@ export function withObject(kind: TwinKind): TwinKind {
 }
 
 /**
- * Sets `farol_object` of the draws to come.
+ * Sets `farol_object` for the draws that follow.
  * @param number - as `objectNumber` gives it
  * @param corner - as `stippleCorner` gives it, 0 for opaque things
  */
@@ -38,7 +38,7 @@ export function setObject(gl: WebGL2RenderingContext, number: number, corner: nu
   gl.vertexAttrib2f(LOCATION, number, corner);
 }
 
-/** Puts the attribute back to what a fresh context has. */
+/** Resets the attribute to its value in a new context. */
 export function resetObject(gl: WebGL2RenderingContext): void {
   gl.vertexAttrib4f(LOCATION, 0, 0, 0, 1);
 }

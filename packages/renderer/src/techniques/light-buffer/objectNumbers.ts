@@ -4,16 +4,17 @@ const NUMBERS = 2047;
 export const STIPPLE_LAYERS = 3;
 
 /**
- * Number by which texels of the thin G-buffer are told apart from another object's: 1 to 2,047, then from 1 again.
- * @param draw - which draw of the frame, from 0
+ * Number that marks an object's texels in the thin G-buffer: 1 to 2,047, then from 1 again.
+ * @param draw - index of the draw in the frame, from 0
  */
 export function objectNumber(draw: number): number {
   return (draw % NUMBERS) + 1;
 }
 
 /**
- * Corner of each two by two texels, 1 to 3, that a transparent layer takes: three layers over one another have one each.
- * @param layer - which transparent layer of the frame, from 0, farthest first
+ * Corner of each two by two texels, 1 to 3, that a transparent layer takes: three layers over one another have one
+ * each.
+ * @param layer - index of the transparent layer in the frame, from 0, farthest first
  * @see Kircher and Lawrance 2009, section on alpha polygons
  */
 export function stippleCorner(layer: number): number {

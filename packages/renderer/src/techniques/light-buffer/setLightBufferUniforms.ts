@@ -6,7 +6,7 @@ import type { ThinGBuffer, ThinGBufferUniforms } from '../../frame/ThinGBuffer';
 import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import { setUnprojectUniforms } from '../../gpu/unprojectUniforms';
 
-/** Points the uniforms at a thin G-buffer, and at this frame's camera. */
+/** Sets the uniforms for a thin G-buffer and this frame's camera. */
 export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: ThinGBuffer, frame: Frame): void {
   const { target } = source;
   uniforms.farol_thinSurface.value = target.texture;
@@ -21,7 +21,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   unproject.set(unproject.x / x, unproject.y / y, unproject.z * x - z, unproject.w * y - w);
 }
 
-/** Points the uniforms at a thin G-buffer and its light. @param sums - the textures of the light buffer */
+/** Sets the uniforms for a thin G-buffer and its light. @param sums - the textures of the light buffer */
 export function setLightBufferUniforms(
   uniforms: LightBufferUniforms,
   source: ThinGBuffer,

@@ -6,7 +6,7 @@ import { withObject } from './objectAttribute';
 import { findChunk, replaceChunk, replacePart } from '../../three/replaceChunk';
 import type { TwinKind } from '../../materials/TwinKind';
 
-/** Twins that write the thin G-buffer: of opaque materials, and of the layers of transparent ones. */
+/** Twins that write the thin G-buffer, for opaque materials and for layers of transparent ones. */
 export interface ThinGBufferTwins {
   readonly opaque: TwinKind;
   readonly stippled: ForwardTwins;

@@ -4,7 +4,7 @@ import { WordTable } from '../../gpu/WordTable';
 import type { LightLists } from '../../frame/LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
 
-/** Sent when there are no lights to list: a texture must be bound all the same. */
+/** Uploaded when there are no lights to list, since a texture must be bound. */
 const NO_WORDS = new Uint32Array(4);
 const PLAIN: LightLists = { loop: 'lightLoopClustered', defines: {} };
 const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TILE_SHADOWS: '' } };
@@ -12,7 +12,7 @@ const WITH_TILES: LightLists = { loop: 'lightLoopClustered', defines: { FAROL_TI
 const float = new Float32Array(1);
 const bits = new Int32Array(float.buffer);
 
-/** Brings the light grid, made on the CPU with the light table, to the GPU. The lights are to be ordered 'by-grid'. */
+/** Uploads the light grid, which the CPU makes with the light table. Needs the light order 'by-grid'. */
 export class LightGridPass implements Pass {
   readonly name = 'light lists';
   readonly reads: readonly Resource[];
@@ -20,7 +20,10 @@ export class LightGridPass implements Pass {
   private readonly masks = new WordTable(4);
   private readonly bins = new WordTable(1);
 
-  /** @param lit - 'gbuffer' where the lists light one: tiles of it that shadow maps leave wholly lit or dark are found too */
+  /**
+   * @param lit - 'gbuffer' if the lists light a G-buffer: then also finds tiles that shadow maps leave wholly lit or
+   * dark
+   */
   constructor(private readonly lit: 'gbuffer' | null = null) {
     this.reads = lit === null ? [] : [lit];
   }

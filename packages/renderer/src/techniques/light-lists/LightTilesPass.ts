@@ -11,9 +11,9 @@ import { wordTarget } from '../../gpu/wordTarget';
 import { textureHandle } from '../../three/handles';
 
 const LIGHTS_PER_QUAD = 128;
-/** Pixels along the side of a block in which depths are looked at first. */
+/** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
-/** The lists that a pass writes are not among the textures that it reads. */
+/** Shared uniforms of the pass: without the lists, which it must not read while writing them. */
 const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun', 'farol_tileMask'];
 const DEFINES = {
   none: {},
@@ -123,14 +123,14 @@ export class LightTilesPass implements Pass {
     own.farol_sceneDepth.value = this.use === 'none' ? null : frame.resources.get('scene-depth');
   }
 
-  /** A list that is not made in a frame is bound all the same: its texture must exist, also after a lost context. */
+  /** Creates the textures of lists not made in a frame, also after a lost context, since shaders bind them. */
   private giveStorage(frame: Frame): void {
     for (const { target } of [this.fine, this.summary]) {
       if (textureHandle(frame.webgl, target.texture) === undefined) frame.bind(target);
     }
   }
 
-  /** Links all programs, each with a target of its kind, so that a later frame with more lights waits for none. */
+  /** Links all programs, each for a target of its kind, so that a later frame with more lights waits for none. */
   private compile(frame: Frame): void {
     this.isCompiled = true;
     this.giveStorage(frame);

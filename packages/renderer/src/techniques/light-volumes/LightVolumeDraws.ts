@@ -36,8 +36,8 @@ const coneGeometry = /* @__PURE__ */ vertexless(CONE_VERTICES);
 const fieldGeometry = /* @__PURE__ */ vertexless(FIELD_VERTICES);
 
 /**
- * Back faces that lie behind the surface: right also with the camera inside; a volume wholly before the surface shades
- * nothing.
+ * State that draws back faces behind the surface: correct also with the camera inside a volume; volumes before the
+ * surface shade nothing.
  */
 const VOLUME = { ...ADDITIVE, side: BackSide, depthTest: true, depthFunc: GreaterEqualDepth } as const;
 
@@ -45,7 +45,7 @@ interface Materials {
   readonly global: FullscreenPass;
   readonly sphere: PassMaterial;
   readonly cone: PassMaterial;
-  /** Null until lights of fields are drawn. */
+  /** Material for lights of fields; null until some are drawn. */
   field: PassMaterial | null;
   readonly makeField: () => PassMaterial;
 }
@@ -76,7 +76,7 @@ export class LightVolumeDraws {
     private readonly uniforms: Record<string, IUniform>,
   ) {}
 
-  /** Draws all lights of the frame; in the count views, ones in place of light. */
+  /** Draws all lights of the frame; in count views adds 1 for each light instead. */
   draw(frame: Frame): void {
     const { lights } = frame;
     const materials = isCountView(frame.view)

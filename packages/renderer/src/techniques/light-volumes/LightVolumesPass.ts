@@ -10,7 +10,7 @@ export class LightVolumesPass implements Pass {
   readonly name = 'light volumes';
   readonly reads = ['gbuffer'] as const;
   readonly writes = ['lighting'] as const;
-  /** The sums, and a copy of the scene's depth, since the depth texture itself is read meanwhile. */
+  /** Target of the sums, with a copy of the scene's depth, since the depth texture is read meanwhile. */
   private readonly target = new PassTarget({ type: HalfFloatType, depthTexture: true });
   private readonly uniforms = gbufferUniforms();
   private readonly volumes = new LightVolumeDraws('', 'volumeLighting', { ...this.uniforms });

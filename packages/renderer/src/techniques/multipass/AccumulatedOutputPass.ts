@@ -12,7 +12,7 @@ const accumulatedUniforms = () => ({
   farol_size: { value: new Vector2() },
 });
 
-/** Writes the sums of multipass lighting. */
+/** Writes the sums of multipass lighting to the host's target. */
 export class AccumulatedOutputPass extends OutputPass<ReturnType<typeof accumulatedUniforms>> {
   readonly microShaders = { ...chunks };
   readonly reads = ['accumulated-light', 'overdraw'] as const;
@@ -40,7 +40,7 @@ export class AccumulatedOutputPass extends OutputPass<ReturnType<typeof accumula
       material.fog = !hasFog;
       material.needsUpdate = true;
     }
-    // at an edge, samples of what was there before show through
+    // at an edge, samples of earlier draws show through
     material.blending = frame.samples > 0 ? CustomBlending : NoBlending;
   }
 }

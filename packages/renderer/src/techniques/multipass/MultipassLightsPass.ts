@@ -32,7 +32,7 @@ const scissor = new Vector4();
 const centre = new Vector3();
 const NO_MARK = new Int32Array(1);
 const { onBeforeRender } = Object3D.prototype;
-/** Share of the picture that a light with a range must lie over to be drawn with ambient light, over all objects. */
+/** Least share of the picture covered by a light with a range that is drawn with ambient light, over all objects. */
 const FIRST_SHARE = 0.25;
 
 /**
@@ -68,7 +68,7 @@ export class MultipassLightsPass implements Pass {
   render(frame: Frame): void {
     this.fogged = frame.target !== null && !isDrawnAsCanvas(frame.target);
     this.items.length = 0;
-    // of the frame that this one is drawn inside of, by a callback
+    // value of an enclosing frame, when a callback draws this one
     const mark = lightMark.value;
     try {
       this.prepareTarget(frame);
@@ -182,7 +182,7 @@ export class MultipassLightsPass implements Pass {
     gl.clearBufferfi(gl.DEPTH_STENCIL, 0, isDepthReversed(frame.webgl) ? 0 : 1, 0);
   }
 
-  /** Forgets which light was added to which pixel. */
+  /** Clears the marks of lights in the stencil buffer. */
   private unmark(frame: Frame): void {
     lightMark.value = 1;
     unmaskStencil(frame.webgl);
@@ -211,7 +211,7 @@ export class MultipassLightsPass implements Pass {
     this.turn();
   }
 
-  /** Takes the other twin: three sets uniforms, the light among them, only when another material is drawn than before. */
+  /** Switches to the other twin: three sets uniforms, the light among them, only when the material changes. */
   private turn(): void {
     this.slot = this.slot === 0 ? 1 : 0;
   }
@@ -240,11 +240,11 @@ export class MultipassLightsPass implements Pass {
       frame.drawTwin(items[i], kind);
       drawn = true;
     }
-    // where nothing was drawn, the twin drawn last is another still
+    // without a draw, the last drawn twin is still the other one
     if (drawn) this.turn();
   }
 
-  /** Puts the rectangle of a light into `scissor`. @returns false if it covers no pixel */
+  /** Sets `scissor` to the rectangle of a light. @returns false if it covers no pixel */
   private cutTo(frame: Frame, k: number): boolean {
     const { bounds } = frame.lights;
     const { camera, width, height } = frame;
@@ -285,7 +285,7 @@ export class MultipassLightsPass implements Pass {
   }
 }
 
-/** The sphere that three culls an object by, in the object's space. */
+/** Sphere by which three culls an object, in the object's space. */
 function boundingSphereOf(object: Object3D, geometry: BufferGeometry): Sphere | null {
   const own = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere;
   return own ?? geometry.boundingSphere;

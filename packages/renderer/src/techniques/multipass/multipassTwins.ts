@@ -17,12 +17,12 @@ import type { TwinKind } from '../../materials/TwinKind';
 
 const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
 
-/** Ambient, environment, emissive, what three itself lights, and one light: the first pass of multipass lighting. */
+/** Twin of the first pass: ambient, environment and emissive light, lights left to three, and one light. */
 const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne' });
 const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne', properties: { fog: false } });
 const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
 
-/** @param fogged - false leaves fog to the output */
+/** @param fogged - false leaves fog to the output pass */
 export function baseTwin(view: View, fogged: boolean): TwinKind {
   return view === 'final' || view === 'grid' ? (fogged ? base : baseUnfogged) : baseDark;
 }
@@ -87,14 +87,17 @@ const field = additive(false, true, 'lightLoopField');
 const fieldUnfogged = additive(false, false, 'lightLoopField');
 const fieldCounter = additive(true, true, 'lightLoopField');
 
-/** The lights of fields, added to what is there. @param fogged - false leaves fog to the output */
+/**
+ * Returns the twin that adds the lights of fields to earlier draws.
+ * @param fogged - false leaves fog to the output
+ */
 export function fieldTwin(view: View, fogged: boolean): TwinKind {
   return isCountView(view) ? fieldCounter : fogged ? field : fieldUnfogged;
 }
 
 /**
- * One light, added to what is there. Two kinds of one program, to be used in turns light by light: three sends a
- * material's uniforms only when the material changes.
+ * Returns the twin that adds one light to earlier draws. Two kinds of one program, to be used in turns light by light:
+ * three sends a material's uniforms only when the material changes.
  * @param fogged - false leaves fog to the output
  */
 export function additiveTwin(view: View, slot: 0 | 1, fogged: boolean): TwinKind {

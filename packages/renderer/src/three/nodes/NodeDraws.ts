@@ -14,7 +14,7 @@ interface NodeItem extends RenderListItem {
   drawn: boolean;
 }
 
-/** What is drawn: a `Frame`. */
+/** Parts of a `Frame` that draws of node materials use. */
 interface DrawnFrame {
   readonly webgl: WebGLRenderer;
   readonly scene: Scene;
@@ -22,7 +22,7 @@ interface DrawnFrame {
   readonly queue: { readonly opaque: readonly NodeItem[] };
 }
 
-/** A host's scene as three is shown it, with the list that its draws go to. */
+/** Stand-in for a host's scene, with the render list that three fills for it. */
 interface NodeView {
   readonly view: Object3D;
   readonly list: RenderList;
@@ -40,7 +40,7 @@ export class NodeDraws {
   private readonly views = new WeakMap<Object3D, NodeView>();
   private current!: NodeView;
   private getList!: RenderLists['get'];
-  /** The one item to draw; null for all plain opaque ones. */
+  /** Item to draw; null for all plain opaque ones. */
   private item: NodeItem | null = null;
   /** Whether three has drawn its shadow maps in this frame. */
   private hasMaps = false;
