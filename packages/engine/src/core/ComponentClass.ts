@@ -14,7 +14,7 @@ export interface ComponentClass<T extends Component = Component> {
   readonly version: number;
   /** At most one on a GameObject. */
   readonly unique: boolean;
-  /** One line for the Add menu. */
+  /** Description in the Add menu, one line. */
   readonly help: string;
   /** Name of its icon in editors, which show a plain one for names that they do not know. */
   readonly icon: string;
