@@ -51,7 +51,7 @@ export class SceneViews {
   }
 
   /**
-   * Keeps a view, or forgets it.
+   * Sets the view of a place, or removes it (null).
    * @param place - 1 to 9
    * @throws RangeError for another place, or naming what is wrong with the view
    */

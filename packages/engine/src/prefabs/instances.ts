@@ -6,7 +6,7 @@ export const isInstanceRoot = (object: GameObject): boolean =>
   object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
 
 /**
- * The root of the instance that an object belongs to, as part of which it follows its prefab; null when it follows
+ * Root of the instance through which an object follows its prefab; null when the object follows
  * none.
  */
 export function instanceRootOf(object: GameObject): GameObject | null {
@@ -19,7 +19,7 @@ export function instanceRootOf(object: GameObject): GameObject | null {
 }
 
 /**
- * The objects of an instance by the ids that they have in the prefab; what was added to the instance is not among them.
+ * Objects of an instance by their ids in the prefab, without objects added to the instance.
  */
 export function objectsBySource(root: GameObject): Map<string, GameObject> {
   const prefab = root.prefabLink!.prefab;
