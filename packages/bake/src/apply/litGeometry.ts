@@ -19,7 +19,7 @@ export class GatheredAttributes {
   }
 }
 
-/** The first set of UVs but one that no geometry has: its number is a texture's `channel`. The last when all are taken. */
+/** Index (`Texture.channel`) of the first UV set after set 0 that no geometry uses; the last one when all are used. */
 export function freeChannel(geometries: readonly BufferGeometry[]): number {
   const isFree = (channel: number): boolean => geometries.every((each) => !each.hasAttribute(`uv${channel}`));
   return [1, 2, 3].find(isFree) ?? 3;

@@ -5,7 +5,7 @@ const withArea = { visibleWhen: { field: 'type', equals: ['rectangle', 'disc', '
 const withShadow = { field: 'type', equals: ['directional', 'point', 'spot', 'rectangle', 'disc', 'tube'] };
 const casts = { field: 'castShadow', equals: [true] };
 const shadow = { visibleWhen: casts, group: 'Shadow' };
-/** Shadows of shapes are as soft as those are large. */
+/** Softness of a shaped light's shadows follows the light's size. */
 const hardShadow = {
   visibleWhen: { ...casts, and: { field: 'type', equals: ['directional', 'point', 'spot'] } },
   group: 'Shadow',

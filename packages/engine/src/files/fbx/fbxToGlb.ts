@@ -28,7 +28,7 @@ import { FbxTextures } from './FbxTextures';
 /** Metres of a unit of FBX: a centimetre. */
 const UNIT = 0.01;
 
-/** The largest file that is read: its buffers are held twice while it is packed. */
+/** Largest file that is read (bytes): buffers are held twice during packing. */
 const LARGEST = 2 ** 30;
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -99,7 +99,7 @@ function prepareGeometry(geometry: BufferGeometry): void {
   else geometry.computeVertexNormals();
 }
 
-/** Puts plain materials in the place of those of FBX, with their number in `userData`. @returns those of FBX, in that order */
+/** Replaces FBX materials by plain ones with their index in `userData`. @returns the FBX materials in that order */
 function replaceMaterials(root: Object3D): MeshPhongMaterial[] {
   const given: Material[] = [];
   const plain: MeshStandardMaterial[] = [];
@@ -197,7 +197,7 @@ export async function fbxToGlb(files: FileMap, path: string, signal?: AbortSigna
   };
 }
 
-/** Puts pictures behind what the buffer of a glTF holds. */
+/** Appends images to the buffer of a glTF. */
 function addPictures(json: GltfOut, binary: Uint8Array, pictures: GltfBuffer, textures: ObjTextures): void {
   const before = json.bufferViews?.length ?? 0;
   const start = padded(binary.length);
