@@ -68,7 +68,10 @@ class Order {
     return this.seen[this.endOf(node)] - this.seen[this.places.get(node)!];
   }
 
-  /** Whether a node's whole subtree lies below the given nodes, none of which is below another. */
+  /**
+   * Whether all meshes, lights and cameras of a node's subtree are in the subtrees of `nodes`, none of which is below
+   * another.
+   */
   holdsNothingElse(node: Object3D, nodes: readonly Object3D[]): boolean {
     return this.seenIn(node) === nodes.reduce((sum, each) => sum + this.seenIn(each), 0);
   }

@@ -54,7 +54,7 @@ export interface FarolFile {
   microShaders?: Record<string, string>;
   /** Views that editors keep, by their places. None when absent. */
   views?: FileView[];
-  /** None when absent. */
+  /** Prefabs of the scene; none when absent. */
   prefabs?: Prefab[];
   objects: FileObject[];
 }

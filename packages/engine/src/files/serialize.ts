@@ -25,7 +25,7 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
   return values;
 }
 
-/** By name, so that the same texts make the same file. */
+/** Sorts texts by name, so that equal texts make equal files. */
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
@@ -36,7 +36,7 @@ const fileView = (place: number, { name, position, target, fov, orthographic }: 
   target: [target[0], target[1], target[2]],
 });
 
-/** Whether what an object links to is there: the link of one that was pasted from another scene leads nowhere. */
+/** Whether an object's prefab exists in the scene; objects pasted from another scene may link to none. */
 const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
   prefabLink !== null && (!scene || scene.prefabs.get(prefabLink.prefab) !== null);
 

@@ -54,7 +54,7 @@ function parse(loader: FBXLoader, bytes: ArrayBuffer, notes: Set<string>): Group
   }
 }
 
-/** One sentence on the fault of an FBX, from the error that the loader threw. */
+/** Turns an error of the FBX loader into one sentence. */
 function readError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   const isRaw = cause instanceof TypeError || cause instanceof RangeError;
@@ -89,7 +89,7 @@ function mtlOf(material: MeshPhongMaterial, textures: FbxTextures): MtlMaterial 
   };
 }
 
-/** In glTF v counts from the top. Normals get a length of 1. */
+/** Flips v, which glTF counts from the top, and normalises normals. */
 function prepareGeometry(geometry: BufferGeometry): void {
   for (const name of ['uv', 'uv1', 'uv2', 'uv3']) {
     const uv = geometry.getAttribute(name) as BufferAttribute | undefined;

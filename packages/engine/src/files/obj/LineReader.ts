@@ -141,7 +141,9 @@ export class LineReader {
     return byte === undefined || byte === SPACE || byte === TAB || byte === LINE_FEED || byte === RETURN || byte === 0;
   }
 
-  /** Byte at which the text goes on after a backslash: the start of the next line if the backslash ends this one. */
+  /**
+   * Offset at which the text continues after a backslash: the start of the next line if the backslash ends this one.
+   */
   private joined(backslash: number): number {
     const next = this.bytes[backslash + 1];
     if (next !== LINE_FEED && next !== RETURN) return backslash + 1;

@@ -15,8 +15,8 @@ async function chunk(type: string, data: Uint8Array): Promise<Uint8Array<ArrayBu
 }
 
 /**
- * A picture as PNG. A canvas would do it too, but it multiplies colours by alpha, and those that cannot be seen are lost:
- * filtering shows them at the edges of what is cut out.
+ * Encodes an image as PNG. A canvas would premultiply alpha and lose the colours of transparent pixels:
+ * filtering shows those colours at the edges of cut-outs.
  * @see PNG (ISO/IEC 15948), 5 and 10
  */
 export async function encodePng({ width, height, data }: Picture): Promise<Uint8Array<ArrayBuffer>> {

@@ -135,7 +135,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
   };
 }
 
-/** In glTF v counts from the top. */
+/** Flips v, which glTF counts from the top. */
 function fromTheTop(uvs: Float32Array): Float32Array {
   for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i];
   return uvs;

@@ -14,7 +14,7 @@ export interface ObjRun {
   readonly key: string;
   /** Name of the material; null before the first `usemtl`. */
   readonly material: string | null;
-  /** Its corners are those from `from` up to, not including, `to`. */
+  /** Index of the first corner; `to` is one past the last. */
   readonly from: number;
   to: number;
 }
@@ -51,7 +51,7 @@ const triangle = [0, 1, 2];
 const halves = [0, 1, 2, 0, 2, 3];
 const otherHalves = [1, 2, 3, 1, 3, 0];
 
-/** Keywords of what is left out. */
+/** Keywords of elements that are ignored. */
 const notDrawn = new Set(['l', 'p', 'curv', 'curv2', 'surf']);
 
 /**
@@ -241,7 +241,10 @@ class ObjParser {
     this.key = `${object} ${group}`;
   }
 
-  /** Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not convex. */
+  /**
+   * Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not
+   * convex.
+   */
   private isFolded(face: readonly number[]): boolean {
     const p = this.pointsOf(face);
     let product = 0;

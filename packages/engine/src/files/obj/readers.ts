@@ -26,7 +26,7 @@ export const readers: Readonly<Record<string, MeshReader>> = {
   },
 };
 
-/** The reader of a file, told by the ending of its name. @throws Error when there is none */
+/** Reader of a file, by its extension. @throws Error when there is none */
 export function readerOf(path: string): MeshReader {
   const ending = /\.(\w+)$/.exec(path)?.[1].toLowerCase() ?? '';
   if (!Object.hasOwn(readers, ending)) throw new Error(`only .${Object.keys(readers).join(', .')} can be packed.`);
