@@ -7,8 +7,8 @@ const MOST_ITERATIONS = 60;
 const ENOUGH = 1e-8;
 
 /**
- * Least squares over texels along seams: bilinear samples of both sides should be equal, and texels keep the values
- * they were. Solved by conjugate gradients.
+ * Least squares over texels along seams: bilinear samples of both sides should be equal, and texels should keep their
+ * values. Solved by conjugate gradients.
  *
  * @see Iwanicki 2013, Lighting Technology of The Last of Us; Hestenes and Stiefel 1952
  */

@@ -26,8 +26,8 @@ export interface Animated extends Component {
 const CHANGES_FIELDS: ReadonlySet<string> = new Set(['surface', 'model', 'parts']);
 
 /**
- * Plays the animations of a scene: all are evaluated, then shared channels are blended and applied, then events
- * are called.
+ * Plays the animations of a scene: all are evaluated, then shared channels are blended and applied, then events are
+ * called.
  */
 export class AnimationSystem implements SceneSystem {
   readonly order = 100;

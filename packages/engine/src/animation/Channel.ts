@@ -4,8 +4,8 @@ import type { Component } from '../core/Component';
 import { sizeOfField } from './TrackCurve';
 
 /**
- * Target of clips: a field of a component, or a property of a node of a model. The value of several clips at
- * once is their weighted mean; where weights sum to less than 1, the original value fills the rest.
+ * Target of clips: a field of a component, or a property of a node of a model. The value of several clips at once is
+ * their weighted mean; where weights sum to less than 1, the original value fills the rest.
  */
 export interface Channel {
   /** Frame in which the channel last got a value. */

@@ -5,8 +5,7 @@ import { trackTarget } from './trackTarget';
 import { valueAt } from './valueAt';
 
 /**
- * Shows a clip at a time on an object tree, for scrubbing: neither an edit nor saved. For a scene that does
- * not play.
+ * Shows a clip at a time on an object tree, for scrubbing: neither an edit nor saved. For a scene that does not play.
  */
 export class ClipPreview {
   private readonly shown = new Map<Component, Set<string>>();

@@ -18,8 +18,8 @@ export function objectAtPath(root: GameObject, path: string): GameObject | null 
 }
 
 /**
- * Path that finds an object from `root`; null when the object is not below `root`, or an earlier object has the
- * same names.
+ * Path that finds an object from `root`; null when the object is not below `root`, or an earlier object has the same
+ * names.
  */
 export function pathBelow(root: GameObject, gameObject: GameObject): string | null {
   const names: string[] = [];

@@ -60,10 +60,7 @@ export class MorphTargets {
   readonly fields: FieldTable | null;
   private readonly uses = new Map<string, Use[]>();
 
-  /**
-   * @param copies - copies of the model's drawn nodes
-   * @param parts - drawn part of the model
-   */
+  /** @param copies - copies of the model's drawn nodes @param parts - drawn part of the model */
   constructor(
     private readonly owner: { get(name: string): FieldValue },
     model: Model,

@@ -21,9 +21,9 @@ export const objectSurfaceFields = {
 type Bounded = Mesh & { boundingSphere?: Sphere | null };
 
 /**
- * Surface that a component puts on top of its meshes' materials. Objects of one material, surface and values
- * share a material; while simulation changes a value, the object has a material of its own, whose uniforms are written
- * and nothing else.
+ * Surface that a component puts on top of its meshes' materials. Objects of one material, surface and values share a
+ * material; while simulation changes a value, the object has a material of its own, whose uniforms are written and
+ * nothing else.
  */
 export class ObjectSurface implements LayerUser {
   readonly views: StoredViews;

@@ -39,8 +39,7 @@ export class Scene implements GameObjectContainer {
   readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
   /**
-   * Types of components that can be added by name: by files, prefabs and menus. A replacement must have all types in
-   * use.
+   * Types of components that can be added by name: by files, prefabs and menus. A replacement needs all types in use.
    */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
@@ -113,9 +112,8 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one
-   * all along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the
-   * tree.
+   * All components of a class (or of one derived from it), or of a type name, active or not. One array, kept up to
+   * date: it may be read in every frame. Its order is not that of the tree.
    */
   componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
   componentsOf<T extends Component>(type: string): readonly T[];
@@ -237,10 +235,7 @@ export class Scene implements GameObjectContainer {
     return this.systems.get(type);
   }
 
-  /**
-   * Whether a script's component is switched off after an error: not called until the component is changed, or the
-   * scene is reset. Its `enabled` stays as it is.
-   */
+  /** Whether a script's component is not called after an error, until it is changed or the scene is reset. */
   isSwitchedOff(component: Component): boolean {
     return this.index.switchedOff.has(component);
   }
@@ -272,17 +267,16 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components
-   * that were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as
-   * they are now. Scripts that are edited meanwhile stay as they are edited.
+   * Records the scene's state for the next `reset`, which brings back objects and components that were removed,
+   * disposed of or moved, removes added ones, and restores names, switches and fields. Edits of scripts stay.
    */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
   }
 
   /**
-   * @internal An object is about to be disposed of.
-   * @returns whether it has only left the scene, since `reset` brings it back
+   * @internal Called before an object is disposed of.
+   * @returns true when `reset` restores the object, which then only leaves the scene
    */
   holds(gameObject: GameObject): boolean {
     return this.authored?.hold(gameObject) ?? false;
@@ -293,10 +287,7 @@ export class Scene implements GameObjectContainer {
     this.systems.pause();
   }
 
-  /**
-   * Undoes simulation: time 0, and authored poses. After `keepAuthored`, all other changes
-   * since are undone too.
-   */
+  /** Undoes simulation: time 0, and authored poses. After `keepAuthored`, all other changes since are undone too. */
   reset(): void {
     this.pointer.reset();
     this.calls.destroyAll();
@@ -320,10 +311,7 @@ export class Scene implements GameObjectContainer {
     return receivers;
   }
 
-  /**
-   * Dispatches a pointer event to every active component with a method for it, and to components of the object under
-   * the pointer.
-   */
+  /** Dispatches a pointer event to every active component with a method for it, and to those under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
     this.calls.pointer(event);
     this.pointer.take(event);
@@ -353,9 +341,7 @@ export class Scene implements GameObjectContainer {
     return this.three.onMatricesUpdated(listener);
   }
 
-  /**
-   * Releases the scene's resources. An AssetLibrary that was passed in stays, without this scene's uses.
-   */
+  /** Releases the scene's resources. An AssetLibrary that was passed in stays, without this scene's uses. */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();

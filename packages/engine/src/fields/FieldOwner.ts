@@ -125,8 +125,8 @@ export abstract class FieldOwner {
 
   /**
    * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
-   * @throws FieldError naming owner, field, the value and what is allowed, or an unknown asset; nothing has
-   * changed then
+   * @throws FieldError naming owner, field, the value and what is allowed, or an unknown asset; nothing has changed
+   * then
    */
   set(name: string, value: FieldValue): void {
     this.checkValue(name, value);

@@ -31,7 +31,7 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    // what the browser quotes of bytes says nothing
+    // the browser's quotation of binary data is useless in a message
     const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
     const reason = isBinary ? 'it is no text' : shortText((cause as Error).message, 120);
     const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;

@@ -29,7 +29,7 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
-/** A copy, its members always in the same order. */
+/** Copies a view, with members in a fixed order. */
 const fileView = (place: number, { name, position, target, fov, orthographic }: SceneView): FileView => ({
   ...{ place, name, fov, orthographic },
   position: [position[0], position[1], position[2]],
@@ -40,7 +40,7 @@ const fileView = (place: number, { name, position, target, fov, orthographic }: 
 const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
   prefabLink !== null && (!scene || scene.prefabs.get(prefabLink.prefab) !== null);
 
-/** One GameObject without its children, as a file holds it. */
+/** Writes one GameObject, without children, in the form of the file. */
 export function serializeObject(gameObject: GameObject): FileObject {
   return {
     id: gameObject.id,
@@ -61,7 +61,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/** An asset that is made of fields, as a file holds it. */
+/** Writes a field asset in the form of the file. */
 export function assetInFile(asset: FieldAsset): FileAsset {
   return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
@@ -81,7 +81,7 @@ function pathInContainer(name: string): string {
  * of an address.
  */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
-  // by name: an asset that left and came back is at the same place
+  // by name, so that an asset that was removed and restored keeps its place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
     return { name, type, file: pathInContainer(name) };

@@ -17,8 +17,8 @@ const turn = { x: 0, y: 0, z: 0, w: 1 };
 const between = [0, 0, 0, 0, 0, 0, 1];
 
 /**
- * Offsets in a body's `state`: world position and quaternion before the last step come first, then those after
- * it, then local position, quaternion and scale that the object was last shown with.
+ * Offsets in a body's `state`: world position and quaternion before the last step come first, then those after it, then
+ * local position, quaternion and scale that the object was last shown with.
  */
 const NOW = 7;
 const SHOWN = 14;
@@ -47,8 +47,8 @@ export interface BodyCollider {
 }
 
 /**
- * A body of Rapier's world and its object, in world space. For a dynamic body, the last two steps
- * are kept, and the object is shown between them.
+ * A body of Rapier's world and its object, in world space. For a dynamic body, the last two steps are kept, and the
+ * object is shown between them.
  */
 export class Body implements BodyControl {
   /** Index among the bodies, by which events are sorted. */

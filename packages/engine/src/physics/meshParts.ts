@@ -35,8 +35,8 @@ export function meshNamesOf(object: GameObject): MeshName[] {
 }
 
 /**
- * Objects whose meshes a collider is fitted to: its own object if that draws a mesh, else all descendants, except
- * ones that belong to another body.
+ * Objects whose meshes a collider is fitted to: its own object if that draws a mesh, else all descendants, except ones
+ * that belong to another body.
  */
 export function drawnObjects(object: GameObject): GameObject[] {
   if (meshNamesOf(object).length > 0) return [object];

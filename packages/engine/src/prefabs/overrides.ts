@@ -41,8 +41,8 @@ const idsIn = (root: GameObject): Map<string, string> =>
   new Map([...objectsBySource(root)].map(([source, { id }]) => [source, id]));
 
 /**
- * The override of a field of an instance; null when the field follows the prefab, when its value is
- * each instance's own (position and rotation of the root), or when the component is in no prefab.
+ * The override of a field of an instance; null when the field follows the prefab, when its value is each instance's own
+ * (position and rotation of the root), or when the component is in no prefab.
  */
 export function fieldOverride(component: Component, field: string): FieldOverride | null {
   const object = component.gameObject;

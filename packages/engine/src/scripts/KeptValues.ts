@@ -24,8 +24,8 @@ interface Memory {
 }
 
 /**
- * Carries field values of components from class to class: values that do not fit a class are kept for a class
- * that they fit, so that undoing a script's edit restores them.
+ * Carries field values of components from class to class: values that do not fit a class are kept for a class that they
+ * fit, so that undoing a script's edit restores them.
  */
 export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();

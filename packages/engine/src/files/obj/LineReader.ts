@@ -60,7 +60,7 @@ export class LineReader {
     return new TextDecoder().decode(bytes.subarray(start, this.at)).trim();
   }
 
-  /** The next word as a decimal number; NaN when it is none. */
+  /** Next word as a decimal number; NaN for any other word. */
   number(): number {
     this.skipBlanks();
     const { bytes } = this;

@@ -63,7 +63,7 @@ export class ObjFolder {
     return null;
   }
 
-  /** Paths of the files that end so, those in the folder of `from` first. */
+  /** Paths of the files with this ending, files in the folder of `from` first. */
   ending(ending: string, from: string): string[] {
     const folder = partsOf(from).slice(0, -1);
     const isNear = (parts: readonly string[]): number => (parts.slice(0, -1).join('/') === folder.join('/') ? 0 : 1);

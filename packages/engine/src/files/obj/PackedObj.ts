@@ -1,6 +1,6 @@
 /** An OBJ and what belongs to it, as one file. */
 export interface PackedObj {
-  /** A GLB: nothing beside it is needed. */
+  /** The GLB, which needs no other files. */
   readonly glb: ArrayBuffer;
   /** Sentences that name the OBJ, missing or omitted parts, and the remedy; empty when complete. */
   readonly notes: readonly string[];

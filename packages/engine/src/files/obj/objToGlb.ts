@@ -12,7 +12,7 @@ import type { PackedObj } from './PackedObj';
 import { type MtlMaterial, parseMtl } from './parseMtl';
 import { readerOf } from './readers';
 
-/** A material and the MTL file that it stands in. */
+/** A material with the path of its MTL file. */
 interface FoundMaterial {
   readonly material: MtlMaterial;
   readonly from: string;

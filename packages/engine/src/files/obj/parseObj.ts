@@ -36,14 +36,14 @@ export interface ObjFile {
   readonly materialFiles: readonly string[];
   /** Lines, points, curves and surfaces, which are left out. */
   readonly leftOut: number;
-  /** Faces of so many corners that they were cut as if they were convex, and are not. */
+  /** Number of concave faces with too many corners, cut as if convex. */
   readonly coarse: number;
 }
 
 /** Lines from one step to the next: about a millisecond of work. */
 const STEP = 4096;
 
-/** Corners of a face that is not convex: cutting it by ears takes time by their square. */
+/** Greatest number of corners of a concave face cut by ears, which takes quadratic time. */
 const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
@@ -89,7 +89,7 @@ class ObjParser {
   /** Work of the current step: lines, and what cutting a polygon costs in lines. */
   private work = 0;
   private hasColours = false;
-  /** The vertex of the highest number, and the line that names it. */
+  /** Highest vertex index referred to, and its line. */
   private highest = -1;
   private highestLine = 0;
   private readonly face: number[] = [];
@@ -298,7 +298,7 @@ class ObjParser {
   }
 }
 
-/** Takes numbers of what the file does not have out of the corners. */
+/** Removes indices of missing elements from the corners. */
 function dropMissing(corners: NumberList<Int32Array>, offset: number, count: number): void {
   for (let i = offset; i < corners.length; i += 3) if (corners.at(i) >= count) corners.set(i, -1);
 }

@@ -7,7 +7,7 @@ import { parseStl } from './parseStl';
 
 /** A format of triangles without a scene. */
 interface MeshReader {
-  /** Whether its faces name materials of MTL files. */
+  /** Whether faces of the format name materials of MTL files. */
   readonly hasMaterials: boolean;
   /** @throws Error (as a rejection) of one sentence that says what is wrong; what the signal was aborted with */
   read(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile>;

@@ -12,8 +12,8 @@ const late = new LateCode(
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
   /**
-   * Resolves when the sky requested last is painted; rejects when its late code could not be fetched. Null before
-   * the first wait.
+   * Resolves when the sky requested last is painted; rejects when its late code could not be fetched. Null before the
+   * first wait.
    */
   ready: Promise<void> | null = null;
   private made: Sky | null = null;
