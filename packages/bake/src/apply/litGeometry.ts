@@ -3,7 +3,7 @@ import type { UnwrappedMesh } from '../unwrap/UnwrapRequest';
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Attributes in the order of other vertices, each made once for meshes that share geometry and order. */
+/** Cache of attributes reordered to a bake's vertices, shared by meshes of one geometry and order. */
 export class GatheredAttributes {
   private readonly made = new Map<AnyAttribute, { order: Uint32Array; gathered: BufferAttribute }[]>();
 

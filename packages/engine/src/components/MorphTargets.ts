@@ -11,7 +11,7 @@ const GROUP = 'Morph targets';
 /** The field that is the weight of a morph target. */
 export const morphField = (name: string): string => MORPH + name;
 
-/** Most morph targets of a model that have a field; models of faces have 50 to 80. */
+/** Greatest number of a model's morph targets that get fields; models of faces have 50 to 80. */
 const MOST_FIELDS = 256;
 
 /** Fields that store a model's morph target weights, for owners with a field `model`. */

@@ -77,7 +77,10 @@ class Order {
   }
 }
 
-/** Sets of things that grow together. @see Tarjan 1975, Efficiency of a good but not linear set union algorithm */
+/**
+ * Disjoint sets that are merged step by step (union-find).
+ * @see Tarjan 1975, Efficiency of a good but not linear set union algorithm
+ */
 class Groups {
   private readonly parents: number[] = [];
 

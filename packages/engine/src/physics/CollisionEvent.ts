@@ -13,9 +13,9 @@ export interface CollisionEvent {
   readonly other: GameObject;
   /** The object whose components are called. */
   readonly object: GameObject;
-  /** Collider of `object`; null for a CharacterController's capsule. */
+  /** Collider on the side of `object`; null for a CharacterController's capsule. */
   readonly collider: ColliderPart | null;
-  /** Collider of `other`; null for a CharacterController's capsule. */
+  /** Collider on the side of `other`; null for a CharacterController's capsule. */
   readonly otherCollider: ColliderPart | null;
   /** Whether one of the two colliders is a sensor, which stops nothing. */
   readonly isSensor: boolean;
