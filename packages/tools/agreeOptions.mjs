@@ -13,7 +13,7 @@ Draws the agreement suites by every technique against stock three, in linear flo
   --pack DIR        put all that a host without a network needs into DIR, and run nothing
   --help            this text`;
 
-/** As util.parseArgs takes them. */
+/** Options in the form of util.parseArgs. */
 export const agreeOptions = /** @type {const} */ ({
   gpu: { type: 'boolean' },
   workers: { type: 'string' },

@@ -47,5 +47,7 @@ export const softwareFlags = [
   '--enable-angle-features=preferGlobalPipelineCache',
 ];
 
-/** Flags for a machine with a GPU: the same, less what is for the software rasteriser. @type {readonly string[]} */
+/**
+ * Flags for a machine with a GPU: `softwareFlags` without those of the software rasteriser. @type {readonly string[]}
+ */
 export const gpuFlags = softwareFlags.filter((flag) => !/swiftshader|angle-features|gpu-compositing/.test(flag));

@@ -21,7 +21,7 @@ compiles the packages' declarations and samples with its types, and prints a tab
   --built           take the packages as they were last built
   --help            this text`;
 
-/** As util.parseArgs takes them. */
+/** Options in the form of util.parseArgs. */
 export const compatOptions = /** @type {const} */ ({
   all: { type: 'boolean' },
   only: { type: 'string' },

@@ -5,8 +5,8 @@ import { importsOf, targetOf } from './importsOf.mjs';
 const entry = 'packages/renderer/src/index.ts';
 
 /**
- * Checks that code which is fetched late stays out of the core chunk. Fetched late is a file that `import()` names, and each
- * file of its folder that it imports by value, directly or not: others import types of it only.
+ * Checks that code which is fetched late stays out of the core chunk. Fetched late is a file that `import()` names, and
+ * each file of its folder that it imports by value, directly or not: others import types of it only.
  *
  * @param {ReadonlyMap<string, string>} files - source by path from the repository's root, with `/`
  * @returns {string[]} one line a file that is both, with the way from the entry to it; empty when all is well
@@ -48,7 +48,7 @@ export function coreViolations(files) {
 function reached(start, next) {
   /** @type {Map<string, string | null>} */
   const before = new Map([[start, null]]);
-  // iteration of a map goes on to what is added meanwhile
+  // iteration of a Map includes entries added meanwhile
   for (const path of before.keys()) for (const to of next(path)) if (!before.has(to)) before.set(to, path);
   return before;
 }

@@ -34,7 +34,7 @@ export function importsOf(path, source) {
 }
 
 /**
- * The file that a relative import means.
+ * Resolves a relative import to a file.
  *
  * @param {string} path - joined, without ending
  * @param {ReadonlyMap<string, unknown>} files - by path

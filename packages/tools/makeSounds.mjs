@@ -1,5 +1,6 @@
 /**
- * Makes the sounds that the sample scenes use, in public/sounds/, from seeded noise and resonances: WAV of 16 bits, mono.
+ * Makes the sounds that the sample scenes use, in public/sounds/, from seeded noise and resonances: WAV of 16 bits,
+ * mono.
  *
  *     node packages/tools/makeSounds.mjs
  */
@@ -52,7 +53,7 @@ function step(/** @type {number} */ rate) {
   return samples;
 }
 
-/** Crickets at night: what rings over the end goes on at the beginning, so it can be looped without a seam. */
+/** Crickets at night: sound that rings beyond the end continues at the beginning, for a seamless loop. */
 function crickets(/** @type {number} */ rate) {
   const random = randomOf(23);
   const seconds = 1.8;

@@ -5,8 +5,9 @@ import { basename, join } from 'node:path';
 const MISSING = '\0farol-missing:';
 
 /**
- * A Vite plugin that has `three` and all of `three/…` come from another folder than the page's own: for `npm run compat`.
- * Vite's own resolution is not asked: `resolve.dedupe` would find the three of the repository whoever imports it.
+ * A Vite plugin that has `three` and all of `three/…` come from another folder than the page's own: for `npm run
+ * compat`. Vite's own resolution is not asked: `resolve.dedupe` would find the three of the repository whoever imports
+ * it.
  *
  * @param {string} folder - a folder whose node_modules holds the three to take
  * @returns {import('vite').Plugin}
@@ -35,7 +36,7 @@ export function otherThree(folder) {
 }
 
 /**
- * The file that an import of three means.
+ * Resolves an import of three to a file.
  *
  * @param {string} source - what is imported
  * @param {Record<string, string | { import: string }>} exports - of three's package.json

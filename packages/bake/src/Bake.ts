@@ -7,8 +7,8 @@ export interface BakedLightmap {
   readonly width: number;
   readonly height: number;
   /**
-   * Half floats, RGBA, width × height × 4, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it at an
-   * intensity of 1 (a light of intensity 1 that falls straight on a surface gives 1). Alpha is 1.
+   * Half floats, RGBA, width × height × 4, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it at
+   * an intensity of 1 (a light of intensity 1 that falls straight on a surface gives 1). Alpha is 1.
    */
   readonly data: Uint16Array;
 }
@@ -20,9 +20,9 @@ export interface BakedMesh {
   readonly lightmap: number;
   /** Two a vertex, 0 to 1: where it lies in the lightmap. */
   readonly uv1: Float32Array;
-  /** Three a triangle, in the order that the triangles have in the mesh: vertices of `uv1`. Groups stay as they are. */
+  /** Vertex indices into `uv1`, three per triangle, in the mesh's order of triangles. Groups stay unchanged. */
   readonly index: Uint32Array;
-  /** One a vertex of `uv1`: the vertex of the mesh's geometry that it comes from. */
+  /** Source vertex in the mesh's geometry, one per vertex of `uv1`. */
   readonly sourceVertex: Uint32Array;
 }
 
@@ -32,13 +32,15 @@ export interface Bake {
   readonly meshes: readonly BakedMesh[];
   /** Light at `options.probes`; null when there were none. */
   readonly probes: BakedProbes | null;
-  /** Set of UVs that the lightmaps are read by, as a texture's `channel`: 1, but for geometries that have a second set. */
+  /**
+   * Set of UVs that the lightmaps are read by, as a texture's `channel`: 1, but for geometries that have a second set.
+   */
   readonly channel: number;
   /** Whether the scene is drawn with it. */
   readonly isApplied: boolean;
   /**
-   * Gives each mesh a geometry with the second UVs and a clone of its material with the lightmap, and hides the lights that
-   * were baked whole. No geometry, material or texture of the host's is changed. Does nothing when it is applied.
+   * Gives each mesh a geometry with the second UVs and a clone of its material with the lightmap, and hides the lights
+   * that were baked whole. No geometry, material or texture of the host's is changed. Does nothing when it is applied.
    */
   apply(): void;
   /** Gives the meshes and lights back what {@link apply} took. Does nothing when it is not applied. */

@@ -2,7 +2,7 @@ import type { BakeOptions, TraceOptions } from './BakeOptions';
 
 type Checked<T, Kept extends keyof T> = Required<Omit<T, Kept>> & Pick<T, Kept>;
 
-/** Options with defaults in place of what was not given. */
+/** Options with defaults filled in. */
 export type CheckedTraceOptions = Checked<TraceOptions, 'signal' | 'onProgress'>;
 export type CheckedBakeOptions = CheckedTraceOptions &
   Checked<Omit<BakeOptions, keyof TraceOptions>, 'texelsPerMetre' | 'probes'>;

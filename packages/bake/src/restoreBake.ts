@@ -4,7 +4,7 @@ import type { Bake, BakedLightmap } from './Bake';
 
 /** A bake as it was read from a file, with its meshes found in the scene again. */
 export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
-  /** Halves, as they were baked; or textures of irradiance, such as compressed ones: the bake disposes of them. */
+  /** Half floats as baked, or textures of irradiance, such as compressed ones, which the bake disposes of. */
   readonly lightmaps: readonly (BakedLightmap | Texture)[];
 }
 

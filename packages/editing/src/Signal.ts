@@ -1,5 +1,5 @@
 /**
- * Tells its listeners of changes, and counts them. `subscribe` and `revision` are the two arguments of React's
+ * Notifies listeners of changes, and counts the changes. `subscribe` and `revision` are the two arguments of React's
  * `useSyncExternalStore`.
  *
  * @typeParam Details - what listeners are told of a change; nothing by default

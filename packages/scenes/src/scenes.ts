@@ -14,7 +14,7 @@ export const scenes: Readonly<Record<string, SceneDefinition>> = Object.fromEntr
   ),
 );
 
-/** Fetches what is otherwise fetched when a scene is first built. */
+/** Fetches the late code of scene builders in advance. */
 export async function preloadSceneCode(): Promise<void> {
   await Promise.all([
     import('./benchmark/benchmarkLights'),

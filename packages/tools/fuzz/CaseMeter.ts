@@ -11,15 +11,15 @@ const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(res
 /**
  * Measures what one case costs.
  *
- * Its time is that in which this process worked, garbage collection included, and in which its event loop had nothing to do
- * but wait: for a timer, a stream, a worker. So a case that waits is as slow as one that works. What is left of the time on
- * the wall is that in which other processes had the processor. A synchronous wait would be left too: pages have none.
- * It is never more than the time on the wall, which threads that work at once would make it.
+ * Its time is that in which this process worked, garbage collection included, and in which its event loop had nothing
+ * to do but wait: for a timer, a stream, a worker. So a case that waits is as slow as one that works. What is left of
+ * the time on the wall is that in which other processes had the processor. A synchronous wait would be left too: pages
+ * have none. It is never more than the time on the wall, which threads that work at once would make it.
  */
 export class CaseMeter {
   /** Time of the longest lap. */
   seconds = 0;
-  /** Bytes that were taken until the end of the first lap. */
+  /** Memory allocated until the end of the first lap (bytes). */
   memory = 0;
   /** Whether garbage of earlier cases was collected meanwhile, so that `memory` is too little by an unknown amount. */
   isBlurred = false;
@@ -37,7 +37,10 @@ export class CaseMeter {
     this.restart();
   }
 
-  /** @param collect - collects all garbage, so that memory in use alone is measured; null counts garbage of the case, too */
+  /**
+   * @param collect - collects all garbage, so that memory in use alone is measured; null counts garbage of the case,
+   * too
+   */
   static async begin(collect: (() => void) | null): Promise<CaseMeter> {
     const canary = new WeakRef({});
     await turn();

@@ -1,5 +1,6 @@
 /**
- * Bundled into one file and run by `npm run fuzz`: many cases in several processes at once. That file runs wherever Node is:
+ * Bundled into one file and run by `npm run fuzz`: many cases in several processes at once. That file runs wherever
+ * Node is:
  * `node fuzz.mjs --help`.
  */
 import { fork } from 'node:child_process';
@@ -46,7 +47,7 @@ function wholeNumber(name: string, text: string, least: number): number {
   throw new Error(`${name} ${text}: give a whole number of at least ${least}.`);
 }
 
-/** In a process of its own: runs the batches that its parent sends. */
+/** Runs the batches that the parent process sends, in a child process. */
 function answerBatches(): void {
   // three tells the console of what it reads in models: that is no fault
   for (const method of ['warn', 'error', 'log'] as const) console[method] = () => {};

@@ -34,7 +34,7 @@ const odd = [
   'x'.repeat(5000),
 ];
 
-/** A value that is seldom what was meant. */
+/** A random value that a reader is unlikely to expect. */
 export function hostileValue(random: FuzzRandom): unknown {
   switch (random.below(8)) {
     case 0:
@@ -129,7 +129,7 @@ const copyOf = <T>(value: T): T =>
     () => JSON.parse(deepText(value)) as T,
   );
 
-/** Changes a JSON value in a few places: entries replaced, taken out, doubled, put elsewhere, added. */
+/** Mutates a JSON value in a few places: entries replaced, removed, doubled, moved, added. */
 export function mutate(value: unknown, random: FuzzRandom, changes = 1 + random.below(4)): void {
   for (let n = 0; n < changes; n++) {
     const holders = holdersIn(value);
@@ -149,7 +149,7 @@ export function mutate(value: unknown, random: FuzzRandom, changes = 1 + random.
 /** JSON text with numbers that are infinite. */
 export const textOf = (value: unknown): string => jsonOf(value).replaceAll(JSON.stringify(INFINITE), '1e999');
 
-/** Changes bytes: some replaced, taken out, doubled, or the end cut off. */
+/** Mutates bytes: some replaced, removed or doubled, or the end cut off. */
 export function mutateBytes(bytes: Uint8Array, random: FuzzRandom): Uint8Array<ArrayBuffer> {
   let list = [...bytes];
   for (let n = random.below(4); n >= 0 && list.length > 0; n--) {

@@ -14,7 +14,7 @@ export interface FuzzSummary {
   readonly cases: number;
   /** The case that failed, made as small as its fault allows, and the fault; null when none did. */
   readonly failure: { readonly given: FuzzCase; readonly fault: string } | null;
-  /** By kind of case: how many there were, and how many opened. */
+  /** Number of cases, and of those that opened, by kind of case. */
   readonly counts: Readonly<Record<string, { cases: number; taken: number }>>;
   /** Time of the slowest case. */
   readonly seconds: number;
@@ -46,7 +46,7 @@ export async function runCases(seed: number, cases: number, budget: FuzzBudget =
     }
     if (result.failure === null) return;
     if (!failure) end = performance.now() + SHRINKING * 1000;
-    // fast-check goes on from the last that failed
+    // fast-check shrinks from the last failing case
     failure = { given, fault: result.failure };
     throw new Error(result.failure);
   });

@@ -12,7 +12,7 @@ type Renderer = typeof import('@farol/renderer');
 export class Drawing {
   /** Emits when who draws changes. */
   readonly changed = new Signal();
-  /** Farol's module once it is there: the names of techniques and views. */
+  /** Farol's module, with the names of techniques and views; null until loaded. */
   module: Renderer | null = null;
   private own: FarolRenderer | null = null;
   private isDisposed = false;
@@ -41,7 +41,10 @@ export class Drawing {
     return this.module;
   }
 
-  /** @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; what drew goes on */
+  /**
+   * @throws Error (as a rejection) for an unknown technique, or one that the device cannot run; the previous one
+   * continues
+   */
   async choose(drawer: Drawer): Promise<void> {
     const { session, hook, given } = this;
     if (drawer === 'three') {

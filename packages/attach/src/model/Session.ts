@@ -1,9 +1,12 @@
 import { CommandStack, Selection, Signal } from '@farol/editing';
 import { type Camera, type Object3D, Vector4, type WebGLRenderer } from 'three';
 
-/** State that the parts of an attached editor share: the page's scene, camera and renderer, the selection and the history. */
+/**
+ * State that the parts of an attached editor share: the page's scene, camera and renderer, the selection and the
+ * history.
+ */
 export class Session {
-  /** In the order of their choice. */
+  /** Selected objects, in order of selection. */
   readonly selection = new Selection<Object3D>();
   readonly commands = new CommandStack<Object3D>(({ selection }, isDone) => {
     if (selection) this.selection.set(isDone ? selection.done : selection.undone);

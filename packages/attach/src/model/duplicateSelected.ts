@@ -24,7 +24,7 @@ function copyOf(object: Object3D): Object3D {
   const copies: Object3D[] = [];
   copy.traverse((each) => copies.push(each));
   let i = 0;
-  // a light goes on shining on what it shone on: three copies the target, and nobody would move the copy
+  // a light keeps its target: three copies the target, and nobody would move the copy
   object.traverse((each) => {
     const { target } = each as DirectionalLight;
     const made = copies[i++] as DirectionalLight | undefined;
@@ -33,7 +33,10 @@ function copyOf(object: Object3D): Object3D {
   return copy;
 }
 
-/** Puts a copy of each selected object after it, and selects the copies: one step of history. @throws Error as `copyOf` does */
+/**
+ * Puts a copy of each selected object after it, and selects the copies: one step of history.
+ * @throws Error as `copyOf` does
+ */
 export function duplicateSelected({ commands, selection, topmost: objects }: Session): void {
   if (objects.length === 0) return;
   const placements = objects.map((object) => ({ ...placementOf(object), object: copyOf(object) }));

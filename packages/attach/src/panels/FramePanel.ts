@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import type { RenderHook } from '../viewport/RenderHook';
 
-/** Who draws and what is shown, and the figures of the last frame, pass by pass where Farol draws. */
+/** Panel of the renderer and the view, with figures of the last frame, for each pass of Farol's. */
 export class FramePanel {
   readonly element: HTMLElement;
   private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
@@ -89,7 +89,7 @@ export class FramePanel {
     await this.tell(() => this.drawing.choose(drawer));
   }
 
-  /** Shows what is thrown, and what is chosen all the same. */
+  /** Runs a change, and shows its error and the state after it. */
   private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {

@@ -28,7 +28,7 @@ export class Inspector {
     this.build();
   }
 
-  /** Brings what is shown up to date. */
+  /** Updates the shown values. */
   refresh(): void {
     for (const input of this.inputs) input.refresh();
   }

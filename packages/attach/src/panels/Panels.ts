@@ -17,7 +17,7 @@ export interface PanelsOptions {
   readonly hook: RenderHook;
   readonly drawing: Drawing;
   readonly language: AttachLanguage;
-  /** Told of another language that the user has chosen. */
+  /** Called when the user has chosen another language. */
   onLanguage(language: AttachLanguage): void;
 }
 
@@ -52,7 +52,7 @@ export class Panels {
     );
   }
 
-  /** Brings what is shown up to date; to be called a few times a second. */
+  /** Updates the shown values; call a few times a second. */
   refresh(): void {
     if (this.body.hidden) return;
     this.tree.refresh();

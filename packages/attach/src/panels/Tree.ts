@@ -67,7 +67,7 @@ export class Tree {
     this.draw();
   }
 
-  /** The scene and what is below objects that are open. */
+  /** Rows of the scene and of the children of expanded objects. */
   private openRows(): Row[] {
     const rows: Row[] = [];
     const add = (object: Object3D, depth: number, place: number, siblings: number) => {
@@ -94,7 +94,7 @@ export class Tree {
     this.sizes.disconnect();
   }
 
-  /** Reads the scene again, with what is above the selected object open, and scrolls to it. */
+  /** Reads the scene again, expands the selected object's ancestors, and scrolls to the object. */
   private reveal(): void {
     const { primary: selected } = this.session.selection;
     for (let each = selected?.parent ?? null; each; each = each.parent) this.open.add(each);
@@ -192,7 +192,9 @@ export class Tree {
     else this.choose(row.object, event);
   }
 
-  /** @param keys - that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before */
+  /**
+   * @param keys - that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before
+   */
   private choose(object: Object3D, { ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): void {
     const { rows, session, anchor } = this;
     const objects = rows.map((row) => row.object);

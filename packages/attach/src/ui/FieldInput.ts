@@ -18,10 +18,10 @@ import { element } from './element';
 let count = 0;
 
 /**
- * A row of the inspector: label and controls of one field, of one object or of several. A control previews while one types
- * or drags, commits when the browser says that its value has changed, discards on Escape, and marks a value that the field
- * does not allow. Where the values of several objects differ, the controls say so, and what is not touched stays as each
- * object has it.
+ * A row of the inspector: label and controls of one field, of one object or of several. A control previews while one
+ * types or drags, commits when the browser says that its value has changed, discards on Escape, and marks a value that
+ * the field does not allow. Where the values of several objects differ, the controls say so, and what is not touched
+ * stays as each object has it.
  */
 export class FieldInput {
   readonly element: HTMLElement;
@@ -94,7 +94,10 @@ export class FieldInput {
     this.refresh();
   }
 
-  /** Commits the typed text when it is a number; otherwise the text stays, marked with the reason, and the value as it was. */
+  /**
+   * Commits the typed text when it is a number; otherwise the text stays, marked with the reason, and the value as it
+   * was.
+   */
   private takeOver(part: FieldPart): void {
     const problem = part.unfinished?.() ?? null;
     if (problem === null) {
@@ -162,7 +165,7 @@ export class FieldInput {
    */
   private take(session: Session, part: FieldPart | null, update: FieldUpdate | null): void {
     const { gesture } = this;
-    // an undo has ended the edit: what is typed now is another one
+    // an undo has ended the edit: further typing begins a new one
     if (!gesture.isOpen) gesture.commit();
     try {
       if (update === null) gesture.discard();

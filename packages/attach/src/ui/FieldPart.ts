@@ -41,7 +41,7 @@ export interface FieldPart {
   read(): PartUpdate | null | undefined;
   /** Change of a number by a drag of its label; absent for other kinds. @param steps - so far */
   readonly scrubbed?: (steps: number) => (before: number) => number;
-  /** Why what is in the control cannot be taken over as it is; null when it can. */
+  /** Reason that the control's text is no valid value; null when valid. */
   readonly unfinished?: () => string | null;
 }
 
@@ -184,7 +184,10 @@ function numberPart(field: Field, id: string, label: string, axis?: number): Fie
   return { ...made, scrubbed };
 }
 
-/** A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. Null for no such range. */
+/**
+ * A bar from the smallest to the largest value, for pointers: the number beside it takes the keys. Null for no such
+ * range.
+ */
 function sliderPart(field: Field): FieldPart | null {
   const { toShown, fromShown, ...range } = numberDisplay(field);
   const { min, max, step } = range;

@@ -8,11 +8,11 @@ const IDLE = 500; // ms
 const viewport = new Vector4();
 
 /**
- * Takes the place of one renderer's `render`, to have the scene drawn by Farol and to draw the editor's overlay once the
- * page is done with its frame. The page calls `render` as ever; nested calls, Farol's own among them, go to three.
+ * Takes the place of one renderer's `render`, to have the scene drawn by Farol and to draw the editor's overlay once
+ * the page is done with its frame. The page calls `render` as ever; nested calls, Farol's own among them, go to three.
  */
 export class RenderHook {
-  /** Draws the scene in place of three's own renderer, when it is there. */
+  /** FarolRenderer that draws the scene in place of three's; null for three's own. */
   farol: FarolRenderer | null = null;
   /** Frames that the page has drawn to the canvas. */
   frames = 0;

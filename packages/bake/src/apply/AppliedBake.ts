@@ -8,7 +8,7 @@ interface Dressed {
   readonly baked: BakedMesh;
   readonly geometry: BufferGeometry;
   readonly material: Material | Material[];
-  /** Geometry and material of the mesh before the bake; null once they are put back. */
+  /** Geometry and material of the mesh before the bake; null once restored. */
   before: { geometry: BufferGeometry; material: Material | Material[] } | null;
 }
 
@@ -20,9 +20,9 @@ export class AppliedBake {
   private applied = false;
 
   /**
-   * @param lights - that leave while it is applied
-   * @param textures - one a lightmap; they stay their owner's
-   * @param channel - set of UVs that the textures are read by
+   * @param lights - lights removed while the bake is applied
+   * @param textures - one per lightmap; owned by the caller
+   * @param channel - index of the textures' UV set
    * @param skyOf - see {@link litMaterial}
    */
   constructor(

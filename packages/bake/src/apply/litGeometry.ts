@@ -3,7 +3,7 @@ import type { UnwrappedMesh } from '../unwrap/UnwrapRequest';
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Attributes in the order of other vertices, each made once for meshes that share geometry and order. */
+/** Cache of attributes reordered to a bake's vertices, shared by meshes of one geometry and order. */
 export class GatheredAttributes {
   private readonly made = new Map<AnyAttribute, { order: Uint32Array; gathered: BufferAttribute }[]>();
 
@@ -19,7 +19,7 @@ export class GatheredAttributes {
   }
 }
 
-/** The first set of UVs but one that no geometry has: its number is a texture's `channel`. The last when all are taken. */
+/** Index (`Texture.channel`) of the first UV set after set 0 that no geometry uses; the last one when all are used. */
 export function freeChannel(geometries: readonly BufferGeometry[]): number {
   const isFree = (channel: number): boolean => geometries.every((each) => !each.hasAttribute(`uv${channel}`));
   return [1, 2, 3].find(isFree) ?? 3;

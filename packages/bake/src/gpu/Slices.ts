@@ -11,7 +11,7 @@ export interface SlicedWork {
   onSlice(share: number, batch: number): void;
 }
 
-/** Slices that the GPU has in hand: it goes on with one while the page hears that another is done. */
+/** Slices queued on the GPU: one runs while the page learns that another is done. */
 const IN_FLIGHT = 2;
 
 /** Draws work in slices; between those that the GPU has in hand, of about so many milliseconds, the page may draw. */
@@ -97,7 +97,7 @@ export class Slices {
 
 const channel = typeof MessageChannel === 'undefined' ? null : new MessageChannel();
 
-/** Until the next task: timers would wait four milliseconds. */
+/** Resolves in the next task, by a message: timers would wait 4 ms. */
 function pause(): Promise<void> {
   return new Promise((resolve) => {
     if (!channel) setTimeout(resolve);

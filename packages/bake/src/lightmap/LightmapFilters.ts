@@ -17,7 +17,7 @@ const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFac
 
 export interface LightmapFiltersOptions {
   readonly size: number;
-  /** One a lightmap: texels along a metre. */
+  /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];
   readonly padding: number;
   readonly denoise: boolean;
@@ -121,7 +121,7 @@ export class LightmapFilters {
     }
   }
 
-  /** From the coarse grid to the first of the fine one's light targets. */
+  /** Upsamples light from the coarse grid to the fine grid's first light target. */
   private upsample(lightmap: number, light: Texture): void {
     this.useGrid(this.targets.coarse, lightmap);
     this.shared.farol_light.value = light;
@@ -129,7 +129,7 @@ export class LightmapFilters {
     this.useGrid(this.targets.fine, lightmap);
   }
 
-  /** From the first of two light targets to the second, which is the first from then on. */
+  /** Filters the grid's first light target into the second, and swaps the two. */
   private filter(grid: Grid, name: string, fragment: string): void {
     const [a, b] = grid.light;
     this.shared.farol_light.value = a.texture;
@@ -160,7 +160,7 @@ export class LightmapFilters {
     this.useGrid(stage.grid, lightmap);
   }
 
-  /** Fills what is between charts, and shows the whole. */
+  /** Fills texels between charts, and shows the finished lightmap. */
   finish(lightmap: number): void {
     const { shared, renderer } = this;
     const { fine } = this.targets;

@@ -19,7 +19,7 @@ import type { Surfaces } from './Surfaces';
 
 export interface LightmapTracerOptions {
   readonly size: number;
-  /** One a lightmap: texels along a metre. */
+  /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];
   readonly samples: number;
   /** Texels at which light that was reflected twice or more is gathered, along a side, by all: 1, 0.5 or 0.25. */
@@ -35,15 +35,15 @@ export interface LightmapTracerOptions {
 
 /** Cost of settling a texel, in samples: eight rays or more, and four short ones. */
 const SETTLE_COST = 10;
-/** Milliseconds between two pictures of what is there so far. */
+/** Time between two previews (ms). */
 const PREVIEW_MILLISECONDS = 250;
 
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
 
 /**
  * Light of lightmaps: what lights give directly, then what is gathered. The first gather sees the sky, what shines by
- * itself, and what surfaces reflect of the lights; each one after it what surfaces reflect of the light that the one before
- * has found. That is smooth, and is gathered at the texels of a coarser grid.
+ * itself, and what surfaces reflect of the lights; each one after it what surfaces reflect of the light that the one
+ * before has found. That is smooth, and is gathered at the texels of a coarser grid.
  */
 export class LightmapTracer {
   /** Lightmaps so far, which materials may show while the tracer runs. */

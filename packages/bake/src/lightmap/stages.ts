@@ -20,7 +20,7 @@ export interface Stage {
   readonly grid: Grid;
   readonly samples: number;
   readonly perDraw: number;
-  /** After so many, texels that they agree on take no more; 0: all take all. */
+  /** Samples after which converged texels stop; 0: every texel takes all samples. */
   readonly firstSamples: number;
   /** Cost of the whole work, in samples of a texel of the lightmap. */
   readonly cost: number;
@@ -57,8 +57,8 @@ const SAMPLES_OF_A_DRAW = 4;
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
 /**
- * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise counts
- * less.
+ * Samples of a gather: each holds light that was reflected once more than that of the one before, so that its noise
+ * counts less.
  * @param index - from 0
  */
 const gatherSamples = (samples: number, index: number): number =>
@@ -88,8 +88,8 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
 }
 
 /**
- * Gathers that follow the direct light. Lights are reflected `bounces` times. What the sky and surfaces by themselves give is seen by
- * the first gather, which it takes beside: the last one then is of that alone.
+ * Gathers that follow the direct light. Lights are reflected `bounces` times. What the sky and surfaces by themselves
+ * give is seen by the first gather, which it takes beside: the last one then is of that alone.
  */
 export function gathersOf(source: StageSource, skies: readonly [SkySource, SkySource]): Gather[] {
   const { bounces } = source;

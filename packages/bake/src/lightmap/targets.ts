@@ -22,7 +22,7 @@ export const texelTarget = (size: number, type: TextureDataType): WebGLRenderTar
 export const sumsTarget = (size: number): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count: 2 });
 
-/** One byte a texel. */
+/** Render target with one byte per texel. */
 export const maskTarget = (size: number): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type: UnsignedByteType, format: RedFormat });
 

@@ -1,6 +1,6 @@
 import type { BufferGeometry, Color, Material, Mesh, Matrix4 } from 'three';
 
-/** One material of a mesh and the triangles that wear it. */
+/** A material of a mesh with its triangles. */
 export interface Surface {
   readonly material: Material;
   /** First index of its triangles, and how many indices. */
@@ -21,7 +21,7 @@ export interface StaticMesh {
   readonly index: Uint32Array;
   readonly surfaces: readonly Surface[];
   readonly throwsShadow: boolean;
-  /** Factors of the colours of its copies; null where they have none. */
+  /** Colour factors of the mesh's instances; null without instance colours. */
   readonly colours: readonly Color[] | null;
   /** Whether it gets a lightmap that it keeps. */
   readonly isLit: boolean;

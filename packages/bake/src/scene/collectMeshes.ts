@@ -16,15 +16,15 @@ import type { StaticMesh, Surface } from './StaticMesh';
 export interface CollectOptions {
   isStatic(object: Object3D, instance?: number): boolean;
   throwsShadow(object: Object3D): boolean;
-  /** Told, in a sentence, what is left out. */
+  /** Called with a sentence on each mesh that is left out. */
   onWarning(sentence: string): void;
 }
 
 /**
- * Meshes of a scene that are seen and stay where they are. World matrices must be up to date.
+ * Visible static meshes of a scene. World matrices must be up to date.
  *
- * Left out with a warning: meshes without positions or triangles, with positions that are no numbers, or whose vertices a
- * batch moves. Instanced and skinned meshes throw shadows and reflect light as they stand, and get no lightmap.
+ * Left out with a warning: meshes without positions or triangles, with positions that are no numbers, or whose vertices
+ * a batch moves. Instanced and skinned meshes throw shadows and reflect light as they stand, and get no lightmap.
  */
 export function collectMeshes(scene: Object3D, options: CollectOptions): StaticMesh[] {
   const found: StaticMesh[] = [];

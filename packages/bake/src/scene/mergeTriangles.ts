@@ -16,7 +16,7 @@ import type { UnwrappedMesh } from '../unwrap/UnwrapRequest';
 import { takesLightmap } from './collectMeshes';
 import type { StaticMesh } from './StaticMesh';
 
-/** Triangles of one lightmap that wear one material: they stand together. */
+/** Contiguous triangles of one lightmap and one material. */
 export interface TriangleRange {
   readonly material: Material;
   /** Lightmap, -1 for none. */
@@ -43,7 +43,7 @@ export interface MergedTriangles {
   readonly emissiveUVs: Float32Array;
   /** Nine a triangle, linear; null when no material asks for colours of vertices. */
   readonly colours: Float32Array | null;
-  /** By lightmap, those without one last. */
+  /** Ranges ordered by lightmap; triangles without one are last. */
   readonly ranges: readonly TriangleRange[];
 }
 

@@ -1,14 +1,14 @@
 /** Samples along a seam, one a texel and this many times as many. */
 const DENSITY = 2;
-/** How much texels keep of what they were, by how much the two sides of a seam are to be alike. */
+/** Weight of keeping a texel's value, relative to that of equal seam sides (1). */
 const KEEP = 0.02;
 const MOST_ITERATIONS = 60;
 /** Share of the first residual (squared) at which the solution is good enough. */
 const ENOUGH = 1e-8;
 
 /**
- * Least squares over the texels along seams: bilinear samples of both sides are to be equal, and texels to stay what they
- * were. Solved by conjugate gradients.
+ * Least squares over texels along seams: bilinear samples of both sides should be equal, and texels should keep their
+ * values. Solved by conjugate gradients.
  *
  * @see Iwanicki 2013, Lighting Technology of The Last of Us; Hestenes and Stiefel 1952
  */

@@ -6,8 +6,8 @@ const SMOOTH = 0.95;
 const NEAR = 1e-5;
 
 /**
- * Edges of a surface that charts cut it along: where two triangles share an edge in space and not in the lightmap. Edges
- * that are hard are none, light may differ there.
+ * Edges of a surface that charts cut it along: where two triangles share an edge in space and not in the lightmap.
+ * Edges that are hard are none, light may differ there.
  *
  * @returns vertices of the unwrapped mesh, four a seam: the two ends of one side, and the same two ends of the other
  */
@@ -48,7 +48,7 @@ export function findSeams(
   return Uint32Array.from(seams);
 }
 
-/** One number a vertex, equal for vertices that stand at one place. */
+/** Index of each vertex's position, equal for vertices at one position. */
 function placesOf(positions: Float32Array): Uint32Array {
   let [least, most] = [Infinity, -Infinity];
   for (const value of positions) {

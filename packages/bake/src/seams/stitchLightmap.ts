@@ -7,12 +7,13 @@ export interface StitchRequest {
   readonly size: number;
   /** Four a texel: irradiance, filled beyond the borders of charts. */
   readonly data: Float32Array;
-  /** Meshes in it, with the surfaces that they were cut from. */
+  /** Meshes of the lightmap, with the surfaces that their charts were cut from. */
   readonly meshes: readonly { readonly surface: SurfaceToUnwrap; readonly unwrapped: UnwrappedMesh }[];
 }
 
 /**
- * Makes light meet where charts cut a smooth surface: bilinear filtering would else show the borders of charts as lines.
+ * Makes light meet where charts cut a smooth surface: bilinear filtering would else show the borders of charts as
+ * lines.
  *
  * @returns the data, changed
  */

@@ -21,7 +21,7 @@ export interface LightTable {
   readonly grid: Vector3;
   readonly least: Vector3;
   readonly scale: Vector3;
-  /** Lights without a range: they come first. */
+  /** Number of lights without a range, which come first. */
   readonly endless: number;
   dispose(): void;
 }

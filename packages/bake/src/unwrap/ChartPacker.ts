@@ -17,8 +17,8 @@ interface Piece {
 }
 
 /**
- * Packs charts of meshes side by side into one lightmap, at scales that are tried: the highest first, each where it first
- * fits texel by texel, so that small ones fill what large ones leave.
+ * Packs charts of meshes side by side into one lightmap, at scales that are tried: the highest first, each where it
+ * first fits texel by texel, so that small ones fill what large ones leave.
  *
  * @see Lévy et al. 2002, Least Squares Conformal Maps for Automatic Texture Atlas Generation, section 5
  */
@@ -46,7 +46,10 @@ export class ChartPacker {
     }
   }
 
-  /** Sets how finely charts lie. @returns share of the lightmap that they need, with half of the padding round them */
+  /**
+   * Sets the charts' density.
+   * @returns share of the lightmap that the charts need, with half of the padding around them
+   */
   need(texelsPerMetre: number): number {
     if (this.scale !== texelsPerMetre) {
       this.scale = texelsPerMetre;

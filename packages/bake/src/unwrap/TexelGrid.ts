@@ -1,14 +1,14 @@
 import type { Footprint } from './footprint';
 
-/** Which texels of a square lightmap are taken. */
+/** Occupancy of the texels of a square lightmap. */
 export class TexelGrid {
   /**
-   * For each texel, and one more a row that counts as taken: the number of free texels from it on to the right, or, where
-   * it is taken, minus a number of taken texels (at least).
+   * For each texel, and one more a row that counts as taken: the number of free texels from it on to the right, or,
+   * where it is taken, minus a number of taken texels (at least).
    */
   private readonly free: Int16Array;
   private readonly stride: number;
-  /** At most so many texels stand free in a row. */
+  /** Upper bound of the free texels in succession, for each row. */
   private readonly longest: Int16Array;
 
   constructor(private readonly size: number) {
@@ -22,9 +22,9 @@ export class TexelGrid {
   }
 
   /**
-   * The first place, by rows and columns, where a chart touches no texel that is taken; -1 for none.
+   * First position, by rows and columns, where a chart touches no occupied texel; -1 for none.
    *
-   * @param from - no place before this one is looked at
+   * @param from - position where the search begins
    * @returns row times (size + 1) and column, of the chart's texel 0, 0
    */
   find({ width, height, touched }: Footprint, from: number): number {
@@ -37,7 +37,7 @@ export class TexelGrid {
         for (let i = 0; i < touched.length; i += 3) {
           const run = free[(row + touched[i]) * stride + column + touched[i + 1]];
           if (run >= touched[i + 2]) continue;
-          // to beyond what is in the way
+          // skip to beyond the obstacle
           column += run < 0 ? -run : run + 1;
           continue nextPlace;
         }
@@ -58,7 +58,7 @@ export class TexelGrid {
       const first = Math.max(0, column + padded[i + 1]);
       const end = Math.min(size, column + padded[i + 1] + padded[i + 2]);
       const begin = y * stride;
-      // what is taken right of it counts as well
+      // occupied texels to the right are counted too
       let taken = Math.max(0, -free[begin + end]);
       for (let x = end - 1; x >= first; x--) free[begin + x] = -Math.min(++taken, 0x7fff);
       for (let x = first - 1; x >= 0 && free[begin + x] > 0; x--) free[begin + x] = first - x;

@@ -1,4 +1,4 @@
-/** A surface to be cut into charts: one for all meshes that are equal but for where they stand. */
+/** A surface to be cut into charts; meshes that differ only in their transforms share one. */
 export interface SurfaceToUnwrap {
   /** Three a vertex (m): of the mesh, scaled as in the world. */
   readonly positions: Float32Array;
@@ -14,7 +14,7 @@ export interface PackOptions {
   readonly size: number;
   /** Texels between charts. */
   readonly padding: number;
-  /** Null: as many as one lightmap has room for. */
+  /** Texels per metre; null: as many as fit into one lightmap. */
   readonly texelsPerMetre: number | null;
 }
 
@@ -35,6 +35,6 @@ export interface UnwrappedMesh {
 
 export interface Unwrapped {
   readonly meshes: readonly UnwrappedMesh[];
-  /** Texels along a metre, one a lightmap, as they turned out: fewer than asked for where a mesh is larger than a lightmap. */
+  /** Resulting texels per metre, one number per lightmap: fewer than requested where a mesh exceeds a lightmap. */
   readonly texelsPerMetre: readonly number[];
 }

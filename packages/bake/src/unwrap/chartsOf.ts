@@ -4,9 +4,9 @@ import { type Charts, NO_CHART } from './cutCharts';
 export interface Chart {
   /** Indices of its vertices in `uvs`, each once. */
   readonly vertices: Uint32Array;
-  /** Its triangles, three indices of vertices each. */
+  /** Triangles of the chart, three vertex indices each. */
   readonly triangles: Uint32Array;
-  /** Its uvs' bounds (m). */
+  /** Bounds of the chart's UVs (m). */
   readonly left: number;
   readonly bottom: number;
   readonly width: number;

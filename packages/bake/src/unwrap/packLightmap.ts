@@ -2,11 +2,11 @@ import { ChartPacker } from './ChartPacker';
 import type { Charts } from './cutCharts';
 import type { UnwrappedMesh } from './UnwrapRequest';
 
-/** One lightmap's meshes, and how finely they lie in it. */
+/** Meshes of one lightmap, with their texel density. */
 export interface Packed {
-  /** As it turned out: charts are rounded to whole texels. */
+  /** Resulting density: charts are rounded to whole texels. */
   readonly texelsPerMetre: number;
-  /** In the order of the surfaces that were given. */
+  /** Meshes in the order of the given surfaces. */
   readonly meshes: readonly Omit<UnwrappedMesh, 'lightmap'>[];
 }
 

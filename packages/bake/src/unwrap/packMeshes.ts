@@ -38,7 +38,7 @@ export function packMeshes(
   return { meshes, texelsPerMetre };
 }
 
-/** Meshes of each lightmap, by the texels that they need. */
+/** Groups surfaces into lightmaps by the texels that each needs. */
 function groupsOf(surfaces: readonly Charts[], { size, padding, texelsPerMetre }: PackOptions): number[][] {
   const needs = new Map(
     [...new Set(surfaces)].map((each) => [each, new ChartPacker([each], size, padding).need(texelsPerMetre!)]),

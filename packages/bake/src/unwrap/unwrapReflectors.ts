@@ -3,14 +3,14 @@ import type { StaticMesh } from '../scene/StaticMesh';
 import type { UnwrappedMesh } from './UnwrapRequest';
 import { unwrapStaticMeshes } from './unwrapStaticMeshes';
 
-/** How much more coarsely what is not kept lies in its lightmaps. */
+/** Factor by which lightmaps that are not kept are coarser. */
 const COARSER = 4;
 
 /** Meshes that reflect light without a lightmap of their own: each copy is one. */
 export interface Reflectors {
   readonly meshes: readonly StaticMesh[];
   readonly unwrapped: readonly (UnwrappedMesh | null)[];
-  /** One a lightmap, which serve the bake alone and are not kept. */
+  /** Texels per metre, one number per lightmap; these lightmaps serve the bake and are not kept. */
   readonly texelsPerMetre: readonly number[];
 }
 
@@ -24,8 +24,8 @@ const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
   }));
 
 /**
- * Lays out meshes that reflect light without a lightmap that is kept, in one lightmap more, coarsely. Where there is no room
- * for them they throw shadows alone, which is told.
+ * Lays out meshes that reflect light without a lightmap that is kept, in one lightmap more, coarsely. Where there is no
+ * room for them they throw shadows alone, which is told.
  *
  * @param density - texels a metre of the lightmaps that are kept
  * @param first - number of the first lightmap

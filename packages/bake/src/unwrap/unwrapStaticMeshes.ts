@@ -11,7 +11,7 @@ export interface UnwrappedMeshes {
   readonly unwrapped: (UnwrappedMesh | null)[];
   /** The surface that each of those was cut from, null for others: the same one for equal meshes. */
   readonly surfaces: (SurfaceToUnwrap | null)[];
-  /** One a lightmap. */
+  /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];
 }
 

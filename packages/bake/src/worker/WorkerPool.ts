@@ -3,7 +3,7 @@ import type { BakeAnswer, BakeQuestion, BakeResults } from './bakeWorker';
 /** Workers at once. Each has xatlas in its memory. */
 const MOST_WORKERS = 8;
 
-/** Workers that answer questions side by side, so that the page goes on. */
+/** Pool of workers that answer requests in parallel, so that the page stays responsive. */
 export class WorkerPool {
   private readonly idle: Worker[];
   private readonly waiting: { readonly weight: number; start(worker: Worker): void }[] = [];
@@ -21,8 +21,8 @@ export class WorkerPool {
   }
 
   /**
-   * @param wanted - workers; there are as many as there are processors for
-   * @param signal - when it is aborted, what is asked for is rejected with its reason
+   * @param wanted - number of workers, limited by the processors
+   * @param signal - aborting rejects open requests with the signal's reason
    */
   static async make(wanted: number, signal: AbortSignal | undefined): Promise<WorkerPool> {
     const { default: BakeWorker } = await import('./bakeWorker?worker&inline');
@@ -36,7 +36,7 @@ export class WorkerPool {
 
   /**
    * @param weight - of what is asked for at once, the heaviest begins first
-   * @throws Error (as a rejection) with what the worker failed by
+   * @throws Error (as a rejection) with the worker's error message
    */
   ask<Kind extends keyof BakeResults>(
     question: BakeQuestion & { readonly kind: Kind },
@@ -67,7 +67,7 @@ export class WorkerPool {
         worker.postMessage(question, transfer);
       };
       this.waiting.push({ weight, start });
-      // what is asked for at once is sorted before the first begins
+      // requests of one task are sorted before the first begins
       queueMicrotask(() => this.startNext());
     });
     return Promise.race([answer, this.cancelled]);

@@ -11,8 +11,8 @@ export type CurveKey = readonly [time: number, value: number];
 export type Curve = readonly CurveKey[];
 
 /**
- * A key of a gradient: its time, from 0 to 1, the linear colour and the opacity (0 to 1) there. Null for what the key says
- * nothing of, so that colour and opacity can have keys at times of their own.
+ * A key of a gradient: its time, from 0 to 1, the linear colour and the opacity (0 to 1) there. Null for what the key
+ * says nothing of, so that colour and opacity can have keys at times of their own.
  */
 export type GradientKey = readonly [time: number, colour: Vector3Tuple | null, opacity: number | null];
 
@@ -37,7 +37,7 @@ export interface FieldVariants {
 }
 
 interface FieldBase {
-  /** One line of help, shown as a tooltip. */
+  /** Help text of one line, shown as a tooltip. */
   readonly help: string;
   /** Shown in place of the field's name. */
   readonly label?: string;
@@ -175,7 +175,7 @@ export interface ObjectField extends FieldBase {
 
 /** A type of fields that the engine does not know by itself. */
 export interface FieldType {
-  /** By which editors find a control for its fields. */
+  /** Name by which editors find a control for the type's fields. */
   readonly name: string;
   /** Allowed values in words, as the end of "must be …". */
   readonly allows: string;

@@ -4,7 +4,7 @@ import type { FieldValue } from './Field';
 export interface FieldDescription {
   /** 'number', 'angle' (radians), 'vector3', 'euler' (radians), 'colour' (linear), 'boolean', … */
   readonly kind: string;
-  /** One line of help. */
+  /** Help text of one line. */
   readonly help: string;
   /** Shown in place of the field's name. */
   readonly label?: string;
@@ -24,7 +24,7 @@ export interface FieldDescription {
 
 /** Something whose fields are edited: a component, the settings of a scene, an object of three's. */
 export interface FieldTarget {
-  /** Its name in the labels of the history, such as 'Light'. */
+  /** Name of the owner in labels of the history, such as 'Light'. */
   readonly ownerName: string;
   readonly fields: Readonly<Record<string, { readonly label?: string; readonly viewOf?: string }>>;
   /** The value that was last set, untouched by simulation. */

@@ -10,9 +10,9 @@ export interface NumberDisplay {
   readonly max?: number;
   /** Above 0. */
   readonly step: number;
-  /** From the field's unit to the one shown. */
+  /** Converts from the field's unit to the shown unit. */
   toShown(value: number): number;
-  /** From the unit shown to the field's. */
+  /** Converts from the shown unit to the field's unit. */
   fromShown(shown: number): number;
 }
 

@@ -57,7 +57,7 @@ export const string = (value: string, options: Options<StringField> = {}): Strin
   ...options,
 });
 
-/** One of `options`. */
+/** Declares a field whose value is one of `options`. */
 export const choice = <const Option extends string>(
   value: NoInfer<Option>,
   options: readonly Option[],
@@ -89,7 +89,9 @@ export const colour = (value: Vector3Tuple, options: Options<ColourField> = {}):
   ...options,
 });
 
-/** A number over a time from 0 to 1, as over a particle's life; `options` gives unit, min, max and step of its values. */
+/**
+ * A number over a time from 0 to 1, as over a particle's life; `options` gives unit, min, max and step of its values.
+ */
 export const curve = (value: Curve, options: Options<CurveField> = {}): CurveField => ({
   kind: 'curve',
   default: value,

@@ -5,7 +5,7 @@ import { isAlike, isPure, type Unit, unitsOfField } from './units';
 
 /** Why a text that was typed is no number. */
 export interface NumberProblem {
-  /** One short sentence. */
+  /** The problem as one short sentence. */
   readonly problem: string;
   /** Whether it may become a number by typing on: '1/'. */
   readonly isIncomplete: boolean;
@@ -89,7 +89,7 @@ function relativeEdit(operator: string, text: string, unit: string | undefined):
   return { problem: null, isRelative: true, valueFor: (before) => finite(tidied(before + amount)) };
 }
 
-/** @throws NumberSyntaxError for what is no finite number */
+/** @throws NumberSyntaxError when `value` is not finite */
 function checked(value: number, text: string): number {
   if (!Number.isFinite(value)) {
     throw new NumberSyntaxError(

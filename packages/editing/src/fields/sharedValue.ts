@@ -3,7 +3,7 @@ import { isTriple, sameValue } from './sameValue';
 
 /** Value of one field over several owners. */
 export interface SharedValue {
-  /** Null where the values differ. */
+  /** The common value; null when the values differ. */
   readonly value: FieldValue;
   /** Whether the values differ. */
   readonly mixed: boolean;

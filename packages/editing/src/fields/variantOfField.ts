@@ -1,11 +1,11 @@
 import type { Field } from './Field';
 
-/** By field, and the value of the one that its variants go by. */
+/** Variants by field, then by the value of the field that selects the variant. */
 const made = new WeakMap<Field, Map<unknown, Field>>();
 
 /**
- * A field as it is shown at present: with the label and the unit that it has while another field has its value; the same
- * object for the same value.
+ * A field as it is shown at present: with the label and the unit that it has while another field has its value; the
+ * same object for the same value.
  * @param get - reads the value of a field by its name
  */
 export function variantOfField(field: Field, get: (field: string) => unknown): Field {

@@ -33,8 +33,8 @@ const delta = new Matrix4();
 const turn = new Quaternion();
 
 /**
- * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns and
- * grows in its place; several go round the pivot, or each turns and grows in its own.
+ * Poses of objects while a gizmo drags a pivot: the objects move, turn and grow with the pivot. A single object turns
+ * and grows in its place; several go round the pivot, or each turns and grows in its own.
  */
 export class TransformDrag {
   private readonly starts: readonly Start[];
@@ -66,7 +66,7 @@ export class TransformDrag {
     return this.pivot.position.clone().sub(this.pivotStart);
   }
 
-  /** By how much the pivot was turned (rad), -π to π: above 0 counterclockwise about the axis that it is nearest to. */
+  /** Rotation of the pivot (rad), -π to π: positive is counterclockwise about the nearest axis. */
   get angle(): number {
     const { x, y, z, w } = turn.copy(this.pivot.quaternion).multiply(this.pivotRotationInverse);
     const largest = [x, y, z].reduce((found, each) => (Math.abs(each) > Math.abs(found) ? each : found), 0);
@@ -74,12 +74,14 @@ export class TransformDrag {
     return angle * Math.sign(largest) * (w < 0 ? -1 : 1);
   }
 
-  /** By what the pivot was made larger along its own axes. */
+  /** Scale factors of the pivot along its own axes. */
   get factors(): Vector3 {
     return this.pivot.scale.clone();
   }
 
-  /** Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out. */
+  /**
+   * Poses for the pivot's present place, in the order of the starts; parts that the mode does not change are left out.
+   */
   poses(mode: TransformMode, { each = false, turns = false }: DragOptions = {}): Partial<Pose>[] {
     const { pivot, starts } = this;
     pivot.updateMatrixWorld();
@@ -99,7 +101,10 @@ export class TransformDrag {
 
 const matrix = new Matrix4();
 
-/** Puts the pivot of a gizmo to a place in the world, turned as an object is. @param like - that object's matrix in the world */
+/**
+ * Puts the pivot of a gizmo to a place in the world, turned as an object is.
+ * @param like - that object's matrix in the world
+ */
 export function placePivot(pivot: Object3D, place: Vector3, like: Matrix4): void {
   pivot.position.copy(place);
   pivot.quaternion.setFromRotationMatrix(matrix.extractRotation(like));

@@ -15,7 +15,7 @@ export class CommandStack<Item = string> {
   private readonly done: Command<Item>[] = [];
   private readonly undone: Command<Item>[] = [];
   private gesture: Gesture<Item> | null = null;
-  /** Undefined when no step leads to what is saved. */
+  /** Command at the saved state, null at the start; undefined when no undo or redo leads to the saved state. */
   private savedAt: Command<Item> | null | undefined = null;
   /** Steps below this number stay: see `hold`. */
   private held = 0;
@@ -140,7 +140,7 @@ export class CommandStack<Item = string> {
     return true;
   }
 
-  /** From here on steps can be taken back at once, by `release`; those before cannot be undone until then. */
+  /** Begins a group of steps that `release` can take back at once; earlier steps cannot be undone until then. */
   hold(): void {
     this.gesture?.commit();
     this.held = this.done.length;
@@ -150,8 +150,8 @@ export class CommandStack<Item = string> {
 
   /**
    * Takes all steps since `hold` back and out of the history.
-   * @param failed - called for a step that cannot be undone, such as one of something that is gone; the others go on. What it
-   * threw is thrown when absent
+   * @param failed - called for a step that cannot be undone, such as one of something that is gone; the others go on.
+   * What it threw is thrown when absent
    * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
    */
   release(failed?: (command: Command<Item>, error: unknown) => void): Command<Item>[] {

@@ -22,7 +22,10 @@ export class Gesture<Item = string> {
     return this.open;
   }
 
-  /** Does a command in place of the last preview. @throws what the command throws; the document is then as at the start */
+  /**
+   * Does a command in place of the last preview.
+   * @throws what the command throws; the document is then as at the start
+   */
   preview(asked: Command<Item>): void {
     if (!this.open) return;
     const command = this.instead(asked);
@@ -38,7 +41,7 @@ export class Gesture<Item = string> {
   }
 
   /**
-   * Takes the last preview back; the gesture goes on. To be called before a command is made that looks at more of the
+   * Reverts the last preview; the gesture continues. To be called before a command is made that looks at more of the
    * scene than the fields it sets, such as one that deletes or moves objects.
    */
   reset(): void {

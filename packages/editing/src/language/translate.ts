@@ -1,6 +1,6 @@
 /**
- * Texts of a language: by the English text, which the code holds, that of the language. `{name}` stands for a value that
- * is filled in.
+ * Texts of a language: by the English text, which the code holds, that of the language. `{name}` stands for a value
+ * that is filled in.
  */
 export type Texts = Readonly<Record<string, string>>;
 
@@ -8,7 +8,7 @@ let texts: Texts = {};
 let language = 'en';
 
 /**
- * Says what is shown from now on.
+ * Sets the language of all texts shown from now on.
  * @param wanted - texts by their English ones; none for English
  * @param name - of the language, such as 'es'
  */
@@ -31,8 +31,8 @@ export function textLocale(): string {
 
 /**
  * A text in the language that is shown. The English text is its name: `t('Box {number}', { number: 2 })`. Call it where
- * the text is shown, not where a module begins: the language may change. What follows '##' is a note, which is not shown:
- * 'Scale##verb', where other languages have another word for what one does than for what one has.
+ * the text is shown, not where a module begins: the language may change. What follows '##' is a note, which is not
+ * shown: 'Scale##verb', where other languages have another word for what one does than for what one has.
  * @param english - a literal, so that a test finds it and misses no text of another language
  * @param values - what stands for `{name}`; a name without a value stays as it is
  */
@@ -50,7 +50,8 @@ function withoutNote(english: string): string {
 }
 
 /**
- * A text of a number of things, of which English and Spanish have one for 1 and one for the rest. `{count}` is filled in.
+ * A text of a number of things, of which English and Spanish have one for 1 and one for the rest. `{count}` is filled
+ * in.
  * @param one - for a count of 1, such as '{count} light'
  * @param many - for any other, such as '{count} lights'
  */

@@ -9,35 +9,38 @@ import type { ClipEvent } from '../assets/clips/ClipData';
 
 /** Interface of components that AnimationSystem plays, such as `Animation`. */
 export interface Animated extends Component {
-  /** Gives the channels their values for a time of the scene. */
+  /** Adds the clips' values at a scene time (s) to the channels. */
   evaluate(time: number): void;
-  /** Hands over the events that were passed. @param isCalling - false where the scene was put at a time */
+  /**
+   * Queues the clip events passed since the last call.
+   * @param isCalling - false when the scene was moved to a time: passed events are skipped
+   */
   passEvents(time: number, isCalling: boolean): void;
-  /** Objects, names or components have changed: what tracks move is to be looked up again. */
+  /** Called after objects, names or components changed: tracks must look up their targets again. */
   targetsChanged(): void;
-  /** The scene was reset. */
+  /** Called when the scene is reset. */
   resetPlayers(): void;
 }
 
-/** Fields of components that have other fields with another value: uniforms of a surface, morph targets of a model. */
+/** Fields whose value decides which further fields a component has: uniforms of a surface, morph targets of a model. */
 const CHANGES_FIELDS: ReadonlySet<string> = new Set(['surface', 'model', 'parts']);
 
 /**
- * Plays the animations of a scene: all are evaluated, then what they have in common is blended and shown, then events
- * are called.
+ * Plays the animations of a scene: all are evaluated, then shared channels are blended and applied, then events are
+ * called.
  */
 export class AnimationSystem implements SceneSystem {
   readonly order = 100;
   private readonly animated: Animated[] = [];
   private readonly fields = new Map<Component, Map<string, FieldChannel>>();
   private readonly nodes = new Map<Object3D, Map<string, NodeChannel>>();
-  /** Channels that are shown now, and those of the frame before, each followed by what is left of older frames. */
+  /** Channels of this frame, the first `shownCount` entries; later entries are left over from older frames. */
   private shown: Channel[] = [];
   private shownCount = 0;
   private shownBefore: Channel[] = [];
   private frame = 0;
   private readonly calls: { host: Component; event: ClipEvent }[] = [];
-  /** Grows whenever a clip of the library may be another one. */
+  /** Counter, raised whenever a clip of the library may have been replaced. */
   clipsRevision = 0;
   private readonly endings: readonly (() => void)[];
 
@@ -76,7 +79,7 @@ export class AnimationSystem implements SceneSystem {
     return channel;
   }
 
-  /** Makes a channel ready for the values of this frame. */
+  /** Prepares a channel for the values of this frame, once per frame. */
   touch(channel: Channel): void {
     if (channel.frame === this.frame) return;
     channel.frame = this.frame;
@@ -150,7 +153,7 @@ export class AnimationSystem implements SceneSystem {
     if (channels.size === 0) table.delete(key);
   }
 
-  /** Tells of what cannot be shown, without ending the frame. */
+  /** Reports a value that cannot be shown, without ending the frame. */
   tellOf(component: Component, error: unknown): void {
     if (this.scene.onComponentError) this.scene.reportError(component, error);
     else console.warn(error instanceof Error ? error.message : String(error));
@@ -164,8 +167,8 @@ export class AnimationSystem implements SceneSystem {
   }
 
   /**
-   * As `GameObject.callMethod`; a component that throws keeps the others from nothing. What every component has is not
-   * called.
+   * As `GameObject.callMethod`, but errors of one component do not stop the others, and methods of Component itself are
+   * not called.
    */
   private callMethod(gameObject: GameObject, { method, value }: ClipEvent): void {
     if (method in Component.prototype) return;

@@ -4,24 +4,27 @@ import type { Component } from '../core/Component';
 import { sizeOfField } from './TrackCurve';
 
 /**
- * Something that clips animate: a field of a component, or a property of a node of a model. What several clips show at
- * once is their mean by weight; where the weights are less than 1 in all, the value that was there counts for the rest.
+ * Target of clips: a field of a component, or a property of a node of a model. The value of several clips at once is
+ * their weighted mean; where weights sum to less than 1, the original value fills the rest.
  */
 export interface Channel {
-  /** The frame in which it was last given a value. */
+  /** Frame in which the channel last got a value. */
   frame: number;
-  /** Bindings that may give it values. */
+  /** Number of bindings that may write the channel. */
   users: number;
   /** Whether the channel's component or node has left the scene, or its field has refused a value. */
   readonly isGone: boolean;
-  /** Before the first value of a frame. */
+  /** Called before the first value of a frame. */
   begin(): void;
   add(values: ArrayLike<number>, weight: number): void;
   addQuaternion(values: ArrayLike<number>, weight: number): void;
   addStep(value: FieldValue, weight: number): void;
-  /** Shows what was added. @throws FieldError when it is not allowed; the channel is gone then */
+  /**
+   * Writes the blended value to the target.
+   * @throws FieldError when the field refuses the value; the channel is gone then
+   */
   apply(): void;
-  /** Shows what was there before. */
+  /** Restores the target's original value. */
   release(): void;
 }
 
@@ -50,7 +53,7 @@ function toQuaternion(angles: ArrayLike<number>, target: Float64Array): Float64A
   return target;
 }
 
-/** A field of a component: simulated; of a Transform the object itself is moved. */
+/** Channel of a component's field, written by `simulate`; a Transform's fields move the object directly. */
 export class FieldChannel implements Channel {
   frame = -1;
   users = 0;
@@ -95,7 +98,7 @@ export class FieldChannel implements Channel {
 
   addStep(value: FieldValue, weight: number): void {
     this.weight += weight;
-    // of two that weigh the same the later one is shown
+    // of equal weights the later one is shown
     if (weight < this.stepWeight) return;
     this.step = value;
     this.stepWeight = weight;
@@ -176,7 +179,7 @@ export type NodeProperty = 'position' | 'quaternion' | 'scale' | 'morphTargetInf
 
 type Node = Object3D & { morphTargetInfluences?: number[] };
 
-/** A property of a node of a model, such as a bone. */
+/** Channel of a property of a model's node, such as a bone. */
 export class NodeChannel implements Channel {
   frame = -1;
   users = 0;

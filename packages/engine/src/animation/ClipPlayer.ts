@@ -12,23 +12,23 @@ const numbers = new Float64Array(3);
 
 const nothing: BoundClip = { duration: 0, events: [], bindings: [], problems: [] };
 
-/** How a clip is played. */
+/** Wrap, rate and start of a played clip. */
 export interface PlayerOptions {
   readonly wrap: ClipWrap;
   /** Clip seconds per second. */
   readonly rate: number;
-  /** Clip seconds that it begins at; counted from its end where it runs backwards. */
+  /** Start position in the clip (s); counted from the clip's end when `rate` is negative. */
   readonly startTime: number;
 }
 
-/** Whose clip it is. */
+/** Owner of a ClipPlayer. */
 export interface PlayerHost {
   readonly gameObject: GameObject;
-  /** Tells of what cannot be played. */
+  /** Reports why a clip cannot be played. */
   tellProblem(clip: string, problem: string): void;
 }
 
-/** One clip that is played on an object: where it is and how much it weighs follow from the scene's time alone. */
+/** Plays one clip on an object; position and weight depend on the scene's time alone. */
 export class ClipPlayer {
   wrap: ClipWrap;
   isPaused = false;
@@ -40,7 +40,7 @@ export class ClipPlayer {
   private revision = -1;
   private drawn: readonly ModelInScene[] = [];
   private roots: readonly (Object3D | null)[] = [];
-  /** Scene time at which it was at `offset`, and its rate since. */
+  /** Scene time (s) at which the clip's position was `offset`. */
   private origin: number;
   private offset = 0;
   private rate: number;
@@ -68,12 +68,12 @@ export class ClipPlayer {
     this.origin = time;
   }
 
-  /** Seconds; 0 before the clip is there. */
+  /** Duration of the clip (s); 0 until loaded. */
   get duration(): number {
     return this.bound.duration;
   }
 
-  /** Whether it stands at an end that it stays at. */
+  /** Whether the clip has reached its end and stays there (`wrap` 'once'). */
   isFinished(time: number): boolean {
     if (this.wrap !== 'once' || !this.hasBegun) return false;
     const at = this.position(time);
@@ -88,14 +88,14 @@ export class ClipPlayer {
     return this.fadeTo === 0;
   }
 
-  /** From 0 to 1. */
+  /** Weight of the clip in blending, 0 to 1. */
   weight(time: number): number {
     const { fadeSeconds, fadeFrom, fadeTo } = this;
     const share = fadeSeconds > 0 ? Math.min(Math.max((time - this.fadeOrigin) / fadeSeconds, 0), 1) : 1;
     return fadeFrom + (fadeTo - fadeFrom) * share;
   }
 
-  /** Goes to another weight from now on. */
+  /** Begins a linear fade to another weight. */
   fade(to: 0 | 1, seconds: number, time: number, from = this.weight(time)): void {
     this.fadeFrom = from;
     this.fadeTo = to;
@@ -117,7 +117,7 @@ export class ClipPlayer {
     this.isPaused = isPaused;
   }
 
-  /** Seconds within the clip. */
+  /** Position within the clip (s), wrapped. */
   timeAt(time: number): number {
     return wrapTime(this.position(time), this.bound.duration, this.wrap, this.rate < 0);
   }
@@ -130,7 +130,7 @@ export class ClipPlayer {
     this.origin = time;
   }
 
-  /** Gives its values to the channels. */
+  /** Adds the clip's values to the channels. */
   evaluate(time: number): void {
     const weight = this.weight(time);
     if (this.isStale || this.hasChanged) this.bind();
@@ -161,7 +161,7 @@ export class ClipPlayer {
     }
   }
 
-  /** Tells which events were passed since the last call. @param isCalling - whether they are called, or passed over */
+  /** Calls events passed since the last call. @param isCalling - false skips them */
   passEvents(time: number, isCalling: boolean, call: (event: ClipEvent) => void): void {
     if (!this.hasBegun) return;
     const { duration, events } = this.bound;
@@ -172,26 +172,26 @@ export class ClipPlayer {
     this.withFirst = false;
   }
 
-  /** Lets go of what it moved. */
+  /** Releases the channels. */
   dispose(): void {
     for (const { channel } of this.bound.bindings) channel.users--;
     this.bound = nothing;
     this.isStale = true;
   }
 
-  /** Seconds since the beginning of the clip, as if it had no end. */
+  /** Unwrapped position (s) since the beginning of the clip. */
   private position(time: number): number {
     return this.isPaused ? this.offset : this.offset + Math.max(time - this.origin, 0) * this.rate;
   }
 
-  /** The first place is known once the length of the clip is. */
+  /** Sets the start position once, when the clip's duration is known. */
   private begin(): void {
     if (this.hasBegun || !this.clip) return;
     this.hasBegun = true;
     this.offset = this.eventsUntil = this.rate < 0 ? this.bound.duration - this.startTime : this.startTime;
   }
 
-  /** Whether the model is drawn anew, or the clip has become another one. */
+  /** Whether the model's renderer made a new tree, or the clip was replaced. */
   private get hasChanged(): boolean {
     for (let i = 0; i < this.drawn.length; i++) if (this.drawn[i].three !== this.roots[i]) return true;
     if (this.revision === this.system.clipsRevision) return false;
@@ -199,7 +199,7 @@ export class ClipPlayer {
     const { assets } = this.system.scene;
     if (!this.clip || !assets.isReady('clip', this.name) || assets.clip(this.name) !== this.clip) return true;
     if ('isModelClip' in this.clip) return false;
-    // what was not there may have come with a model that is loaded now
+    // missing targets may have appeared with a model loaded since
     if (this.bound.problems.length > 0) return true;
     return this.clip.get('data') !== this.text || this.clip.duration !== this.duration;
   }

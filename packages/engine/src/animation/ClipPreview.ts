@@ -5,19 +5,18 @@ import { trackTarget } from './trackTarget';
 import { valueAt } from './valueAt';
 
 /**
- * Shows a clip at a time on an object tree, as while it is scrubbed through: no edit, and not saved. For a scene that does
- * not play.
+ * Shows a clip at a time on an object tree, for scrubbing: neither an edit nor saved. For a scene that does not play.
  */
 export class ClipPreview {
   private readonly shown = new Map<Component, Set<string>>();
 
-  /** @param gameObject - what the paths of tracks begin at */
+  /** @param gameObject - root of the tracks' paths */
   constructor(readonly gameObject: GameObject) {}
 
   /**
-   * Shows the values at a time, and what the clip does not animate as authored.
+   * Shows the clip's values at a time; all other fields are shown as authored.
    * @param time - seconds from the beginning of the clip
-   * @returns what cannot be shown, and the mend: a line for each track whose target is gone
+   * @returns a message with its remedy for each track whose target is missing
    */
   show(clip: ClipData, time: number): string[] {
     const problems: string[] = [];
@@ -49,7 +48,7 @@ export class ClipPreview {
     return problems;
   }
 
-  /** Shows all as authored again. */
+  /** Ends the preview: all fields are shown as authored. */
   end(): void {
     for (const component of this.shown.keys()) component.endSimulation();
     this.shown.clear();

@@ -5,11 +5,11 @@ import { FieldChannel, NodeChannel } from './Channel';
 import { wrapTime } from './clipEvents';
 import type { ModelInScene } from './modelsBelow';
 
-/** A clip of a model in an endless loop by itself: what ModelRenderer and Animator of older files play. */
+/** Plays one clip of a model in an endless loop, for ModelRenderer and Animator of older files. */
 export class LoopedClip {
   private readonly bound: BoundClip;
 
-  /** @param drawn - what draws the model; null where its objects are below `root` */
+  /** @param drawn - renderer of the model; null when the model was unpacked into objects below `root` */
   constructor(clip: ModelClip, root: GameObject, drawn: ModelInScene | null) {
     this.bound = bindModelClip(clip, root, drawn ? [drawn] : [], {
       fieldChannel: (component, field) => new FieldChannel(component, field),
@@ -17,7 +17,7 @@ export class LoopedClip {
     });
   }
 
-  /** @param seconds - below 0 where it runs backwards */
+  /** @param seconds - position in the clip; negative when running backwards */
   show(seconds: number): void {
     const { bindings, duration } = this.bound;
     const at = wrapTime(seconds, duration, 'loop');
@@ -31,7 +31,7 @@ export class LoopedClip {
     }
   }
 
-  /** Shows what was there before. */
+  /** Restores the values from before the clip. */
   end(): void {
     for (const { channel } of this.bound.bindings) channel.release();
   }

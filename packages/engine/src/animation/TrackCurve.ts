@@ -14,7 +14,7 @@ export function sizeOfField(field: Field): 0 | 1 | 3 {
 
 /** A track as arrays of numbers, for one kind of field. Any number of objects may read it. */
 export class TrackCurve {
-  /** Numbers of a value; 0 for values that step. */
+  /** Numbers per value; 0 for values that step. */
   readonly size: 0 | 1 | 3;
   readonly count: number;
   /** Times of the keys (s). */
@@ -50,8 +50,8 @@ export class TrackCurve {
   }
 
   /**
-   * The last key that is not after a time; -1 before the first one.
-   * @param near - where it was found last time
+   * Index of the last key at or before a time; -1 before the first key.
+   * @param near - index found last time, where the search begins
    */
   indexAt(time: number, near = 0): number {
     const { times, count } = this;
@@ -87,7 +87,7 @@ export class TrackCurve {
     return this.steps[Math.max(index, 0)];
   }
 
-  /** How much of the way to the next key is done: 0 to 1, or beyond for a curve that swings over. */
+  /** Share of the change to the next key: 0 to 1, or beyond for an overshooting curve. */
   private shareAt(time: number, index: number): number {
     const { times, count, easings, controls } = this;
     if (index < 0 || index + 1 >= count || easings[index] === STEP) return 0;

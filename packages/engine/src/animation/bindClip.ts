@@ -9,7 +9,7 @@ import type { ModelInScene } from './modelsBelow';
 import { type TrackCurve, curveOf } from './TrackCurve';
 import { trackTarget } from './trackTarget';
 
-/** One track of a clip, and what it moves. */
+/** One track of a clip, bound to its channel. */
 export interface Binding {
   readonly channel: Channel;
   /** Curve of a track of a clip asset; null for a clip of a model. */
@@ -17,11 +17,11 @@ export interface Binding {
   /** three's interpolant of a track of a model's clip; null for a clip asset. */
   readonly interpolant: Interpolant | null;
   readonly isQuaternion: boolean;
-  /** Place of the key that was found last. */
+  /** Index of the key found last. */
   index: number;
 }
 
-/** A clip whose tracks know what they move. */
+/** A clip with its tracks bound to channels. */
 export interface BoundClip {
   readonly duration: number;
   readonly events: readonly ClipEvent[];
@@ -30,13 +30,13 @@ export interface BoundClip {
   readonly problems: readonly string[];
 }
 
-/** Gives the channel of something that can be animated. */
+/** Source of channels for fields and nodes. */
 export interface ChannelSource {
   fieldChannel(component: GameObject['transform'], field: string): Channel;
   nodeChannel(node: Object3D, property: NodeProperty): Channel;
 }
 
-/** Finds what the tracks of a clip of one's own move. @param root - what their paths begin at @throws ClipError */
+/** Binds the tracks of a clip asset. @param root - root of the tracks' paths @throws ClipError */
 export function bindOwnClip(asset: ClipAsset, root: GameObject, channels: ChannelSource): BoundClip {
   const { tracks, events } = asset.clip;
   const bindings: Binding[] = [];
@@ -66,7 +66,7 @@ const nodeProperties: Readonly<Record<string, NodeProperty>> = {
   morphTargetInfluences: 'morphTargetInfluences',
 };
 
-/** Clips of models name nodes, or by their uuid those without a name. */
+/** Track name of a model's clip: the node's name, or the uuid of a nameless node. */
 interface TrackName {
   readonly nodeName?: string;
   readonly propertyName: string;
@@ -96,7 +96,7 @@ export function targetOfTrack(
 
 /**
  * Channels of a property of a model's node wherever the scene shows it: in renderers of the model or of its parts, and
- * the object of its name where the model is not drawn whole; else what is wrong, and the mend.
+ * the object of the node's name where the model is not drawn whole; else a message with its remedy.
  */
 function channelsOfNode(
   { node, property }: { readonly node: Object3D; readonly property: NodeProperty },
@@ -129,9 +129,9 @@ function channelsOfNode(
 }
 
 /**
- * Finds what the tracks of a model's clip move: the nodes of the model where it is drawn whole, else the objects of the
- * same names and what draws parts of it, or nodes of another model that have the same names.
- * @param drawn - what draws the clip's model below the object, or any model: see `modelsBelow`
+ * Binds the tracks of a model's clip: to nodes of the model where it is drawn whole, else to objects of the same names
+ * and renderers of its parts, or to nodes of another model with the same names.
+ * @param drawn - renderers of the clip's model, or of any model, below the object: see `modelsBelow`
  */
 export function bindModelClip(
   clip: ModelClip,
@@ -157,7 +157,7 @@ export function bindModelClip(
   return { duration: clip.duration, events: [], bindings, problems: [...problems] };
 }
 
-/** three's own: linear, steps, or a glTF's cubic splines; in double precision, as three's mixer has them. */
+/** three's interpolant (linear, steps, or a glTF's cubic splines), writing double precision, as three's mixer does. */
 function interpolantOf(track: KeyframeTrack): Interpolant {
   const { createInterpolant } = track as unknown as { createInterpolant(): Interpolant };
   const interpolant = createInterpolant.call(track);
@@ -165,7 +165,7 @@ function interpolantOf(track: KeyframeTrack): Interpolant {
   return interpolant;
 }
 
-/** The objects below one, and itself, by name; of those of one name the first. */
+/** An object and its descendants by name; the first one for each name. */
 export function objectsByName(root: GameObject): Map<string, GameObject> {
   const objects = new Map<string, GameObject>();
   root.traverse((each) => {

@@ -3,14 +3,14 @@ import type { ClipEvent } from '../assets/clips/ClipData';
 /** How a clip continues at its end: it stays there, begins again, or plays backwards. */
 export type ClipWrap = 'once' | 'loop' | 'ping-pong';
 
-/** More passes of a clip than this do not call events within one frame. */
+/** Greatest number of passes of a clip for which one frame calls events. */
 const MOST_PASSES = 1000;
 
 /**
  * The time within a clip.
  * @param seconds - since its beginning, as if it had no end; below 0 where it runs backwards
  * @param duration - of the clip (s)
- * @param isBackwards - the end then counts as the end, else as the beginning of the next pass
+ * @param isBackwards - true: the end counts as the end; false: as the beginning of the next pass
  */
 export function wrapTime(seconds: number, duration: number, wrap: ClipWrap, isBackwards = false): number {
   if (duration <= 0) return 0;
@@ -25,7 +25,7 @@ export function wrapTime(seconds: number, duration: number, wrap: ClipWrap, isBa
  * Finds the events that a clip passes on its way, each once in each pass, in the order they are passed in.
  * @param events - in order of time; those after the end of the clip are never passed
  * @param from - seconds as of `wrapTime`
- * @param to - where it is now; an event exactly there is passed
+ * @param to - present position; an event exactly there is passed
  * @param withFrom - whether one exactly at `from` is passed too: where the clip begins
  */
 export function passEvents(
@@ -48,7 +48,7 @@ export function passEvents(
       : (at < from || (withFrom && at === from)) && at >= to;
   const visit = (event: ClipEvent, at: number): void => {
     if (event.time > duration || !isPassed(at)) return;
-    // the end of the pass before the first one is no part of it
+    // before the first pass there is no end of an earlier one
     const isBefore = at === from && period > 0 && event.time === (direction > 0 ? duration : 0);
     if (wrap === 'loop' && isBefore) return;
     call(event);
@@ -66,7 +66,7 @@ export function passEvents(
   const last = Math.floor(to / period);
   const first = Math.floor(from / period);
   const passes = Math.min(Math.abs(last - first), MOST_PASSES);
-  // one more at each end: what rounding puts into a neighbour is found there
+  // one pass more at each end, for events that rounding puts into a neighbouring pass
   for (let n = -1; n <= passes + 1; n++) {
     const start = (last - direction * (passes - n)) * period;
     if (isPingPong && direction < 0) pass(start, true);

@@ -5,13 +5,13 @@ import type { GameObject } from '../core/GameObject';
 
 /** A component that draws a model whole, or parts of it, as ModelRenderer does. */
 export interface ModelInScene extends Component {
-  /** The tree that is drawn; null before the model is loaded. */
+  /** Root of the drawn tree; null until the model is loaded. */
   readonly three: Object3D | null;
   /** The model that is drawn. */
   readonly drawnModel: Model | null;
-  /** The node of the model that the object stands for where only parts of it are drawn; null where all of it is. */
+  /** Node of the model that the object corresponds to when only parts are drawn; null when all of the model is. */
   readonly partsRoot: Object3D | null;
-  /** The node of `three` that stands for one of the model; null for one that is not drawn. */
+  /** Copy of a model's node in `three`; null for a node that is not drawn. */
   copyOf(node: Object3D): Object3D | null;
 }
 

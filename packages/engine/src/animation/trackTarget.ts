@@ -4,7 +4,7 @@ import type { GameObject } from '../core/GameObject';
 import type { ClipTrack } from '../assets/clips/ClipData';
 import { problemWithTrack } from './TrackCurve';
 
-/** The object at a path of names below another, '' for that one itself; the first one in the order of the tree. */
+/** First object, in tree order, at a path of names below `root`; '' is `root` itself. */
 export function objectAtPath(root: GameObject, path: string): GameObject | null {
   if (path === '') return root;
   for (const child of root.children) {
@@ -18,8 +18,8 @@ export function objectAtPath(root: GameObject, path: string): GameObject | null 
 }
 
 /**
- * The path that finds an object from one above it; null when it is not below it, or another object before it has the
- * same names.
+ * Path that finds an object from `root`; null when the object is not below `root`, or an earlier object has the same
+ * names.
  */
 export function pathBelow(root: GameObject, gameObject: GameObject): string | null {
   const names: string[] = [];

@@ -135,7 +135,7 @@ export class App {
     this.isPlaying = true;
   }
 
-  /** Holds the simulation; the loop goes on drawing. */
+  /** Pauses the simulation; the loop continues drawing. */
   pause(): void {
     this.isPlaying = false;
     this.currentScene.pause();
@@ -230,7 +230,7 @@ export class App {
     if (this.ownsCanvas) this.canvas.remove();
   }
 
-  /** Draws with the scene's microshaders, now and when they change. One that does not compile is told, and left out. */
+  /** Applies the scene's microshaders, now and when they change. One that does not compile is reported and left out. */
   private watchMicroShaders(): void {
     const { currentScene: scene } = this;
     const apply = (): void => {

@@ -70,8 +70,8 @@ export class MicroShaderOverrides {
   }
 
   /**
-   * Takes out what is not wanted: one chunk may have to wait for another that depends on it.
-   * @returns what has to stay
+   * Removes texts that are no longer wanted; a chunk must wait for others that depend on it.
+   * @returns names that have to stay
    */
   private takeOut(wanted: ReadonlyMap<string, string>): Map<string, Error> {
     const refused = new Map<string, Error>();

@@ -24,7 +24,7 @@ export type Asset =
 
 /** A part of an asset that is decoded: a texture, the pictures of a model, a sound. */
 export interface DecodedPart {
-  /** Memory that it takes (bytes). */
+  /** Decoded size of the part (bytes). */
   readonly bytes: number;
   /** The texture, when the asset is one; assets of equal bytes share its image. */
   readonly texture?: Promise<Texture>;
@@ -32,19 +32,19 @@ export interface DecodedPart {
 
 /** Memory of an asset that is read from a file, in bytes. */
 export interface AssetMemory {
-  /** Bytes of its file; 0 before they are known. */
+  /** Size of the asset's file (bytes); 0 until known. */
   file: number;
-  /** By their content. */
+  /** Decoded parts, by a key of their content. */
   readonly decoded: Map<string, DecodedPart>;
 }
 
-/** How an asset comes to be: at once, or after loading. */
+/** Source of an asset: a value, a maker, or a loader. */
 export type AssetSource =
   | {
       readonly type: AssetType;
       readonly make: () => Asset;
       readonly partOf?: string;
-      /** Made by code that a page has anyway: needs no file, and is not a user's to delete. */
+      /** Whether the asset is made by code: needs no file, and users cannot delete it. */
       readonly isBuiltin?: boolean;
       /** The asset as fields, when it can be edited. */
       readonly edited?: FieldAsset;
@@ -58,7 +58,7 @@ export type AssetSource =
       readonly partOf?: string;
     };
 
-/** A file that a library has taken in: the asset of this name is read from its bytes. */
+/** A file added to a library; the asset of this name is read from its bytes. */
 export interface AssetFile {
   /** Name of the asset. */
   readonly name: string;
@@ -74,7 +74,7 @@ export interface TakenAsset {
   readonly parts: readonly TakenAsset[];
 }
 
-/** Something that happened to an asset of a library. */
+/** Change of a library, for its listeners. */
 export type AssetChange =
   | {
       readonly kind: 'registered' | 'loaded' | 'failed' | 'removed';
@@ -82,9 +82,9 @@ export type AssetChange =
       readonly type: AssetType;
       readonly error?: Error;
     }
-  /** A folder came or went. */
+  /** A folder was added or removed. */
   | { readonly kind: 'folder'; readonly name: string; readonly error?: undefined }
-  /** A field of an asset that is made of fields got another value; `before` is the value until then. */
+  /** A field of a field asset changed; `before` is the old value. */
   | {
       readonly kind: 'changed';
       readonly name: string;
@@ -95,9 +95,9 @@ export type AssetChange =
       readonly error?: undefined;
     };
 
-/** Something that draws with a material of a library. */
+/** User of a library's material. */
 export interface MaterialUser {
-  /** The material has become another one for three: it is to be asked for again. */
+  /** Called when three's material was replaced and must be fetched again. */
   materialReplaced(): void;
 }
 

@@ -18,7 +18,7 @@ export type { AssetLibraryOptions } from './LoadedAssets';
 export class AssetLibrary extends DerivedAssets implements MaterialHost, SurfaceHost {
   /** Materials made from the fields of ObjectRenderers, shared where the values are equal. */
   readonly materials = new MaterialCache(this);
-  /** @internal Materials of objects that wear a surface by themselves. */
+  /** @internal Materials of objects with a surface of their own. */
   readonly layered = new LayeredMaterials(this);
   /** Time (s) of the scene, by which surfaces move. */
   readonly surfaceTime = { value: 0 };
@@ -29,7 +29,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
 
   /**
    * Adds a material that is made of fields, to be shared by objects and edited.
-   * @param values - in place of the defaults; textures that they name may come later
+   * @param values - in place of the defaults; named textures may be added later
    * @throws AssetError when the name is taken; FieldError for a value that is not allowed
    */
   addMaterial(name: string, values: Readonly<Record<string, FieldValue>> = {}): MaterialAsset {
@@ -38,7 +38,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
 
   /**
    * Adds an asset that is made of fields.
-   * @param values - in place of the defaults; what they name may come later
+   * @param values - in place of the defaults; named assets may be added later
    * @throws AssetError when the name is taken; FieldError for a value that is not allowed
    */
   addFieldAsset(type: FieldAssetType, name: string, values: Readonly<Record<string, FieldValue>> = {}): FieldAsset {
@@ -60,8 +60,8 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Gives an asset another name, its parts with it. What names it is to be told: see `fields`.
-   * @returns the new name of everything that got one, by the old one
+   * Renames an asset and its parts. References to the old name are not updated here: see `fields`.
+   * @returns new names of all renamed assets, by old name
    * @throws AssetError when it is built in, a part of a model or unknown, or the name is taken
    */
   rename(from: string, to: string): Map<string, string> {
@@ -83,7 +83,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     return names;
   }
 
-  /** Tells a user of a material when it becomes another one. */
+  /** Registers a user, called when three's material is replaced. */
   addMaterialUser(name: string, user: MaterialUser): void {
     const users = this.materialUsers.get(name);
     if (users) users.add(user);
@@ -111,7 +111,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     this.layered.sourceChanged(material);
   }
 
-  /** @internal What a material draws has another shape: its users are to look at it again. */
+  /** @internal Tells users that a material's displacement changed, so that they update their bounds. */
   materialShapeChanged(name: string): void {
     for (const user of [...(this.materialUsers.get(name) ?? [])]) user.materialReplaced();
   }
@@ -127,7 +127,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Takes an asset, with its parts, out in such a way that `restore` can put it back; what uses it keeps it.
+   * Removes an asset with its parts so that `restore` can put it back; present users keep it.
    * @throws AssetError when there is none of this name
    */
   take(name: string): TakenAsset {
@@ -139,7 +139,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     return { name, source, value, parts };
   }
 
-  /** Puts back what `take` took. @throws AssetError when the name is taken meanwhile */
+  /** Puts back an asset removed by `take`. @throws AssetError when the name is in use again */
   restore({ name, source, value, parts }: TakenAsset): void {
     this.checkFree(name);
     this.sources.set(name, source);
@@ -150,7 +150,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     if (source.type === 'surface') this.surface(name)?.begin();
   }
 
-  /** Takes an asset that was added, with its parts, away again; what uses it keeps it. The asset itself is not disposed. */
+  /** Removes an added asset with its parts; present users keep it. The asset itself is not disposed of. */
   unregister(name: string): void {
     const source = this.sources.get(name);
     if (!source) return;
@@ -165,7 +165,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     this.tell({ kind: 'removed', name, type: source.type });
   }
 
-  /** Gives back the GPU memory of every asset, and forgets them. */
+  /** Frees the GPU memory of all assets, and removes them. */
   dispose(): void {
     this.layered.dispose();
     this.materials.dispose();

@@ -14,10 +14,10 @@ export const sample = (names: readonly string[]): string =>
     .map((name) => shortText(name, 24))
     .join(', ') + (names.length > 8 ? ', …' : '');
 
-/** Names of assets, with what makes or reads each, the folders that they lie in, and who is told of changes. */
+/** Table of assets by name with their sources, the folders, and the listeners of changes. */
 export abstract class AssetTable {
   protected readonly sources = new Map<string, AssetSource>();
-  /** Names of parts by that of their model; some may be gone. */
+  /** Names of parts by their model's name; some parts may no longer exist. */
   protected readonly parts = new Map<string, Set<string>>();
   protected readonly listeners = new Set<(change: AssetChange) => void>();
   protected readonly ownFolders = new Set<string>();
@@ -76,7 +76,7 @@ export abstract class AssetTable {
     return [...(this.parts.get(name) ?? [])].filter((part) => this.modelOf(part) === name);
   }
 
-  /** Whether an asset came with the library, as the box did, or with a scene by `registerMaker`. */
+  /** Whether an asset is built into the library, such as the box, or was added by `registerMaker`. */
   isBuiltin(name: string): boolean {
     const source = this.sources.get(name);
     return (
@@ -84,13 +84,13 @@ export abstract class AssetTable {
     );
   }
 
-  /** The asset of this name that is made of fields; null when it is another one. */
+  /** The field asset of this name; null for none. */
   fieldAsset(name: string): FieldAsset | null {
     const source = this.sources.get(name);
     return (source && 'edited' in source && source.edited) || null;
   }
 
-  /** Every asset that is made of fields, of one type when given. */
+  /** All field assets, or those of one type. */
   fieldAssets(type?: FieldAssetType): FieldAsset[] {
     return [...this.sources.values()].flatMap((source) =>
       'edited' in source && source.edited && (!type || source.type === type) ? source.edited : [],
@@ -114,17 +114,20 @@ export abstract class AssetTable {
     return asset?.type === 'surface' ? (asset as SurfaceAsset) : null;
   }
 
-  /** Whether anything is in it that a user made or brought: files, materials, folders. */
+  /** Whether the library has anything of the user's: files, materials, folders. */
   get hasOwn(): boolean {
     return this.ownFolders.size > 0 || this.files.length > 0 || this.fieldAssets().length > 0;
   }
 
-  /** Folders that are there without an asset in them too, by path: 'Props', 'Props/Lamps'. */
+  /** Paths of all folders, also empty ones: 'Props', 'Props/Lamps'. */
   get folders(): string[] {
     return [...this.ownFolders].toSorted();
   }
 
-  /** Adds a folder, or takes it out; assets have their folder in their name, 'Props/robot.glb'. @throws AssetError for a path that is none */
+  /**
+   * Adds or removes a folder; an asset's folder is part of its name, 'Props/robot.glb'.
+   * @throws AssetError for a path that is none
+   */
   setFolder(path: string, isThere: boolean): void {
     if (path.split('/').some((part) => part.trim() === '')) throw new AssetError(path, 'is no path of a folder.');
     if (this.ownFolders.has(path) === isThere) return;

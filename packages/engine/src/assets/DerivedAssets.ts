@@ -10,7 +10,7 @@ import { LoadedAssets } from './LoadedAssets';
 /** Crease angle of meshes where none is given (radians). */
 const DEFAULT_CREASE = Math.PI / 6;
 
-/** Assets by their types, and what is derived of them: meshes with normals, textures that repeat. */
+/** Typed access to assets, with derived ones: meshes with normals, repeated textures. */
 export abstract class DerivedAssets extends LoadedAssets {
   protected readonly normals = new MeshNormals();
   /** Textures by repeat and by whether they are data, for each name. */
@@ -24,7 +24,7 @@ export abstract class DerivedAssets extends LoadedAssets {
     return this.normals.get(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
   }
 
-  /** Whether `mesh` gives this geometry without holding the page for long. */
+  /** Whether `mesh` returns this geometry without a long computation. */
   isMeshReady(name: string, creaseAngle = DEFAULT_CREASE): boolean {
     return this.isReady('mesh', name) && this.normals.isReady(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
   }
@@ -42,7 +42,7 @@ export abstract class DerivedAssets extends LoadedAssets {
 
   /**
    * A texture, repeated `repeat` times over each unit of the texture coordinates.
-   * @param isData - its bytes are numbers, such as normals, and no colours of sRGB
+   * @param isData - texels are data, such as normals, not sRGB colours
    */
   texture(name: string, repeat = 1, isData = false): Texture {
     const texture = this.getAs<Texture>('texture', name);
@@ -81,12 +81,12 @@ export abstract class DerivedAssets extends LoadedAssets {
     return this.getAs<PhotometricProfile>('profile', name);
   }
 
-  /** Light that was baked. */
+  /** Baked light by its asset's name. */
   bake(name: string): BakedLight {
     return this.getAs<BakedLight>('bake', name);
   }
 
-  /** A clip of one's own, or one of a model. */
+  /** A clip asset, or a clip of a model. */
   clip(name: string): ClipAsset | ModelClip {
     return this.getAs<ClipAsset | ModelClip>('clip', name);
   }
@@ -100,12 +100,12 @@ export abstract class DerivedAssets extends LoadedAssets {
     return this.loading.size === 0 && this.normals.isSettled;
   }
 
-  /** Fulfilled when all that is being loaded or computed is there or has failed, and what was asked for meanwhile. */
+  /** Resolves when all loads and computations, also those begun meanwhile, are done or have failed. */
   async settled(): Promise<void> {
     while (!this.isSettled) await Promise.allSettled([...this.loading.values(), this.normals.settled()]);
   }
 
-  /** Fulfilled when all normals are there that `prepareMesh` computes now. */
+  /** Resolves when the normals that `prepareMesh` is computing now are done. */
   meshesPrepared(): Promise<void> {
     return this.normals.settled();
   }

@@ -6,7 +6,7 @@ export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' |
 
 /** Part of an AssetLibrary that its field assets use. */
 export interface FieldAssetHost extends AssetNames {
-  /** @internal Told after a field got another value. @param isReplaced - what three draws with is another one */
+  /** @internal Called after a field changed. @param isReplaced - three's material is another object now */
   fieldAssetChanged(asset: FieldAsset, field: string, before: FieldValue, isReplaced: boolean): void;
 }
 
@@ -18,7 +18,7 @@ export abstract class FieldAsset extends FieldOwner {
   readonly isFieldAsset = true;
   abstract readonly type: FieldAssetType;
 
-  /** Its name in the library. */
+  /** Name in the library. */
   name: string;
 
   protected constructor(name: string) {
@@ -30,7 +30,7 @@ export abstract class FieldAsset extends FieldOwner {
     return this.name ?? '';
   }
 
-  /** The authored values that are not the default. */
+  /** Authored values that differ from the defaults. */
   changedValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
     for (const [name, field] of Object.entries(this.fields)) {
@@ -42,11 +42,11 @@ export abstract class FieldAsset extends FieldOwner {
     return values;
   }
 
-  /** Gives back what it holds; it may be used again. */
+  /** Frees GPU memory; the asset may be used again. */
   abstract dispose(): void;
 }
 
-/** An asset whose fields are data: it is no resource of three's. */
+/** A field asset that is data, not a resource of three's. */
 export abstract class DataAsset extends FieldAsset {
   private host: FieldAssetHost | null = null;
 

@@ -10,9 +10,9 @@ import { type TextureHost, writeSurfaceMaps } from './writeSurfaceMaps';
 
 /** Values of a surface, as files hold them. */
 export interface LayerValues {
-  /** JSON: see `surfaceValueFields`. */
+  /** Uniform values as JSON: see `surfaceValueFields`. */
   readonly text: string;
-  /** Names of its textures, in the order in which it declares them. */
+  /** Names of the surface's textures, in order of declaration. */
   readonly maps: readonly (string | null)[];
 }
 
@@ -38,8 +38,8 @@ function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
 }
 
 /**
- * A material of the host's with a surface over what it wears, for some of the objects that have it. Everything else it
- * has from that material, live; nothing of it is changed.
+ * A material with a further surface on top of its source's, for some of the source's objects. Everything else it
+ * inherits live from the source, which is never changed.
  */
 export class LayeredMaterial {
   readonly material: Material;
@@ -47,8 +47,8 @@ export class LayeredMaterial {
   private uniforms: SurfaceUniforms = {};
 
   /**
-   * @param key - what others share it by; null for one of a single user
-   * @param asset - whose surface is there
+   * @param key - key by which users share the material; null for a single user's
+   * @param asset - surface asset, already compiled
    */
   constructor(
     readonly source: Material,
@@ -62,13 +62,13 @@ export class LayeredMaterial {
     this.refresh();
   }
 
-  /** Other values, for all users. */
+  /** Sets the surface's values, for all users. */
   change(values: LayerValues): void {
     this.values = values;
     this.refresh();
   }
 
-  /** Follows the surface's text, and what the source wears. */
+  /** Updates the surfaces after the asset's text or the source's surface changed. */
   refresh(): void {
     const code = surfaceCode();
     const { surface, surfaceFields } = this.asset;
@@ -78,14 +78,14 @@ export class LayeredMaterial {
     const given = uniformValues(surface.uniforms, (name) => storedValue(surfaceFields[name], stored[entryOf(name)]));
     this.uniforms = code.layerSurface(this.material, this.source, surface, given);
     const worn = code.getSurfaces(this.material).map((each) => each.surface.name);
-    // for what reads three's materials, such as an export
+    // for readers of three's materials, such as an exporter
     this.material.userData.surface = worn.join(', ');
     writeSurfaceMaps(code, surface.uniforms, this.uniforms, maps, this.textures, () => {
       if (this.users > 0) this.refresh();
     });
   }
 
-  /** Shows another value of a field of the surface, 'surface.height', which simulation has. */
+  /** Writes a simulated value of a surface field, such as 'surface.height'. */
   write(name: string, value: FieldValue): void {
     const target = targetsOf(this.asset.surfaceFields).get(name);
     const uniform = target && this.uniforms[target.uniform];

@@ -3,7 +3,7 @@ import { LayeredMaterial, type LayerValues } from './LayeredMaterial';
 import type { SurfaceAsset } from './SurfaceAsset';
 import type { TextureHost } from './writeSurfaceMaps';
 
-/** Something that wears a surface by itself, over what its material wears. */
+/** Object with a surface of its own, on top of its material's. */
 export interface LayerUser {
   /** Name of the surface; null for none. */
   readonly surfaceName: string | null;
@@ -11,17 +11,17 @@ export interface LayerUser {
   surfaceChanged(): void;
 }
 
-/** The materials of the objects that wear a surface by themselves; those of equal values share one. */
+/** Materials of objects with surfaces of their own; users with equal values share one. */
 export class LayeredMaterials {
-  /** Told of the surfaces that they wear. */
+  /** Users, called when their surface changes. */
   readonly users = new Set<LayerUser>();
   private readonly all = new Set<LayeredMaterial>();
-  /** By source, and by surface and values. */
+  /** Shared materials by source material, then by surface and values. */
   private readonly shared = new Map<Material, Map<string, LayeredMaterial>>();
 
   constructor(private readonly textures: TextureHost) {}
 
-  /** How many materials are alive. */
+  /** Number of materials in use. */
   get size(): number {
     return this.all.size;
   }
@@ -29,8 +29,9 @@ export class LayeredMaterials {
   /**
    * A material with a surface over what `source` wears; give it back with `release`.
    * @param asset - whose text has been good
-   * @param isOwn - for one user, who writes its values while it is simulated
-   * @param before - what the user has for the source: changed in place, and given, where nobody else uses it; else it is
+   * @param isOwn - for a single user, which writes simulated values
+   * @param before - what the user has for the source: changed in place, and given, where nobody else uses it; else it
+   * is
    *   still to be given back
    */
   acquire(
@@ -60,7 +61,7 @@ export class LayeredMaterials {
     return made;
   }
 
-  /** Gives one back; it is disposed when nobody uses it any more. */
+  /** Releases one use of a material, which is disposed of after the last. */
   release(layered: LayeredMaterial): void {
     if (--layered.users > 0) return;
     this.unshare(layered);
@@ -74,7 +75,7 @@ export class LayeredMaterials {
     for (const user of [...this.users]) if (user.surfaceName === asset.name) user.surfaceChanged();
   }
 
-  /** A material wears another surface itself. */
+  /** Called when a source material has another surface. */
   sourceChanged(source: Material): void {
     for (const layered of this.all) if (layered.source === source) layered.refresh();
   }

@@ -31,7 +31,7 @@ export interface AssetLibraryOptions {
   renderer?: WebGLRenderer;
 }
 
-/** Reads an asset from its bytes; what reads them is fetched meanwhile, and is no part of what a first frame needs. */
+/** Reads an asset from its bytes, by readers that are late code. */
 async function read(
   bytes: Promise<ArrayBuffer>,
   path: string,
@@ -43,7 +43,7 @@ async function read(
   return readAsset(given, path, type, options);
 }
 
-/** Assets that are made or read when they are first needed, each once; models bring their parts along. */
+/** Assets that are made or read on first use, each once; loading a model adds its parts. */
 export abstract class LoadedAssets extends AssetTable {
   /**
    * Origins besides the page's that assets may be fetched from, as `foreignOrigin` writes them; null for any, which is
@@ -54,9 +54,9 @@ export abstract class LoadedAssets extends AssetTable {
 
   protected readonly values = new Map<string, Asset>();
   protected readonly loading = new Map<string, Promise<Asset>>();
-  /** Names of those that were refused for their address, so that each is told once. */
+  /** Names of assets refused for their address, so that each is reported once. */
   protected readonly refused = new Set<string>();
-  /** Addresses that the host gave. */
+  /** Addresses from `options.urls`, always allowed. */
   private readonly trusted: ReadonlySet<string>;
   private readonly readBytes: FetchBytes;
   private readonly renderer: WebGLRenderer | null;
@@ -131,7 +131,7 @@ export abstract class LoadedAssets extends AssetTable {
     return this;
   }
 
-  /** Whether the asset can be had at once. */
+  /** Whether the asset is available at once. */
   isReady(type: AssetType, name: string): boolean {
     const source = this.sources.get(name);
     return source?.type === type && (this.values.has(name) || 'make' in source);
@@ -164,7 +164,7 @@ export abstract class LoadedAssets extends AssetTable {
     const promise = cancellable(source.load(signal), signal, (late) => late.dispose()).then(
       (value) => {
         this.loading.delete(name);
-        // it was taken out, or another one came, while it was loading
+        // the asset was removed or replaced while loading
         if (this.sources.get(name) !== source) return value;
         this.values.set(name, value);
         if (value instanceof Model) this.registerParts(name, value);
@@ -185,7 +185,7 @@ export abstract class LoadedAssets extends AssetTable {
     return promise;
   }
 
-  /** Begins to load an asset and calls back once it is there. A failure is told to `onChange` only. */
+  /** Begins to load an asset and calls back once it is there. A failure is reported to `onChange` only. */
   whenReady(type: AssetType, name: string, callback: () => void): void {
     if (this.isReady(type, name)) callback();
     else this.load(name).then(callback, () => {});
@@ -219,7 +219,7 @@ export abstract class LoadedAssets extends AssetTable {
     return this.get(name) as T;
   }
 
-  /** Counts what an asset takes. @param file - bytes of its file, where they are known */
+  /** Begins the memory account of an asset. @param file - size of its file (bytes), if known */
   protected newMemory(file = 0): NonNullable<ReadOptions['memory']> {
     const all = (): AssetMemory[] =>
       [...this.sources.values()].flatMap((source) => ('memory' in source && source.memory) || []);
@@ -246,7 +246,7 @@ export abstract class LoadedAssets extends AssetTable {
   protected registerParts(name: string, model: Model): void {
     for (const [asset, part] of modelParts(model, name)) {
       const known = this.sources.get(part);
-      // one that was named before the model came takes its place
+      // a part registered before the model was loaded is replaced
       if (known && !('load' in known && 'partOf' in known)) continue;
       this.sources.set(part, { type: assetTypeOf(asset), make: () => asset, partOf: name });
       this.addPart(name, part);

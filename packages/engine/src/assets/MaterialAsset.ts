@@ -30,7 +30,7 @@ export interface MaterialHost extends FieldAssetHost {
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string): Texture;
   surface(name: string): SurfaceAsset | null;
-  /** @internal Told when a material wears another surface. */
+  /** @internal Called when a material has another surface. */
   materialWears(material: Material): void;
   /** @internal */
   materialShapeChanged(name: string): void;
@@ -38,7 +38,7 @@ export interface MaterialHost extends FieldAssetHost {
 
 const wraps = { repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping };
 
-/** Fields of three's physical material that are set as they are: its property by the field. */
+/** Property of three's MeshPhysicalMaterial by field, for fields that are copied unchanged. */
 const numbers: Readonly<Record<string, keyof MeshPhysicalMaterial>> = {
   sheen: 'sheen',
   sheenRoughness: 'sheenRoughness',
@@ -79,7 +79,7 @@ export class MaterialAsset extends FieldAsset {
   private readonly uniformViews = new StoredViews(this, materialAssetFields, [() => this.worn?.uniformFields ?? null]);
 
   /**
-   * @param values - in place of the defaults; whether their textures are there is not looked for
+   * @param values - in place of the defaults; named textures need not exist yet
    * @throws FieldError for a value that is not allowed
    */
   constructor(host: MaterialHost, name: string, values: Readonly<Record<string, FieldValue>> = {}) {
@@ -92,12 +92,12 @@ export class MaterialAsset extends FieldAsset {
     return this.name ?? 'Material';
   }
 
-  /** Those of the uniforms of its surface, 'surface.height', which show `surfaceValues`. */
+  /** Views of the surface's uniforms, such as 'surface.height', stored in `surfaceValues`. */
   override get fieldViews(): FieldViews | undefined {
     return this.uniformViews;
   }
 
-  /** The material that is drawn with: another one after a change of `kind`. */
+  /** three's material; replaced after a change of `kind`. */
   get three(): Material {
     if (!this.material) {
       this.material = makeMaterial(this.get('kind') as MaterialValues['kind']);
@@ -107,19 +107,19 @@ export class MaterialAsset extends FieldAsset {
     return this.material;
   }
 
-  /** Gives the GPU memory back; what is drawn again is uploaded again. */
+  /** Frees the GPU memory; drawing again uploads again. */
   override dispose(): void {
     this.material?.dispose();
     for (const texture of this.textures.values()) texture.dispose();
   }
 
-  /** @internal The surface that it wears, or the surface's text, is another one. */
+  /** @internal Called when the material's surface, or the surface's text, changed. */
   surfaceChanged(): void {
     if (this.material) this.writeSurface(this.material);
   }
 
   private get worn(): SurfaceAsset | null {
-    // while it is made, it has no values
+    // during construction there are no values yet
     const name = this.host ? (this.getAuthored('surface') as string | null) : null;
     return name === null ? null : this.host!.surface(name);
   }
@@ -138,7 +138,7 @@ export class MaterialAsset extends FieldAsset {
     this.host.fieldAssetChanged(this, name, before, replaced !== null);
   }
 
-  /** Writes every field to three's material; a texture still to be loaded is put in when it is there. */
+  /** Writes every field to three's material; textures are set once loaded. */
   private write(): void {
     const material = this.material as MeshPhysicalMaterial | null;
     if (!material) return;
@@ -269,7 +269,7 @@ export class MaterialAsset extends FieldAsset {
   }
 }
 
-/** The thickness of the film (nm), which versions of three before 0.187 have as a pair. */
+/** Sets the iridescence film thickness (nm), which three before 0.187 has as a pair. */
 function setFilmThickness(material: MeshPhysicalMaterial, least: number, greatest: number): void {
   if ('iridescenceThicknessMinimum' in material) {
     Object.assign(material, { iridescenceThicknessMinimum: least, iridescenceThicknessMaximum: greatest });

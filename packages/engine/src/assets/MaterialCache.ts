@@ -7,7 +7,7 @@ import type { UseCounter } from './UseCounter';
 export interface TextureSource {
   readonly uses: UseCounter;
   isReady(type: 'texture', name: string): boolean;
-  /** Calls back once the texture can be had. */
+  /** Calls back once the texture is available. */
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string, repeat: number, isData: boolean): Texture;
 }
@@ -30,7 +30,7 @@ export class MaterialCache {
 
   constructor(private readonly assets: TextureSource) {}
 
-  /** How many materials are alive. */
+  /** Number of materials in use. */
   get size(): number {
     return this.entries.size;
   }
@@ -66,7 +66,7 @@ export class MaterialCache {
     return material;
   }
 
-  /** Gives a material back; it is disposed when nobody uses it any more. */
+  /** Releases one use of a material, which is disposed of after the last. */
   release(material: Material): void {
     const entry = this.byMaterial.get(material);
     if (!entry || --entry.users > 0) return;
@@ -83,7 +83,7 @@ export class MaterialCache {
     this.byMaterial.clear();
   }
 
-  /** Writes values and textures; a texture still to be loaded is put in when it is there. */
+  /** Writes values and textures to a material; textures are set once loaded. */
   private write(entry: Entry, values: MaterialValues): void {
     const before = [...entry.textures];
     entry.textures.clear();

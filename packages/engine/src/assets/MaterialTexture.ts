@@ -1,16 +1,16 @@
 import { LinearSRGBColorSpace, Matrix3, NoColorSpace, SRGBColorSpace, type Texture, type Wrapping } from 'three';
 
-/** Turns what has its first row at the top upside down: v becomes 1 - v. */
+/** UV matrix for textures whose first row is at the top: v becomes 1 - v. */
 const upsideDown = new Matrix3().set(1, 0, 0, 0, -1, 1, 0, 0, 1);
 
-/** Whether a texture, such as one of KTX2, has its first row at the top, and cannot be turned when it is read. */
+/** Whether a texture's first row is at the top and cannot be flipped on loading, as with KTX2. */
 export const isTopDown = (texture: Texture): boolean => texture.userData.isTopDown === true;
 
-/** A texture as one map of one material has it: its own place on the surface, over the picture of a shared texture. */
+/** Texture of one map of one material: a UV transform of its own over a shared texture's image. */
 export class MaterialTexture {
   readonly three: Texture;
 
-  /** @param isColour - its bytes are sRGB; else they are data */
+  /** @param isColour - texels are sRGB; else data */
   constructor(
     private readonly base: Texture,
     wrapS: Wrapping,
@@ -20,7 +20,7 @@ export class MaterialTexture {
     const texture = (this.three = base.clone());
     texture.wrapS = wrapS;
     texture.wrapT = wrapT;
-    // what is read as linear light, such as HDR, stays so
+    // textures read as linear light, such as HDR, stay linear
     const isLight = base.colorSpace === LinearSRGBColorSpace;
     texture.colorSpace = isColour ? (isLight ? LinearSRGBColorSpace : SRGBColorSpace) : NoColorSpace;
     texture.matrixAutoUpdate = false;
@@ -42,7 +42,7 @@ export class MaterialTexture {
     if (isTopDown(this.base)) three.matrix.premultiply(upsideDown);
   }
 
-  /** Gives the GPU memory back, unless others share it. */
+  /** Frees the GPU memory, unless shared. */
   dispose(): void {
     this.three.dispose();
   }

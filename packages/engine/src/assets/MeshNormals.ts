@@ -8,11 +8,11 @@ const MANY_CORNERS = 100_000;
 interface Computation {
   readonly promise: Promise<BufferGeometry>;
   readonly control: AbortController;
-  /** Who waits for the result; nobody is left when the last of them has cancelled. */
+  /** Number of callers that wait for the result; the computation is aborted at 0. */
   waiting: number;
 }
 
-/** Crease angles that agree to a ten-thousandth of a radian are one. */
+/** Rounds a crease angle to 1e-4 rad, so that nearly equal angles share a copy. */
 const keyOf = (creaseAngle: number): number => Math.round(creaseAngle * 1e4) / 1e4;
 
 const isLarge = ({ index, attributes }: BufferGeometry): boolean => (index ?? attributes.position).count > MANY_CORNERS;
@@ -22,14 +22,14 @@ export class MeshNormals {
   private readonly made = new Map<BufferGeometry, Map<number, BufferGeometry>>();
   private readonly computing = new Map<BufferGeometry, Map<number, Computation>>();
 
-  /** Whether `get` gives a geometry without holding the page for long. */
+  /** Whether `get` returns without a long computation. */
   isReady(geometry: BufferGeometry, creaseAngle: number): boolean {
     const isThere = geometry.hasAttribute('normal') || this.made.get(geometry)?.has(keyOf(creaseAngle));
     return isThere || !isLarge(geometry);
   }
 
   /**
-   * The geometry itself when it has normals, else its copy, which is computed now if need be.
+   * The geometry itself when it has normals, else its copy with normals, computed now if need be.
    * @param creaseAngle - radians
    */
   get(geometry: BufferGeometry, creaseAngle: number): BufferGeometry {
@@ -52,18 +52,18 @@ export class MeshNormals {
     return cancellable(computation.promise, signal, () => {});
   }
 
-  /** Whether nothing is being computed. */
+  /** Whether no computation is under way. */
   get isSettled(): boolean {
     return this.computing.size === 0;
   }
 
-  /** Fulfilled when nothing is being computed any more that is being computed now. */
+  /** Resolves when the present computations are done. */
   async settled(): Promise<void> {
     const all = [...this.computing.values()].flatMap((angles) => [...angles.values()]);
     await Promise.allSettled(all.map(({ promise }) => promise));
   }
 
-  /** Cancels what is being computed of a geometry, and forgets its copies; what uses them keeps them. */
+  /** Cancels a geometry's computations and drops its copies; present users keep theirs. */
   forget(geometry: BufferGeometry): void {
     for (const { control } of this.computing.get(geometry)?.values() ?? []) control.abort();
     this.made.delete(geometry);
@@ -78,7 +78,7 @@ export class MeshNormals {
     let angles = this.computing.get(geometry);
     if (!angles) this.computing.set(geometry, (angles = new Map()));
     const before = angles.get(angle);
-    // one that was cancelled ends with its next slice
+    // a cancelled computation ends at its next slice
     if (before && !before.control.signal.aborted) return before;
     const control = new AbortController();
     const promise = computeCreaseNormalsInSlices(geometry, angle, control.signal).then((copy) =>

@@ -1,23 +1,26 @@
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { AnimationClip, BufferGeometry, Material, Object3D, Skeleton, Texture } from 'three';
 
-/** A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene itself. */
+/**
+ * A tree of three objects that was read from a file, with its animations: what a glTF holds. It is never in a scene
+ * itself.
+ */
 export class Model {
   readonly isModel = true;
   name = '';
-  /** Its animations as assets. */
+  /** Animations of the model as assets. */
   readonly clips: readonly ModelClip[];
 
   constructor(
     readonly scene: Object3D,
     readonly animations: readonly AnimationClip[] = [],
-    /** Those of its lights. */
+    /** Photometric profiles of the model's lights. */
     readonly profiles: readonly PhotometricProfile[] = [],
   ) {
     this.clips = animations.map((clip) => new ModelClip(clip, this));
   }
 
-  /** Gives the GPU memory of everything in it back; what is drawn again is uploaded again. */
+  /** Frees the GPU memory of all parts; drawing again uploads again. */
   dispose(): void {
     const disposables = new Set<{ dispose(): void }>();
     this.scene.traverse((object) => {
@@ -36,7 +39,7 @@ export class Model {
     for (const each of [...disposables, ...this.profiles]) each.dispose();
   }
 
-  /** The profile of one of its lights, or of a copy's; null for none. */
+  /** Profile of a light of the model, or of the light's copy; null for none. */
   profileOf(light: Object3D): PhotometricProfile | null {
     const texture: unknown = light.userData.farolProfile;
     if (!texture) return null;
@@ -44,7 +47,9 @@ export class Model {
   }
 }
 
-/** A clip that came with a model: part of it in a library, 'robot.glb/clip-1-Walk'. Its tracks name nodes of the model. */
+/**
+ * A clip that came with a model: part of it in a library, 'robot.glb/clip-1-Walk'. Its tracks name nodes of the model.
+ */
 export class ModelClip {
   readonly isModelClip = true;
 
@@ -53,12 +58,12 @@ export class ModelClip {
     readonly model: Model,
   ) {}
 
-  /** As the file calls it. */
+  /** Name in the file. */
   get name(): string {
     return this.three.name;
   }
 
-  /** Seconds. */
+  /** Duration (s). */
   get duration(): number {
     return this.three.duration;
   }

@@ -14,7 +14,7 @@ export class ScriptAsset extends DataAsset {
   static readonly fields = scriptFields;
   override readonly type = 'script';
 
-  /** The text. */
+  /** Text of the module. */
   get source(): string {
     return this.get('source') as string;
   }

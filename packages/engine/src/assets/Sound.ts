@@ -1,7 +1,7 @@
-/** Samples a second of what is decoded; contexts of another rate play it all the same. */
+/** Sample rate of decoded sounds (Hz); contexts of other rates resample. */
 const RATE = 48000;
 
-/** A sound file of a library, as its bytes: decoded when it is first to be heard or seen. */
+/** A sound file of a library: its bytes, decoded on first use. */
 export class Sound {
   readonly isSound = true;
   name = '';
@@ -18,7 +18,7 @@ export class Sound {
     private readonly reserve: (memory: number) => void = () => {},
   ) {}
 
-  /** The samples; null before they are decoded. */
+  /** Decoded samples; null until decoded. */
   get buffer(): AudioBuffer | null {
     return this.decoded;
   }
@@ -45,7 +45,7 @@ export class Sound {
     this.reserve(checkSound(this.bytes, RATE));
     const context = new OfflineAudioContext(1, 1, RATE);
     try {
-      // what is decoded is taken away: the bytes stay
+      // decodeAudioData detaches its buffer, so it gets a copy
       this.decoded = await context.decodeAudioData(this.bytes.slice(0));
     } catch (cause) {
       throw new Error('it cannot be decoded: convert it to MP3, Ogg or WAV.', { cause });

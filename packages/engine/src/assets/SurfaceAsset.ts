@@ -15,7 +15,7 @@ const none: FieldTable = {};
 export interface SurfaceHost extends FieldAssetHost {
   /** Time (s) of the scene, which all surfaces of the library share. */
   readonly surfaceTime: { value: number };
-  /** @internal Told when `surface` or its uniforms are others. */
+  /** @internal Called when `surface` or its uniforms changed. */
   surfaceChanged(asset: SurfaceAsset, problem: Error | null): void;
 }
 
@@ -27,7 +27,7 @@ export class SurfaceAsset extends DataAsset {
   static readonly fields = surfaceFields;
   override readonly type = 'surface';
 
-  /** Why its text is not in use; null when it is. */
+  /** Error of the present text; null while the text is in use. */
   problem: Error | null = null;
   private made: Surface | null = null;
   private table: FieldTable = {};
@@ -39,7 +39,7 @@ export class SurfaceAsset extends DataAsset {
     this.surfaceHost = host;
   }
 
-  /** The text. */
+  /** GLSL text of the surface. */
   get source(): string {
     return this.get('source') as string;
   }
@@ -60,12 +60,12 @@ export class SurfaceAsset extends DataAsset {
     return this.problem ? none : this.table;
   }
 
-  /** @internal Those of `surface`, which may be of an earlier text. */
+  /** @internal Uniform fields of `surface`, which may be of an earlier text. */
   get surfaceFields(): FieldTable {
     return this.table;
   }
 
-  /** @internal Begins to be of use, once the library has it. */
+  /** @internal Compiles the text, once the asset is in its library. */
   begin(): void {
     if (surfaceCode()) this.refresh();
     else
@@ -82,7 +82,7 @@ export class SurfaceAsset extends DataAsset {
 
   private refresh(): void {
     const code = surfaceCode();
-    // while it is made, its library does not know it
+    // during construction the library does not know the asset yet
     if (!code || !this.surfaceHost) return;
     const before = this.problem;
     this.problem = null;

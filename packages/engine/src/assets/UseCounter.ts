@@ -1,4 +1,4 @@
-/** Something of three's whose GPU memory `dispose` gives back; it is uploaded anew if it is drawn again. */
+/** Resource of three's whose GPU memory `dispose` frees; drawing again uploads again. */
 interface Disposable {
   dispose(): void;
 }
@@ -21,7 +21,7 @@ export class UseCounter {
     return this.counts.get(resource) ?? 0;
   }
 
-  /** How many resources have users. */
+  /** Number of resources with users. */
   get size(): number {
     return this.counts.size;
   }

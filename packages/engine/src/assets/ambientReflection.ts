@@ -1,6 +1,6 @@
 import { Color, type Material, type WebGLProgramParametersWithUniforms } from 'three';
 
-/** After what ambient light, environment and light maps give, before it is added up. */
+/** Chunk after ambient, environment and lightmap light are computed, before they are summed. */
 const AFTER = '#include <aomap_fragment>';
 
 const reflections = new WeakMap<Material, Color>();

@@ -11,7 +11,7 @@ export interface HeardSource extends Component {
   readonly referenceDistance: number;
   readonly maxDistance: number;
   readonly rolloff: number;
-  /** Whether it was told to play, and is not at its end. */
+  /** Whether the sound was started and has not ended. */
   readonly isPlaying: boolean;
   /** Playback position in the sound (s); grows beyond the sound's length when looping. */
   readonly position: number;

@@ -42,7 +42,7 @@ export class SceneAudio implements SceneSystem {
 
   private listener: AudioListener | null = null;
   private readonly voices = new Map<HeardSource, Voice>();
-  /** Sources whose sound cannot be decoded, with its name: each is told once. */
+  /** Sources whose sound cannot be decoded, with the sound's name, so that each is reported once. */
   private readonly told = new Map<HeardSource, string>();
   private readonly sources: readonly HeardSource[];
   private readonly listeners: readonly HearingComponent[];
@@ -97,7 +97,7 @@ export class SceneAudio implements SceneSystem {
     return buffer !== null && source.position >= buffer.duration;
   }
 
-  /** Ends what is heard of sources that stopped, left, or began anew. */
+  /** Ends voices of sources that stopped, left the scene, or restarted. */
   private dropVoices(): void {
     for (const [source, { beginning, buffer }] of this.voices) {
       const goesOn = source.isPlaying && source.scene === this.scene && source.beginning === beginning;
@@ -146,7 +146,7 @@ export class SceneAudio implements SceneSystem {
     return voice;
   }
 
-  /** The samples of a source; null while they are decoded, and where they cannot be: that is told once. */
+  /** Samples of a source; null while decoding, and when decoding failed, which is reported once. */
   private decoded(source: HeardSource): AudioBuffer | null {
     const { scene } = this;
     const { sound: name } = source;

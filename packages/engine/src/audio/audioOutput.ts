@@ -27,12 +27,12 @@ class AudioOutput {
   }
 
   /**
-   * @internal Whether a context may be made and heard; what is not allowed yet is waited for.
-   * @param context - the one that there is
+   * @internal Whether an AudioContext may be made and heard; if not yet, waits for the user's first press.
+   * @param context - the present context
    */
   mayBeHeard(context: BaseAudioContext | null): boolean {
     if (typeof AudioContext === 'undefined') return false;
-    // a context that is made before the user pressed anything is told of as a fault
+    // browsers warn of a context made before the user's first press
     const mayBeHeard = globalThis.navigator?.userActivation?.hasBeenActive ?? true;
     this.hold(!mayBeHeard && context?.state !== 'running');
     return !this.isHeldBack;

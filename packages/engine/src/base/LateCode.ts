@@ -2,7 +2,7 @@
 export class LateCode<Code> {
   /** Fetches of late code that are under way, of all instances. */
   static readonly fetching = new Set<Promise<unknown>>();
-  /** Null until `load` is done. */
+  /** The fetched code; null until `load` is done. */
   code: Code | null = null;
   private loading: Promise<Code> | null = null;
 

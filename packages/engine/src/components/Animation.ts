@@ -7,19 +7,19 @@ import { modelBelow } from '../animation/modelsBelow';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 
-/** How `Animation.play` plays; what is absent is as the fields say. */
+/** Options of `Animation.play`; absent ones are taken from the fields. */
 export interface PlayOptions {
-  /** Seconds in which what plays until then goes over to the new clip. */
+  /** Duration of the cross-fade to the new clip (s). */
   readonly fade?: number;
   readonly wrap?: ClipWrap;
-  /** Factor of the speed; below 0 it runs backwards. */
+  /** Factor of the speed; negative runs backwards. */
   readonly speed?: number;
   /** Seconds of the clip to begin at. */
   readonly time?: number;
 }
 
 /**
- * Plays clips on its object and all below: those of a model, and those of one's own. What several clips animate, of one
+ * Plays clips, of a model or clip assets, on its object and all descendants. A value that several clips animate, of one
  * Animation or of several, is their mean by weight.
  */
 export class Animation
@@ -54,15 +54,15 @@ export class Animation
   static override readonly help: string = 'Plays clips on the object and all below it.';
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
-  /** The last one is what plays; those before it fade out. */
+  /** Players of clips: the last one plays, earlier ones fade out. */
   private players: ClipPlayer[] = [];
   private system: AnimationSystem | null = null;
   private hasStarted = false;
-  /** Scene time since which it may play. */
+  /** Scene time (s) from which clips may play. */
   private since = 0;
   private readonly told = new Set<string>();
 
-  /** Names that `play` knows: clips of the model, by their own names, then those of the library. */
+  /** Names that `play` accepts: the model's clips by their names in the file, then clips of the library. */
   get clipNames(): string[] {
     const { scene } = this;
     if (!scene) return [];
@@ -70,7 +70,7 @@ export class Animation
     return [...own, ...scene.assets.list('clip')];
   }
 
-  /** Whether a clip plays: neither paused, nor at an end where it stays. */
+  /** Whether a clip plays: neither paused nor finished. */
   get isPlaying(): boolean {
     const { current } = this;
     return current !== null && !current.isPaused && !current.isFinished(this.scene?.time ?? 0);
@@ -91,7 +91,7 @@ export class Animation
   }
 
   /**
-   * Plays a clip; what plays until then fades out. A clip that plays already goes on.
+   * Plays a clip; the present one fades out. A clip that plays already continues.
    * @param name - of a clip of the library, or the own name of a clip of the model; the chosen clip when absent
    * @throws Error naming the clips that there are when it is none of them
    */
@@ -120,14 +120,14 @@ export class Animation
     this.players.push(player);
   }
 
-  /** Ends what plays: the object goes back to how it was authored. @param options - `fade`: in so many seconds */
+  /** Stops all clips: the object returns to its authored values. @param options - `fade`: in so many seconds */
   stop(options?: { readonly fade?: number }): void {
     this.hasStarted = true;
     const fade = options?.fade ?? 0;
     for (const each of this.players) each.fade(0, fade, this.scene?.time ?? 0);
   }
 
-  /** Holds the clip where it is; `play` goes on. */
+  /** Pauses the clip; `play` resumes. */
   pause(): void {
     this.current?.setPaused(true, this.scene?.time ?? 0);
   }
@@ -224,7 +224,7 @@ export class Animation
     this.hasStarted = false;
   }
 
-  /** The name in the library of what a script calls a clip. */
+  /** Library name of a clip that a script names. */
   private find(name: string): string {
     const { assets } = this.scene!;
     if (assets.has(name, 'clip')) return name;
@@ -248,7 +248,7 @@ export class Animation
   /** The clip of a model that is not loaded yet. */
   private loadClip(): void {
     const { scene, clip } = this;
-    // the library tells of a model that cannot be loaded
+    // the library reports a model that cannot be loaded
     if (scene && clip !== null && !scene.assets.isReady('clip', clip)) void scene.assets.load(clip).catch(() => {});
   }
 }

@@ -23,7 +23,7 @@ export class Animator extends component({
 
   private looped: LoopedClip | null = null;
 
-  /** Names of the clips that the model has; empty before it is loaded. */
+  /** Names of the model's clips; empty until loaded. */
   get animations(): string[] {
     const { scene, model } = this;
     if (!scene || model === null || !scene.assets.isReady('model', model)) return [];
@@ -31,7 +31,7 @@ export class Animator extends component({
   }
 
   override onEnterScene(scene: Scene): void {
-    // the library tells of a model that cannot be loaded
+    // the library reports a model that cannot be loaded
     if (this.model !== null && !scene.assets.isReady('model', this.model))
       void scene.assets.load(this.model).catch(() => {});
   }

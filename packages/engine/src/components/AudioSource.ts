@@ -5,7 +5,7 @@ import { component } from '../core/Component';
 const whenPositional = { field: 'positional', equals: [true] } as const;
 
 /**
- * Plays a sound while the scene plays. What is heard begins with the user's first press: see `audioOutput`; a sound
+ * Plays a sound while the scene plays. Browsers allow output after the user's first press: see `audioOutput`; a sound
  * that began before is then where it would be.
  */
 export class AudioSource extends component({
@@ -56,21 +56,21 @@ export class AudioSource extends component({
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
   private state: 'stopped' | 'playing' | 'paused' = 'stopped';
-  /** The scene's time at which the sound would have begun, at its present rate (s). */
+  /** Scene time (s) at which the sound would have begun at its present rate. */
   private beganAt = 0;
   /** Playback position at the pause (s). */
   private pausedAt = 0;
-  /** The playback rate that `beganAt` goes by. */
+  /** Playback rate for which `beganAt` holds. */
   private rate = 1;
   private beginnings = 0;
   private changes = 0;
 
-  /** Whether it plays: it was told to, is not at its end, and neither stopped nor paused. */
+  /** Whether the sound plays: begun, and neither ended, stopped nor paused. */
   get isPlaying(): boolean {
     return this.state === 'playing';
   }
 
-  /** How often it was begun or gone on with. @internal */
+  /** Number of starts and resumptions. @internal */
   get beginning(): number {
     return this.beginnings;
   }
@@ -86,7 +86,7 @@ export class AudioSource extends component({
     return this.state === 'paused' ? this.pausedAt : 0;
   }
 
-  /** Plays from the beginning, or from where it was paused. One that plays begins anew. */
+  /** Plays from the beginning, or from the pause. A playing sound restarts. */
   play(): void {
     if (!this.isActive) return;
     const from = this.state === 'paused' ? this.pausedAt : 0;
@@ -96,12 +96,12 @@ export class AudioSource extends component({
     this.beginnings++;
   }
 
-  /** Ends it: the next `play` is from the beginning. */
+  /** Stops the sound: the next `play` starts at the beginning. */
   stop(): void {
     this.state = 'stopped';
   }
 
-  /** Holds it where it is, for the next `play`. */
+  /** Pauses the sound; the next `play` resumes. */
   pause(): void {
     if (this.state !== 'playing') return;
     this.pausedAt = this.position;
@@ -122,7 +122,7 @@ export class AudioSource extends component({
 
   override onEnterScene(scene: Scene): void {
     const { sound } = this;
-    // the library tells of a sound that cannot be loaded
+    // the library reports a sound that cannot be loaded
     if (sound !== null && !scene.assets.isReady('sound', sound)) void scene.assets.load(sound).catch(() => {});
   }
 

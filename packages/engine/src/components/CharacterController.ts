@@ -9,9 +9,9 @@ import { physicsComponent } from '../physics/physicsComponent';
 
 const UP = new Vector3(0, 1, 0);
 const RIGHT = new Vector3(1, 0, 0);
-/** How far a finger goes for full speed (CSS pixels). */
+/** Length of a finger's drag for full speed (CSS pixels). */
 const STICK_REACH = 60;
-/** A finger that leaves within this time (s) and way (CSS pixels) makes it jump. */
+/** Greatest duration (s) and movement (CSS pixels) of a tap that jumps. */
 const TAP_TIME = 0.25;
 const TAP_REACH = 10;
 /** Share of a gamepad's stick that counts as none. */
@@ -40,7 +40,7 @@ function standardPad(): Gamepad | null {
     const pads = globalThis.navigator?.getGamepads?.();
     return pads?.find((each) => each?.connected && each.mapping === 'standard') ?? null;
   } catch {
-    // a frame that its page gives no gamepads
+    // an iframe without permission for gamepads
     return null;
   }
 }
@@ -76,7 +76,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   private pitch = 0;
   private wasPadJump = false;
 
-  /** Whether it stands on something. */
+  /** Whether the character stands on ground. */
   get isGrounded(): boolean {
     return this.control.isGrounded;
   }
@@ -87,20 +87,20 @@ export class CharacterController extends physicsComponent(characterFields) {
   }
 
   /**
-   * Walks from now on, until it is called with zeros: keys are not heard meanwhile.
-   * @param direction - in the world; as long as the share of the walking speed, at most 1
+   * Walks until called with zeros; keys are ignored meanwhile.
+   * @param direction - in the world; its length is the share of walking speed, at most 1
    */
   walk(direction: Vector3Input): void {
     const asked = toVector3(direction, new Vector3()).setY(0).clampLength(0, 1);
     this.asked = asked.lengthSq() > 0 ? asked : null;
   }
 
-  /** Jumps, if it stands on something. */
+  /** Jumps, if grounded. */
   jump(): void {
     this.control.wantsJump = true;
   }
 
-  /** Puts it elsewhere. @param position - of its feet in the world (m) */
+  /** Moves the character at once. @param position - of the feet in the world (m) */
   teleport(position: Vector3Input): void {
     this.control.teleport = toVector3(position, new Vector3());
   }
@@ -189,7 +189,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.readPad(deltaSeconds);
     wish.clampLength(0, 1);
     if (wish.lengthSq() === 0) return;
-    // along the ground, wherever it looks
+    // along the ground, whatever the pitch
     this.gameObject.object3D.getWorldQuaternion(worldTurn);
     front.set(0, 0, -1).applyQuaternion(worldTurn);
     wish.applyAxisAngle(UP, Math.atan2(-front.x, -front.z));

@@ -6,7 +6,7 @@ export interface ColliderPose {
   readonly position: readonly [number, number, number];
   /** Its +Y, of length 1. */
   readonly up: readonly [number, number, number];
-  /** The greatest scale of its axes, above 0. */
+  /** Greatest scale factor of the object's axes, above 0. */
   readonly scale: number;
 }
 

@@ -27,9 +27,9 @@ const defaults = Object.fromEntries(
 ) as unknown as MaterialValues;
 
 /**
- * Puts a picture on whatever surface lies in a box round the GameObject. It is thrown along the object's z axis, seen from
- * +z, by three's `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Seen by
- * techniques with a G-buffer.
+ * Projects a picture on surfaces in a box around the GameObject, along the object's z axis, seen from +z, by three's
+ * `Decal` of @farol/renderer/decals; an `App` switches that effect on while its scene has decals. Seen by techniques
+ * with a G-buffer.
  */
 export class Decal extends component({
   size: vector3([0.8, 0.8, 1.2], {
@@ -68,7 +68,7 @@ export class Decal extends component({
   private box: ThreeDecal | null = null;
   private material: MeshStandardMaterial | null = null;
 
-  /** The decal below the GameObject's object3D; null outside a scene, and until its code is fetched. */
+  /** The decal below the GameObject's object3D; null outside a scene, and until the late code is loaded. */
   get three(): ThreeDecal | null {
     return this.box;
   }

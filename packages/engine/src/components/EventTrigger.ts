@@ -35,7 +35,7 @@ interface OtherObject {
   readonly other?: GameObject | null;
 }
 
-/** A little earlier than a time (s) counts as that time, so that sums of frames reach it. */
+/** Tolerance (s) of due times, since sums of frame times round. */
 const CLOSE = 1e-9;
 
 /**
@@ -132,10 +132,10 @@ export class EventTrigger extends component({
   static override readonly callable: readonly string[] = ['fire'];
 
   private hasFired = false;
-  /** The scene's time that the timer counts from (s); null before it counts. */
+  /** Scene time (s) from which the timer counts; null until started. */
   private countsFrom: number | null = null;
   private calls = 0;
-  /** The fault that was told of last: each is told once. */
+  /** Last reported fault, so that each is reported once. */
   private toldOf = '';
 
   /** Names of methods that can be called on the target. */
@@ -145,7 +145,7 @@ export class EventTrigger extends component({
     return found ? methodsOf(found, this.valueType) : [];
   }
 
-  /** Does what the event does, whatever the event is. @param event - handed over where the value is the event */
+  /** Calls the trigger's method as its event would. @param event - passed on when the value is the event */
   fire(event: unknown = null): void {
     const { scene } = this;
     if (!scene || !this.isActive || (this.once && this.hasFired)) return;
@@ -300,7 +300,7 @@ export class EventTrigger extends component({
     this.calls = 0;
   }
 
-  /** Tells of a fault once; the scene goes on. */
+  /** Reports a fault once; the scene continues. */
   private tell(fault: string, mend = 'choose another in its field Call'): void {
     if (fault === this.toldOf) return;
     this.toldOf = fault;

@@ -7,8 +7,8 @@ const move = new Vector3();
 const axis = new Vector3();
 
 /**
- * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5). What it
- * does is simulation: it is not saved, and `scene.reset()` undoes it.
+ * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5).
+ * Movement is simulation: not saved, and undone by `scene.reset()`.
  */
 export class KeyController extends component({
   front: vector3([0, 0, -1], { help: 'Own axis that the forward key follows.' }),

@@ -78,7 +78,7 @@ export class Light extends component(lightFields) {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
   }
 
-  /** How far the light reaches in metres; Infinity where it has no end. */
+  /** Range of the light (m); Infinity without a limit. */
   get reach(): number {
     if (this.isArea) return this.areaRange || Infinity;
     if (this.type !== 'point' && this.type !== 'spot') return Infinity;
@@ -129,7 +129,7 @@ export class Light extends component(lightFields) {
     if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
   }
 
-  /** The profile of the library that is named; null where none is, and until it is loaded. */
+  /** Photometric profile that the field names; null for none, and until loaded. */
   private takeProfile(): PhotometricProfile | null {
     const { scene, profile: name } = this;
     if (!scene || name === null) return null;

@@ -15,15 +15,15 @@ type Light = ThreeLight & { target?: Object3D };
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
 /**
- * Copies of a model's nodes, by what each is a copy of: of all of them, or of those that a subtree draws, whose root is at
- * the origin, since the object is where it was. Bones, and lights that aim at something or have a profile, have the copies
- * of theirs.
+ * Copies of a model's nodes, by what each is a copy of: of all of them, or of those that a subtree draws, whose root is
+ * at the origin, since the object is where it was. Bones, and lights that aim at something or have a profile, have the
+ * copies of theirs.
  */
 function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Object3D> {
   const copies = new Map<Object3D, Object3D>();
   const copy = (from: Object3D, isDrawn: boolean): Object3D => {
     const draws = isDrawn || subtree!.tops.has(from);
-    // what only stands between the root and its parts draws nothing itself
+    // nodes between the root and its drawn parts draw nothing themselves
     const to = draws ? copyAlone(from) : new Object3D().copy(from, false);
     copies.set(from, to);
     for (const child of draws ? from.children : subtree!.between.get(from)!) to.add(copy(child, draws));
@@ -42,7 +42,7 @@ function copiesOf(model: Model, subtree: ModelSubtree | null): Map<Object3D, Obj
   return copies;
 }
 
-/** A copy of a node without what is below it: `clone` of some classes takes all of it along. */
+/** Copy of a node without children, which `clone` of some classes copies too. */
 const copyAlone = (node: Object3D): Object3D =>
   (new (node.constructor as new () => Object3D)() as Object3D).copy(node, false);
 
@@ -61,7 +61,9 @@ function aimCopy(model: Model, from: Light, to: Light, copies: ReadonlyMap<Objec
 }
 
 /**
- * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips. The weight of a morph target is a field, such as 'morph.Smile', which clips of one's own animate too. Geometries, materials and textures are those of the asset, however often it is placed.
+ * Draws a whole model, such as a glTF, with its materials, skeletons and morph targets; an `Animation` plays its clips.
+ * The weight of a morph target is a field, such as 'morph.Smile', which clips of one's own animate too. Geometries,
+ * materials and textures are those of the asset, however often it is placed.
  */
 export class ModelRenderer extends component({
   model: asset('model', null, { help: 'The model that is drawn.' }),
@@ -109,12 +111,12 @@ export class ModelRenderer extends component({
   private copy: Object3D | null = null;
   private looped: LoopedClip | null = null;
 
-  /** The tree that is drawn, below the GameObject's object3D; null outside a scene and before its asset is loaded. */
+  /** Root of the drawn tree, below the GameObject's object3D; null outside a scene and until the asset is loaded. */
   get three(): Object3D | null {
     return this.copy;
   }
 
-  /** The model that is drawn; null before it is loaded. */
+  /** The drawn model; null until loaded. */
   get drawnModel(): Model | null {
     return this.inUse;
   }
@@ -124,7 +126,7 @@ export class ModelRenderer extends component({
     return this.copies.get(node) ?? null;
   }
 
-  /** The node of the model that the object stands for where only parts of it are drawn; null where all of it is. */
+  /** Node of the model that the object corresponds to when only parts are drawn; null when all of the model is. */
   get partsRoot(): Object3D | null {
     return this.subtree?.root ?? null;
   }
@@ -223,7 +225,7 @@ export class ModelRenderer extends component({
     this.fitBounds();
   }
 
-  /** Gives the parts the model's materials, with the surface over those that wear it. */
+  /** Applies the model's materials to the parts, with the surface on top. */
   private dress(): void {
     if (!this.scene) return;
     const { surfaceMaterial } = this;

@@ -11,12 +11,12 @@ const GROUP = 'Morph targets';
 /** The field that is the weight of a morph target. */
 export const morphField = (name: string): string => MORPH + name;
 
-/** Most morph targets of a model that have a field; models of faces have 50 to 80. */
+/** Greatest number of a model's morph targets that get fields; models of faces have 50 to 80. */
 const MOST_FIELDS = 256;
 
 /** Fields that store a model's morph target weights, for owners with a field `model`. */
 export const morphTargetFields = {
-  /** JSON of the weights that are not as the model has them, by name of the morph target. */
+  /** JSON of weights that differ from the model's, by name of the morph target. */
   morphWeights: string('', {
     visibleWhen: { field: 'model', equals: [] },
     help: 'Weights of the morph targets.',
@@ -31,7 +31,7 @@ interface Use {
   readonly index: number;
 }
 
-/** Tables by what is drawn of a model, so that all of its copies share one. */
+/** Field tables by model and drawn parts, so that all copies share one. */
 const tables = new WeakMap<Model, Map<string, FieldTable | null>>();
 
 function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
@@ -52,7 +52,7 @@ function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
 }
 
 /**
- * The morph targets of what is drawn of a model. Meshes that have one of the same name, as face and teeth do, have one
+ * Morph targets of a model's drawn parts. Targets of one name on several meshes, such as face and teeth, share one
  * weight.
  */
 export class MorphTargets {
@@ -60,17 +60,14 @@ export class MorphTargets {
   readonly fields: FieldTable | null;
   private readonly uses = new Map<string, Use[]>();
 
-  /**
-   * @param copies - of the model's nodes, those that are drawn
-   * @param parts - what is drawn of the model
-   */
+  /** @param copies - copies of the model's drawn nodes @param parts - drawn part of the model */
   constructor(
     private readonly owner: { get(name: string): FieldValue },
     model: Model,
     parts: string,
     copies: ReadonlyMap<Object3D, Object3D>,
   ) {
-    /** As the model has them. */
+    /** Weights in the model, by name. */
     const defaults = new Map<string, number>();
     for (const [from, to] of copies) {
       if (!(from instanceof Mesh && to instanceof Mesh)) continue;
@@ -94,7 +91,7 @@ export class MorphTargets {
     for (const name of this.uses.keys()) this.showOne(name);
   }
 
-  /** A field of the owner shows another value. @returns whether it is of morph targets, and dealt with */
+  /** Applies a changed field of the owner. @returns whether the field is a morph target's */
   fieldChanged(name: string): boolean {
     if (name === 'morphWeights') this.show();
     else if (name.startsWith(MORPH)) this.showOne(name);

@@ -52,14 +52,17 @@ export class ObjectRenderer extends component({
   private geometryInUse: BufferGeometry | null = null;
   private ownMaterial: Material | null = null;
   private inGroup = false;
-  /** The material of the library that it hears of. */
+  /** Name of the library material whose changes are listened to. */
   private watched: string | null = null;
   /** The mesh that the geometry is of. */
   private shown: string | null = null;
   /** Ends the wait for normals that are being computed. */
   private waiting: AbortController | null = null;
 
-  /** The three mesh below the GameObject's object3D; null outside a scene, before its asset is loaded, or when instanced. */
+  /**
+   * The three mesh below the GameObject's object3D; null outside a scene, before its asset is loaded, or when
+   * instanced.
+   */
   get three(): Mesh | null {
     return this.mesh3D;
   }
@@ -108,7 +111,7 @@ export class ObjectRenderer extends component({
     this.refreshMaterial();
   }
 
-  /** Takes the geometry of the present fields, at once or when its asset is loaded and has normals. */
+  /** Applies the geometry that the fields name, at once or when its asset is loaded and has normals. */
   private refreshGeometry(): void {
     const { scene, mesh } = this;
     if (!scene) return;
@@ -127,7 +130,7 @@ export class ObjectRenderer extends component({
       return;
     }
     if (mesh !== null && !scene.assets.isMeshReady(mesh, this.creaseAngle)) {
-      // with another crease angle the object keeps its shape meanwhile
+      // another crease angle: the old geometry stays until the new one is ready
       if (mesh !== this.shown) this.clear(scene);
       const waiting = (this.waiting = new AbortController());
       const again = (): void => {
@@ -139,7 +142,7 @@ export class ObjectRenderer extends component({
     this.show(scene, mesh === null ? null : scene.assets.mesh(mesh, this.creaseAngle), mesh);
   }
 
-  /** Draws a geometry. @param mesh - the mesh that it is of; null for none of the library */
+  /** Draws a geometry. @param mesh - name of its mesh in the library; null for another geometry */
   private show(scene: Scene, geometry: BufferGeometry | null, mesh: string | null): void {
     if (geometry === this.geometryInUse && geometry) return;
     if (geometry) scene.assets.uses.acquire(geometry);
@@ -149,7 +152,7 @@ export class ObjectRenderer extends component({
     this.refreshMaterial();
   }
 
-  /** Takes the material of the present fields, and makes or changes what is drawn. */
+  /** Applies the material of the fields, and creates or changes the drawn mesh. */
   private refreshMaterial(): void {
     const { scene, geometryInUse: geometry } = this;
     if (!scene || !geometry) return;
@@ -187,7 +190,7 @@ export class ObjectRenderer extends component({
     return this.ownMaterial;
   }
 
-  /** The material of the library that is named; null where none is, and until it is loaded. */
+  /** Library material that the fields name; null for none, and until loaded. */
   private givenMaterial(scene: Scene): Material | null {
     const [type, name] =
       this.shader !== null ? (['shader', this.shader] as const) : (['material', this.material] as const);

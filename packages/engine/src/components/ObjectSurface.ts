@@ -9,7 +9,7 @@ import type { Scene } from '../core/Scene';
 import { StoredViews, type ViewSource } from '../fields/StoredViews';
 import { type Material, type Mesh, Sphere } from 'three';
 
-/** Fields of a component whose object wears a surface by itself. */
+/** Fields of a component with a surface of its own. */
 export const objectSurfaceFields = {
   surface: asset('surface', null, {
     help: 'A surface for this object alone, over what its material wears. It has values of its own.',
@@ -21,8 +21,8 @@ export const objectSurfaceFields = {
 type Bounded = Mesh & { boundingSphere?: Sphere | null };
 
 /**
- * The surface that a component has its meshes wear over their materials. Objects of one material, surface and values
- * share a material; while simulation changes a value, an object has one of its own, whose uniforms are written and
+ * Surface that a component puts on top of its meshes' materials. Objects of one material, surface and values share a
+ * material; while simulation changes a value, the object has a material of its own, whose uniforms are written and
  * nothing else.
  */
 export class ObjectSurface implements LayerUser {
@@ -33,9 +33,9 @@ export class ObjectSurface implements LayerUser {
 
   /**
    * @param owner - has `objectSurfaceFields`
-   * @param declared - all of its fields
-   * @param refresh - has it dress its meshes again
-   * @param reachChanged - told when vertices may lie farther from their geometry, or less far
+   * @param declared - all fields of the owner
+   * @param refresh - makes the owner apply materials again
+   * @param reachChanged - called when the greatest displacement of vertices changed
    * @param views - finds fields that it has besides the uniforms
    */
   constructor(
@@ -82,7 +82,7 @@ export class ObjectSurface implements LayerUser {
     for (const each of before) layered.release(each);
   }
 
-  /** Gives back what is worn. */
+  /** Releases the layered materials. */
   end(scene: Scene): void {
     const { layered } = scene.assets;
     layered.users.delete(this);
@@ -91,7 +91,7 @@ export class ObjectSurface implements LayerUser {
     this.isOwn = false;
   }
 
-  /** A field of the component shows another value. @returns whether it is one of a uniform, and dealt with */
+  /** Applies a changed field of the component. @returns whether the field is a uniform's */
   fieldChanged(name: string): boolean {
     if (!name.startsWith(UNIFORM)) return false;
     const { owner, worn } = this;
@@ -102,12 +102,12 @@ export class ObjectSurface implements LayerUser {
     return true;
   }
 
-  /** Goes back to values that it shares. */
+  /** Returns to shared materials after simulation. */
   simulationEnded(): void {
     if (this.isOwn) this.simulationChanged();
   }
 
-  /** Goes over to values of its own, or back. @returns whether it did */
+  /** Switches between shared and own materials as simulation begins or ends. @returns whether it switched */
   private simulationChanged(): boolean {
     if (this.isOwn === this.owner.isSimulated) return false;
     this.isOwn = this.owner.isSimulated;

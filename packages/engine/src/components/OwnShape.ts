@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import type { Component } from '../core/Component';
 import { ObjectRenderer } from './ObjectRenderer';
 
-/** The geometry that a component makes of its fields, and the word to the ObjectRenderer that draws it. */
+/** Geometry that a component makes of its fields; notifies the ObjectRenderer that draws it. */
 export class OwnShape {
   private made: BufferGeometry | null = null;
   private isGone = false;
@@ -12,12 +12,15 @@ export class OwnShape {
     private readonly make: () => BufferGeometry,
   ) {}
 
-  /** Made when it is first asked for after a change; null once the component has left its object. */
+  /** Geometry, computed lazily after a change; null once the component has left its object. */
   get geometry(): BufferGeometry | null {
     return this.isGone ? null : (this.made ??= this.make());
   }
 
-  /** The component came, went, was switched, or its fields changed. @param change - 'fields' makes another shape */
+  /**
+   * Notifies of the component's addition, removal, switch or changed fields.
+   * @param change - 'fields' recomputes the geometry
+   */
   tell(change: 'came' | 'gone' | 'switched' | 'fields'): void {
     if (change === 'fields') this.made = null;
     this.isGone = change === 'gone' || (this.isGone && change !== 'came');

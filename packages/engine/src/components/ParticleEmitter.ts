@@ -26,7 +26,7 @@ export class ParticleEmitter extends component(particleFields) {
   static override readonly callable: readonly string[] = ['restart', 'emit', 'stop'];
 
   private emitter: ThreeEmitter | null = null;
-  /** The scene's time at which it began (s). */
+  /** Scene time at which emission began (s). */
   private beganAt = 0;
   private readonly colliders = new ColliderPoses();
   private readonly colliderObjects: (Object3D | null)[] = colliderObjects.map(() => null);
@@ -37,7 +37,7 @@ export class ParticleEmitter extends component(particleFields) {
     texture: null,
   };
 
-  /** The emitter below the GameObject's object3D; null outside a scene, and until its code is fetched. */
+  /** The emitter below the GameObject's object3D; null outside a scene, and until the late code is loaded. */
   get three(): ThreeEmitter | null {
     return this.emitter;
   }
@@ -63,7 +63,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.simulate('emitting', false);
   }
 
-  /** Goes on by a time without the scene's, as editors do to show it while nothing plays (s). */
+  /** Advances particles by a time (s) independent of the scene's, as editors do while nothing plays. */
   advance(seconds: number): void {
     this.followSurface();
     this.followColliders();
@@ -107,11 +107,11 @@ export class ParticleEmitter extends component(particleFields) {
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
-      // what is not drawn is not prewarmed either
+      // an emitter that is not drawn is not prewarmed either
       if (deltaSeconds > 0) emitter.step(deltaSeconds);
       return;
     }
-    // another time than the one it went on from: it was shown while nothing played, or the scene was put at that time
+    // a jump in time: shown while nothing played, or the scene was moved to that time
     emitter.restart();
     if (due > 0) emitter.step(due);
   }
@@ -148,7 +148,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter || !scene) return;
     const { time } = emitter;
     emitter.set(particleCode()!.changedSetting(field, this, this.parts));
-    // some settings have it begin anew; what stands still shows others at once if it does
+    // some settings restart the emitter; at a standstill the new ones show at once then
     if (time > 0 && emitter.time === 0) this.beganAt = scene.time;
     else if (time === 0 && emitter.prewarm > 0) emitter.restart();
   }
@@ -166,7 +166,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (this.parts[name] === null) this.apply(name);
   }
 
-  /** Counts itself among the users of an asset, and no longer among those of the one before. */
+  /** Registers as user of an asset, and unregisters from the previous one. */
   private take(scene: Scene, name: 'mesh' | 'texture', asset: BufferGeometry | Texture | null): void {
     const { uses } = scene.assets;
     const before = this.parts[name];
@@ -175,7 +175,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.parts[name] = asset as never;
   }
 
-  /** Takes the surface that particles begin on anew where it came late, or went. */
+  /** Updates the mesh that particles begin on after it was loaded or removed. */
   private followSurface(): void {
     if (this.shape !== 'mesh') return;
     const { surface } = this.parts;

@@ -6,9 +6,9 @@ import { createRandom } from '../base/createRandom';
 const SHARES = [0.65, 0.35];
 
 /**
- * Keeps a GameObject in motion round the place where it was put (its authored position). Where it is depends on the seed
- * and the scene's time alone, so it is the same in every run; at time 0 it is at its place. Its motion is simulation,
- * not an edit, and is not saved.
+ * Keeps a GameObject in motion round the place where it was put (its authored position). Where it is depends on the
+ * seed and the scene's time alone, so it is the same in every run; at time 0 it is at its place. Its motion is
+ * simulation, not an edit, and is not saved.
  */
 export class RandomMovement extends component({
   seed: number(1, { integer: true, min: 0, max: 2 ** 31 - 1, help: 'Another number, another path.' }),
@@ -25,7 +25,7 @@ export class RandomMovement extends component({
   static override readonly unique: boolean = true;
   static override readonly help: string = 'Perpetual motion round a place, the same in every run.';
 
-  /** For each axis the angular speeds of its two waves at 1 m/s and an extent of 1 m, sign and all. */
+  /** Signed angular speeds (rad/s) of the two waves of each axis, at 1 m/s and an extent of 1 m. */
   private readonly rates = new Float64Array(6);
 
   override onAttach(): void {
@@ -44,7 +44,7 @@ export class RandomMovement extends component({
     if (!this.isActive) this.gameObject.transform.restoreAuthored();
   }
 
-  /** Distance from its place along an axis (0 x, 1 y, 2 z) at a time in seconds; 0 at time 0. */
+  /** Offset from the authored position along an axis (0 x, 1 y, 2 z) at a time (s); 0 at time 0. */
   offset(axis: number, time: number): number {
     return this.wave(axis, this.extent[axis], this.speed * time);
   }

@@ -34,7 +34,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     if (control) for (const call of this.waiting.splice(0)) call(control);
   }
 
-  /** In the world (m/s): a copy. Setting it wakes the body. */
+  /** Velocity in the world (m/s): a copy. Setting wakes the body. */
   get velocity(): Vector3 {
     return this.control ? this.control.velocity(new Vector3()) : new Vector3(...this.initialVelocity);
   }
@@ -44,7 +44,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     this.whenThere((body) => body.setVelocity(velocity));
   }
 
-  /** Axis of the world as long as the speed (rad/s): a copy. Setting it wakes the body. */
+  /** Angular velocity (rad/s) as a vector along the world axis: a copy. Setting wakes the body. */
   get angularVelocity(): Vector3 {
     return this.control ? this.control.angularVelocity(new Vector3()) : new Vector3(...this.initialAngularVelocity);
   }
@@ -54,7 +54,7 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
     this.whenThere((body) => body.setAngularVelocity(velocity));
   }
 
-  /** Whether it has come to rest: it costs nothing until something touches it. */
+  /** Whether the body rests: it costs nothing until touched. */
   get isSleeping(): boolean {
     return this.control?.isSleeping ?? false;
   }
@@ -91,9 +91,9 @@ export class RigidBody extends physicsComponent(rigidBodyFields) {
   }
 
   /**
-   * Puts the body elsewhere, without a way between; its velocity stays.
+   * Moves the body at once, without colliding on the way; the velocity stays.
    * @param position - in the world (m)
-   * @param rotation - in the world; as it is when absent
+   * @param rotation - in the world; unchanged when absent
    */
   teleport(position: Vector3Input, rotation?: Quaternion): void {
     const [place, turn] = [toVector3(position, new Vector3()), rotation?.clone() ?? null];

@@ -18,8 +18,8 @@ const ofDoor = { group: 'Door', visibleWhen: { field: 'door', equals: sides } };
 const ofWindow = { group: 'Window', visibleWhen: { field: 'window', equals: sides } };
 
 /**
- * A room of four walls: its floor at y = 0, its inside `width` along x and `depth` along z, with a door and a window. The
- * front is towards +z. The object's ObjectRenderer draws it.
+ * A room of four walls: its floor at y = 0, its inside `width` along x and `depth` along z, with a door and a window.
+ * The front is towards +z. The object's ObjectRenderer draws it.
  */
 export class Room extends component({
   width: number(4, { ...size, help: 'Width of the inside.' }),
@@ -91,7 +91,7 @@ export class Room extends component({
     this.own.tell('fields');
   }
 
-  /** The doorway and the window as they fit, with the wall that each is in. */
+  /** Door and window, fitted to the walls that they are in. */
   private openings(): { side: Side; opening: Opening }[] {
     const found: { side: Side; opening: Opening }[] = [];
     const add = (side: Side | 'none', asked: OpeningSize): void => {
@@ -120,7 +120,7 @@ export class Room extends component({
       if (py < 0) return floor;
       if (py > height) return ceiling;
       if (Math.abs(px) < x && Math.abs(pz) < z) return false;
-      // corners belong to no wall: a hole ends before them
+      // holes end before corners, which belong to no wall
       const side = Math.abs(px) < x ? (pz > 0 ? 'front' : 'back') : px > 0 ? 'right' : 'left';
       return !openings.some((each) => each.side === side && isInOpening(each.opening, isAlongX(side) ? px : pz, py));
     });

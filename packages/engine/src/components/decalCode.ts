@@ -9,7 +9,10 @@ const late = new LateCode(
 /** The renderer's code of decals; null until `loadDecalCode` is done. */
 export const decalCode = () => late.code;
 
-/** Fetches the renderer's code of decals, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
+/**
+ * Fetches the renderer's code of decals, which most scenes do not need.
+ * @throws Error (as a rejection) when it cannot be fetched; try again
+ */
 export const loadDecalCode = () => late.load();
 
 /** The effect that draws decals. */

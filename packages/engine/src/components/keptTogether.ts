@@ -7,7 +7,7 @@ export type KeptFor = 'a skeleton' | 'morph targets' | 'instances of a mesh' | '
 
 /** Nodes of a model that only a ModelRenderer draws, with all below them. */
 export interface KeptPart {
-  /** None is below another one. Several where a skeleton and its meshes stand beside each other. */
+  /** Top nodes, none below another; several when a skeleton and its meshes are siblings. */
   readonly nodes: readonly Object3D[];
   readonly reason: KeptFor;
 }
@@ -40,12 +40,12 @@ function reasonOf(node: Flags): KeptFor | null {
 const isSeen = (node: Flags): boolean =>
   Boolean(node.isMesh || node.isPoints || node.isLine || node.isSprite || node.isLight || node.isCamera);
 
-/** Nodes in the order in which they are traversed: all that is below one comes next after it. */
+/** Nodes in traversal order: descendants directly follow their ancestor. */
 class Order {
   readonly places = new Map<Object3D, number>();
   /** By place: the first place that is not below the node. */
   private readonly ends: number[] = [];
-  /** By place: how many nodes before it draw, light or look. */
+  /** Number of meshes, lights and cameras before each index. */
   private readonly seen = [0];
 
   constructor(root: Object3D) {
@@ -63,18 +63,24 @@ class Order {
     return this.ends[this.places.get(node)!];
   }
 
-  /** How many nodes draw, light or look of one and all below it. */
+  /** Number of meshes, lights and cameras in a node's subtree. */
   seenIn(node: Object3D): number {
     return this.seen[this.endOf(node)] - this.seen[this.places.get(node)!];
   }
 
-  /** Whether all that a node has below it, and is, belongs to some nodes of which none is below another one. */
+  /**
+   * Whether all meshes, lights and cameras of a node's subtree are in the subtrees of `nodes`, none of which is below
+   * another.
+   */
   holdsNothingElse(node: Object3D, nodes: readonly Object3D[]): boolean {
     return this.seenIn(node) === nodes.reduce((sum, each) => sum + this.seenIn(each), 0);
   }
 }
 
-/** Sets of things that grow together. @see Tarjan 1975, Efficiency of a good but not linear set union algorithm */
+/**
+ * Disjoint sets that are merged step by step (union-find).
+ * @see Tarjan 1975, Efficiency of a good but not linear set union algorithm
+ */
 class Groups {
   private readonly parents: number[] = [];
 
@@ -96,7 +102,7 @@ class Groups {
 export function keptTogether({ scene }: Model): KeptPart[] {
   const order = new Order(scene);
   const groups = new Groups();
-  /** By group, why its first one is kept. */
+  /** Reason that each group of nodes cannot be unpacked, by group index. */
   const reasons: KeptFor[] = [];
   const groupOf = new Map<Object3D, number>();
   for (const node of order.places.keys()) {
@@ -125,7 +131,7 @@ export function keptTogether({ scene }: Model): KeptPart[] {
     if (nodes) nodes.push(node);
     else nodesOf.set(group, [node]);
   }
-  /** By place, how many of these nodes come before it. */
+  /** Number of these nodes before each index. */
   const before = [0];
   const isTop = new Set(tops);
   for (const node of order.places.keys()) before.push(before.at(-1)! + Number(isTop.has(node)));

@@ -5,7 +5,7 @@ const withArea = { visibleWhen: { field: 'type', equals: ['rectangle', 'disc', '
 const withShadow = { field: 'type', equals: ['directional', 'point', 'spot', 'rectangle', 'disc', 'tube'] };
 const casts = { field: 'castShadow', equals: [true] };
 const shadow = { visibleWhen: casts, group: 'Shadow' };
-/** Shadows of shapes are as soft as those are large. */
+/** Fields shown only for lights without a size: a shaped light's shadows are as soft as the light is large. */
 const hardShadow = {
   visibleWhen: { ...casts, and: { field: 'type', equals: ['directional', 'point', 'spot'] } },
   group: 'Shadow',

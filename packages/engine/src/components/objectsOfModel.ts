@@ -46,7 +46,7 @@ export interface UnpackOptions {
   /** Default true. */
   readonly receiveShadow?: boolean;
   /**
-   * Values of the ObjectRenderers of one material of the model, by its name, or of all of them: the surface that it
+   * Values for ObjectRenderers by the name of their material in the model, or for all: the surface that the material
    * wears.
    */
   readonly wears?: { readonly material: string; readonly values: Values };
@@ -264,7 +264,7 @@ function lightValues(light: ThreeLight): Record<string, FieldValue> | null {
   return { ...values, ...ownValues(light.userData.farol as FarolLightData | undefined) };
 }
 
-/** The fields of a Light for what only a light of Farol's has. */
+/** Fields of a Light for properties that only Farol's lights have. */
 function ownValues({ ambient, specular, spotExponent, attenuation }: FarolLightData = {}): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   if (ambient) values.ambient = ambient;

@@ -11,11 +11,15 @@ const late = new LateCode(
 /** The code of particles; null until `loadParticleCode` is done. */
 export const particleCode = () => late.code;
 
-/** Fetches the code of particles, the renderer's too, which most scenes do without. @throws Error (as a rejection) when it cannot be fetched; try again */
+/**
+ * Fetches the code of particles, also the renderer's, which most scenes do not need.
+ * @throws Error (as a rejection) when it cannot be fetched; try again
+ */
 export const loadParticleCode = () => late.load();
 
 /**
- * Values of a ParticleEmitter's fields for a common effect: `object.addComponent(ParticleEmitter, await particlePreset('fire'))`.
+ * Values of a ParticleEmitter's fields for a common effect: `object.addComponent(ParticleEmitter, await
+ * particlePreset('fire'))`.
  * @throws Error (as a rejection) when the code of particles cannot be fetched; try again
  */
 export async function particlePreset(name: ParticlePresetName): Promise<Partial<ParticleValues>> {

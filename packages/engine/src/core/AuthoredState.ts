@@ -39,7 +39,7 @@ const recordOf = (object: GameObject): ObjectRecord => ({
   prefabLink: object.prefabLink,
 });
 
-/** Texts that are typed while the scene plays stay. */
+/** Whether edits of an asset type survive `restore`: texts typed while the scene plays do. */
 const staysAsTyped = (type: string): boolean => type === 'script' || type === 'surface';
 
 /**
@@ -72,7 +72,7 @@ export class AuthoredState {
     this.assets = new Set(scene.assets.fieldAssets().map(({ name }) => name));
   }
 
-  /** Something of the scene has changed. */
+  /** Records a change of the scene. */
   note(change: SceneChange): void {
     if (this.isRestoring) return;
     if (change.kind === 'field') this.noteField(change.component, change.field, change.before);
@@ -81,15 +81,16 @@ export class AuthoredState {
       if (!staysAsTyped(change.asset.type)) this.noteField(change.asset, change.field, change.before);
     } else {
       this.isTouched = true;
-      // out of the scene it tells no more of what is set
+      // a removed object reports no further field changes
       if (change.kind === 'remove') change.gameObject.traverse(({ components }) => components.forEach(this.noteAll));
       else if (change.kind === 'component-remove') this.noteAll(change.component);
     }
   }
 
   /**
-   * An object is about to be disposed of: what was there at the moment, of it and all below it, only leaves the scene.
-   * @returns whether the object itself was there
+   * Called before an object is disposed of: objects of the recorded state, among it and its descendants, only leave the
+   * scene.
+   * @returns whether the object itself is in the recorded state
    */
   hold(gameObject: GameObject): boolean {
     if (this.objects.has(gameObject)) {
@@ -104,7 +105,7 @@ export class AuthoredState {
     return false;
   }
 
-  /** Brings everything back. May be called again: what was changed since is taken back then. */
+  /** Restores the recorded state. Callable repeatedly; each call undoes the changes since the last. */
   restore(): void {
     this.isRestoring = true;
     try {
@@ -118,7 +119,7 @@ export class AuthoredState {
     }
   }
 
-  /** Disposes of what was held and is not in the scene. */
+  /** Disposes of objects that `hold` kept and that are not in the scene. */
   discard(): void {
     for (const object of this.objects.keys()) if (!object.scene && !object.container) object.dispose();
   }
@@ -148,7 +149,7 @@ export class AuthoredState {
       });
       added.push(...container.childList.slice(children.length));
     };
-    // parents first: what was put below its own child comes out before it gets children
+    // parents first: an object that was put below its own child leaves it before it gets children
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
     // what was moved into its place meanwhile is no addition
@@ -182,7 +183,7 @@ export class AuthoredState {
       else if (component.isAttached && component.gameObject === object) object.moveComponent(component, index);
       else {
         if (component.isAttached) component.gameObject.removeComponent(component);
-        // it may have been disposed of; the classes of scripts are made anew in any case
+        // the component may have been disposed of; script classes are recompiled in any case
         if (!scriptClasses.has(component.componentClass)) remake(component, component.componentClass);
         for (const [name, value] of this.fields.get(component) ?? []) trySet(component, name, value);
         object.addComponent(component, {}, { index, id, enabled });
@@ -199,7 +200,7 @@ export class AuthoredState {
   }
 }
 
-/** Sets a field that may have become another one by a script that was edited. */
+/** Sets a field if the class still accepts it: an edited script may have changed the field. */
 function trySet(owner: FieldOwner, name: string, value: FieldValue): void {
   try {
     owner.set(name, value);

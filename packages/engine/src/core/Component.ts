@@ -29,16 +29,16 @@ export abstract class Component extends FieldOwner {
   private simulated: Map<string, FieldValue> | null = null;
 
   /**
-   * The scene began to play, or the component came into one that plays: called once, before its first `update`, in a
+   * Called once, before the first `update`, when the scene begins to play or the component enters a playing scene, in a
    * frame that takes time.
    */
   start?(): void;
   /**
-   * Called every frame that is simulated, after every `update`, animation and physics; what follows others belongs
-   * here.
+   * Called in every simulated frame after all `update` calls, animation and physics; code that follows other objects
+   * belongs here.
    */
   lateUpdate?(deltaSeconds: number, time: number): void;
-  /** A component that was started leaves the scene, or the scene is reset. */
+  /** Called when a started component leaves the scene, or the scene is reset. */
   onDestroy?(): void;
   /** Pointer events over the canvas, while the object is active and the component enabled. */
   onPointerDown?(event: EnginePointerEvent): void;
@@ -59,7 +59,7 @@ export abstract class Component extends FieldOwner {
   onPointerPress?(event: ObjectPointerEvent): void;
   onPointerRelease?(event: ObjectPointerEvent): void;
   onPointerClick?(event: ObjectPointerEvent): void;
-  /** Whether it wants events that it has methods for at present ('pointer': those on objects); it does when absent. */
+  /** Whether the component wants events of a kind at present ('pointer': events on objects); true when absent. */
   listensTo?(events: CostlyEvents): boolean;
 
   /** Unique in its scene and kept in files; '' until the component has been on a GameObject. */
@@ -79,7 +79,7 @@ export abstract class Component extends FieldOwner {
     return this.typeName;
   }
 
-  /** False switches the component off without taking it away. */
+  /** False switches the component off without removing it. */
   get enabled(): boolean {
     return this.isEnabled;
   }
@@ -132,8 +132,8 @@ export abstract class Component extends FieldOwner {
   }
 
   /**
-   * Shows a value as long as the scene plays, or until `endSimulation` or `set`: no edit, and not saved. `get` and the
-   * property of the field answer with it. Of a Transform it moves the object.
+   * Shows a field's value while the scene plays, until `endSimulation` or `set`: neither an edit nor saved. `get` and
+   * the field's property return the shown value. On a Transform, moves the object.
    * @throws FieldError as `set` does
    */
   simulate(name: string, value: FieldValue): void {
@@ -157,27 +157,27 @@ export abstract class Component extends FieldOwner {
     this.simulated = null;
     if (!this.attachedObject) return;
     for (const [name, value] of simulated) {
-      // a view may be gone meanwhile
+      // the field may be a view that no longer exists
       if (!Object.hasOwn(this.fields, name) || !sameValue(value, this.get(name))) this.onFieldChanged(name);
     }
   }
 
-  /** The component came onto a GameObject; `gameObject` is there, `scene` perhaps not. */
+  /** Called after the component was put on a GameObject; `gameObject` is set, `scene` may be null. */
   onAttach(): void {}
 
-  /** The component is about to leave its GameObject. */
+  /** Called before the component leaves its GameObject. */
   onDetach(): void {}
 
-  /** The GameObject came into a scene, or the component came onto a GameObject of one. */
+  /** Called after the component entered a scene, alone or with its GameObject. */
   onEnterScene(_scene: Scene): void {}
 
-  /** The GameObject, or the component alone, is about to leave the scene. */
+  /** Called before the component leaves the scene, alone or with its GameObject. */
   onLeaveScene(_scene: Scene): void {}
 
-  /** A field got another value, by hand or by code. Called only while attached. */
+  /** Called after a field's value changed, by hand or by code; only while attached. */
   onFieldChanged(_name: string): void {}
 
-  /** `isActive` may have changed: the component was enabled or disabled, or an object above it was. */
+  /** Called when `isActive` may have changed: the component, its object or an ancestor was switched on or off. */
   onActiveChanged(): void {}
 
   /**
@@ -187,7 +187,7 @@ export abstract class Component extends FieldOwner {
    */
   update(_deltaSeconds: number, _time: number): void {}
 
-  /** Gives back what the component holds. It cannot be used afterwards. */
+  /** Releases the component's resources; the component cannot be used afterwards. */
   dispose(): void {}
 
   protected override get assetNames(): AssetNames | null {
@@ -213,7 +213,7 @@ export abstract class Component extends FieldOwner {
     this.attachedObject = null;
   }
 
-  /** The authored value of every field; those that show a part of another one are left out. */
+  /** Authored values of all fields, without views (fields that show a part of another field). */
   authoredValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
     for (const { name } of savedFields(this.fields)) values[name] = this.getAuthored(name);
@@ -222,14 +222,15 @@ export abstract class Component extends FieldOwner {
 }
 
 /**
- * Base class with a property for each field: its static members have defaults, `typeName` and `help` are to be given.
+ * Base class with a property for each field: its static members have defaults, `typeName` and `help` must be
+ * overridden.
  */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,
   'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'callable'
 > & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
 
-/** Methods that the engine calls where a class has them: a field of such a name would be called. */
+/** Names of methods that the engine calls if present; forbidden as names of fields, which would be called. */
 const called = /^(?:start|lateUpdate|on[A-Z]\w*)$/;
 
 /**

@@ -21,7 +21,9 @@ function key(component: Component, event: EngineKeyEvent): void {
   else component.onKeyUp?.(event);
 }
 
-/** Calls methods of a scene's active components, one after another. An error of one is told to the scene; the others go on. */
+/**
+ * Calls methods of a scene's active components in turn. An error of one is reported to the scene; the others continue.
+ */
 export class ComponentCalls {
   constructor(
     private readonly scene: Scene,
@@ -44,7 +46,7 @@ export class ComponentCalls {
     this.tellAll(this.index.keyed.array, key, event);
   }
 
-  /** Starts every active component that was not started yet; those that their `start` brings are started too. */
+  /** Starts every active component not started yet, including components that a `start` adds. */
   start(): void {
     const { waiting, started } = this.index;
     for (let i = 0; i < waiting.array.length;) {
@@ -53,7 +55,7 @@ export class ComponentCalls {
         i++;
         continue;
       }
-      // the last one comes to place i
+      // IndexedList moves the last entry to place i
       waiting.remove(component);
       started.add(component);
       try {
@@ -90,7 +92,7 @@ export class ComponentCalls {
       } catch (error) {
         this.scene.reportError(component, error);
       }
-      // the last one comes to the place of one that is switched off or leaves
+      // IndexedList moves the last entry to the place of a removed one
       if (list[i] !== component) i--;
     }
   }
@@ -108,7 +110,10 @@ export class ComponentCalls {
     }
   }
 
-  /** Whether a component is not to be updated yet: it came in this frame and starts in the next one, or is of a script that does not run. */
+  /**
+   * Whether a component must not be updated yet: added in this frame and started in the next, or of a script that does
+   * not run.
+   */
   private isTooEarly(component: Component, deltaSeconds: number): boolean {
     if (deltaSeconds === 0) return scriptClasses.has(component.componentClass);
     const { waiting } = this.index;

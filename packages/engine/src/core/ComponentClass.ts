@@ -14,7 +14,7 @@ export interface ComponentClass<T extends Component = Component> {
   readonly version: number;
   /** At most one on a GameObject. */
   readonly unique: boolean;
-  /** One line for the Add menu. */
+  /** Description in the Add menu, one line. */
   readonly help: string;
   /** Name of its icon in editors, which show a plain one for names that they do not know. */
   readonly icon: string;
@@ -22,7 +22,7 @@ export interface ComponentClass<T extends Component = Component> {
   readonly effect: RequiredEffect | null;
   /**
    * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the
-   * ones that the engine calls. Of built-in classes null is none.
+   * ones that the engine calls. For built-in classes, null means no methods.
    */
   readonly callable: readonly string[] | null;
   /** Brings field values written by an older version up to `version`. */

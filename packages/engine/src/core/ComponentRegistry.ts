@@ -7,8 +7,8 @@ import { makeUnknownComponent } from './UnknownComponent';
 
 export interface ComponentRegistryOptions {
   /**
-   * Whether files may hold components of types that nobody registered: each is kept as data, an `UnknownComponent`. They
-   * are refused when absent.
+   * Whether files may hold components of types that nobody registered: each is kept as data, an `UnknownComponent`.
+   * They are refused when absent.
    */
   keepUnknown?: boolean;
 }
@@ -41,12 +41,15 @@ export class ComponentRegistry {
     return this;
   }
 
-  /** Takes a type out: no more of it can be added by name. Components of it that there are stay what they are. */
+  /** Removes a type: components of the type can no longer be added by name. Existing ones stay. */
   unregister(componentClass: ComponentClass): void {
     if (this.classes.get(componentClass.typeName) === componentClass) this.classes.delete(componentClass.typeName);
   }
 
-  /** The fields of a type; none of one that is not known, where those are kept. @throws Error for one that is refused */
+  /**
+   * The fields of a type; no fields for an unknown type, where unknown types are kept.
+   * @throws Error for an unknown type, where those are refused
+   */
   fieldsOf(typeName: string): FieldTable {
     return this.keepsUnknown && !this.classes.has(typeName) ? {} : this.get(typeName).fields;
   }
@@ -62,8 +65,8 @@ export class ComponentRegistry {
   }
 
   /**
-   * A component on no object from the data of a checked file. Where types that are not known are kept, one of them too, and
-   * values that the class, whose script has changed, does not have or allow are left out.
+   * A component on no object from the data of a checked file. Where types that are not known are kept, one of them too,
+   * and values that the class, whose script has changed, does not have or allow are left out.
    */
   createFrom(data: ComponentData): Component {
     if (this.keepsUnknown && !this.classes.has(data.type)) return makeUnknownComponent(data);

@@ -19,9 +19,9 @@ export interface FileObject {
   parent: string | null;
   /** True when absent. */
   active?: boolean;
-  /** Left alone by editors; false when absent. */
+  /** Whether editors exclude the object from picking; false when absent. */
   locked?: boolean;
-  /** Gets a lightmap when light is baked; false when absent. */
+  /** Whether a bake gives the object's meshes lightmaps; false when absent. */
   static?: boolean;
   tags?: string[];
   /** Absent unless the object is a copy of one of a prefab. */
@@ -35,8 +35,8 @@ export interface PrefabLink {
   /** Id of the object in the prefab; the prefab's own id for the root of an instance. */
   readonly source: string;
   /**
-   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They stay when it changes. Every
-   * other value that differs from the prefab's is an override without being listed.
+   * Overrides that happen to have the prefab's present value: 'Light.intensity', 'name'. They remain overrides when the
+   * prefab changes. Every other value that differs from the prefab's is an override without being listed.
    */
   readonly pinned?: readonly string[];
 }

@@ -27,17 +27,17 @@ export interface AddComponentOptions {
 type Values = Readonly<Record<string, FieldValue>>;
 
 /**
- * A thing of the scene. By itself it does nothing: it holds children and components, and passes updates, events and
+ * Node of the scene's tree. Has no behaviour of its own: holds children and components, and passes updates, events and
  * calls on to them. It owns one three object, `object3D`; its front is that object's -Z axis.
  */
 export class GameObject implements GameObjectContainer {
   readonly id: string;
   readonly object3D = new Object3D();
-  /** Always there, always the first component. */
+  /** The first component, always present. */
   readonly transform: Transform;
   /** @internal */
   readonly childList: GameObject[] = [];
-  /** @internal What it is directly in. */
+  /** @internal The parent object or the scene; null for none. */
   container: GameObjectContainer | null = null;
   /** @internal */
   sceneOf: Scene | null = null;
@@ -105,7 +105,10 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'active' });
   }
 
-  /** Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other effect. */
+  /**
+   * Whether an editor leaves the object and all below it alone: they are not picked in the picture. It has no other
+   * effect.
+   */
   get locked(): boolean {
     return this.isLocked;
   }
@@ -116,7 +119,7 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'locked' });
   }
 
-  /** Whether the object stays where it is: a bake gives what it draws a lightmap. What is below it has a flag of its own. */
+  /** Whether the object never moves: a bake gives its meshes lightmaps. Children have flags of their own. */
   get isStatic(): boolean {
     return this.staysInPlace;
   }
@@ -127,12 +130,12 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'object', gameObject: this, property: 'static' });
   }
 
-  /** Locked, or below an object that is. */
+  /** Whether the object or an ancestor is locked. */
   get lockedInHierarchy(): boolean {
     return this.isLocked || (this.parent?.lockedInHierarchy ?? false);
   }
 
-  /** Active, and so are all its ancestors. */
+  /** Whether the object and all its ancestors are active. */
   get activeInHierarchy(): boolean {
     return this.activeWithParents;
   }
@@ -149,12 +152,12 @@ export class GameObject implements GameObjectContainer {
     return this.componentList;
   }
 
-  /** The scene that it is, or is in. */
+  /** The scene that contains the object; null for none. */
   get scene(): Scene | null {
     return this.sceneOf;
   }
 
-  /** @internal The three object below which its children's hang. */
+  /** @internal Parent of the children's three objects. */
   get threeParent(): Object3D {
     return this.object3D;
   }
@@ -165,7 +168,10 @@ export class GameObject implements GameObjectContainer {
     return this;
   }
 
-  /** Takes a child out, with all below it; it may be added again. @throws Error when it is no child of this object */
+  /**
+   * Removes a child with all its descendants; the child may be added again.
+   * @throws Error when `child` is no child of this object
+   */
   remove(child: GameObject): this {
     if (child.container !== this)
       throw new Error(`'${shortText(child.name)}' is no child of '${shortText(this.name)}'.`);
@@ -216,7 +222,7 @@ export class GameObject implements GameObjectContainer {
     return component;
   }
 
-  /** Takes a component off; it may be added again, or disposed. @throws Error for the Transform or a stranger */
+  /** Removes a component, which may be added again or disposed of. @throws Error for the Transform or a stranger */
   removeComponent(component: Component): void {
     const index = this.componentList.indexOf(component);
     if (index < 0) throw new Error(`This ${component.typeName} is not on '${shortText(this.name)}'.`);
@@ -255,7 +261,7 @@ export class GameObject implements GameObjectContainer {
     );
   }
 
-  /** Updates its active components, then its children. A Scene does the same from flat lists. */
+  /** Updates the object's active components, then its children. A Scene does so from flat lists instead. */
   update(deltaSeconds: number, time: number): void {
     if (!this.isActive) return;
     for (const component of this.componentList) if (component.enabled) component.update(deltaSeconds, time);
@@ -312,11 +318,11 @@ export class GameObject implements GameObjectContainer {
     return copyOf(this, newIds, new Set());
   }
 
-  /** Takes the object out of its parent or scene, and gives back what it and all below it hold. */
+  /** Removes the object from its parent or scene, and disposes of it and all its descendants. */
   dispose(): void {
     if (this.scene?.holds(this)) return;
     if (this.container) moveGameObject(this, null, undefined, { keepWorld: false });
-    // from the last one on: each leaves the end of its list
+    // from the last child: removal at the end of a list is cheap
     for (const child of this.childList.toReversed()) child.dispose();
     for (const component of this.componentList.toReversed()) {
       component.detach();
@@ -346,7 +352,7 @@ export class GameObject implements GameObjectContainer {
 /**
  * A copy of an object with all below it.
  * @param newIds - the id of each copy, by that of the object
- * @param prefabs - those of which the copy holds the root of an instance, from here upwards
+ * @param prefabs - ids of prefabs whose instance roots are in the copy, at the source or above it
  */
 function copyOf(source: GameObject, newIds: ReadonlyMap<string, string>, prefabs: ReadonlySet<string>): GameObject {
   const copy = new GameObject(source.name, { id: newIds.get(source.id) });

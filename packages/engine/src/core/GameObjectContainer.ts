@@ -6,8 +6,8 @@ import type { Scene } from './Scene';
 export interface GameObjectContainer {
   /** @internal */
   readonly childList: GameObject[];
-  /** The scene that it is, or is in. */
+  /** The scene itself, or the scene that contains the object. */
   readonly scene: Scene | null;
-  /** @internal The three object below which its children's hang. */
+  /** @internal Parent of the children's three objects. */
   readonly threeParent: Object3D;
 }

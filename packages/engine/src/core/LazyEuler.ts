@@ -57,7 +57,7 @@ class LazyEuler extends Euler {
   }
 
   set _order(value: EulerOrder) {
-    // the angles stay, as in three, and the quaternion changes
+    // as in three: the angles stay, and the quaternion follows the new order
     this.refresh();
     this.ownOrder = value;
   }

@@ -8,11 +8,13 @@ export interface Prefab {
   /** Also the id of its root object. */
   readonly id: string;
   readonly name: string;
-  /** In tree order; the root, which has no parent, is the first. Those of another prefab within it have a link to that. */
+  /**
+   * In tree order; the root, which has no parent, is the first. Those of another prefab within it have a link to that.
+   */
   readonly objects: readonly FileObject[];
 }
 
-/** Something that cannot be done with a prefab. */
+/** Refusal of an operation on a prefab. */
 export class PrefabError extends Error {
   constructor(
     readonly prefab: string,

@@ -15,7 +15,10 @@ export class PrefabTable {
     return this.byId.get(id) ?? null;
   }
 
-  /** Adds a prefab, or puts another one in the place of that with its id. Objects of the scene stay as they are: see `planPrefabChange`. */
+  /**
+   * Adds a prefab, or replaces the prefab of the same id. Objects of the scene stay as they are: see
+   * `planPrefabChange`.
+   */
   set(prefab: Prefab): void {
     if (this.byId.get(prefab.id) === prefab) return;
     if (prefab.objects[0]?.id !== prefab.id) throw new PrefabError(prefab.name, 'must begin with its root object.');
@@ -23,7 +26,7 @@ export class PrefabTable {
     this.changed(prefab.id);
   }
 
-  /** Forgets a prefab. What links to it keeps its values, and follows it no more. */
+  /** Removes a prefab. Its instances keep their values and are no longer updated. */
   delete(id: string): void {
     if (this.byId.delete(id)) this.changed(id);
   }
@@ -33,12 +36,14 @@ export class PrefabTable {
     return this.anyContains([id], inner);
   }
 
-  /** Whether one of some prefabs is, or holds at any depth, an instance of another. Each is visited once. */
+  /**
+   * Whether any of the prefabs `ids` is `inner`, or holds an instance of `inner` at any depth. Each is visited once.
+   */
   anyContains(ids: Iterable<string>, inner: string): boolean {
     const seen = new Set(ids);
     for (const id of seen) {
       if (id === inner) return true;
-      // a Set that grows is walked to its end
+      // a Set's iteration includes entries added meanwhile
       for (const { prefab } of this.get(id)?.objects ?? []) if (prefab) seen.add(prefab.prefab);
     }
     return false;

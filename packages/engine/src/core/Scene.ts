@@ -34,20 +34,22 @@ export interface SceneOptions {
   registry?: ComponentRegistry;
 }
 
-/** A world of GameObjects over one three scene. Any number may exist. */
+/** Tree of GameObjects drawn as one three scene. Any number of scenes may exist. */
 export class Scene implements GameObjectContainer {
   readonly three = new SceneRoot();
   readonly assets: AssetLibrary;
-  /** Types of components that can be added by name: by files, prefabs and menus. Another one must have those in use. */
+  /**
+   * Types of components that can be added by name: by files, prefabs and menus. A replacement needs all types in use.
+   */
   registry: ComponentRegistry;
   readonly settings: SceneSettings;
   /** Microshaders that are saved with the scene. */
   readonly microShaders = new SceneMicroShaders((name) => this.notify({ kind: 'microshader', name }));
   /** Views that editors keep with the scene. */
   readonly views = new SceneViews((place) => this.notify({ kind: 'view', place }));
-  /** Light of the scene that was baked. */
+  /** Baked light of the scene. */
   readonly baked: SceneBake = new SceneBake(this);
-  /** Takes what a component throws while it is updated; the others go on. While null, `update` throws it. */
+  /** Receives errors thrown by components; the other components continue. While null, `update` rethrows. */
   onComponentError: ((component: Component, error: unknown) => void) | null = null;
   /** Prefabs that objects of the scene are instances of. */
   readonly prefabs = new PrefabTable((id) => this.notify({ kind: 'prefab', id }));
@@ -60,7 +62,7 @@ export class Scene implements GameObjectContainer {
   private readonly systems = new SceneSystems(this);
   private readonly calls = new ComponentCalls(this, this.index);
   private readonly pointer = new ScenePointer(this, this.index);
-  /** Components that show values which were not authored. */
+  /** Components that show simulated values. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
   private authored: AuthoredState | null = null;
@@ -104,15 +106,14 @@ export class Scene implements GameObjectContainer {
     return this.childList;
   }
 
-  /** How many objects it has, however deep in the tree. */
+  /** Number of GameObjects in the whole tree. */
   get size(): number {
     return this.index.objectsById.size;
   }
 
   /**
-   * Every component of a class (or of one derived from it), or of a type name, active or not. The array is the same one
-   * all along, kept up to date as components come and go: it may be read in every frame. Its order is not that of the
-   * tree.
+   * All components of a class (or of one derived from it), or of a type name, active or not. One array, kept up to
+   * date: it may be read in every frame. Its order is not that of the tree.
    */
   componentsOf<T extends Component>(type: ComponentClass<T>): readonly T[];
   componentsOf<T extends Component>(type: string): readonly T[];
@@ -120,18 +121,18 @@ export class Scene implements GameObjectContainer {
     return this.index.componentsOf(type);
   }
 
-  /** Whether a component that is active listens to keys. */
+  /** Whether any active component listens to keys. */
   get takesKeys(): boolean {
     return this.index.keyed.array.some((component) => component.isActive && component.listensTo?.('key') !== false);
   }
 
-  /** The effects of the renderer that components of the scene need; the same array all along. */
+  /** Renderer effects that the scene's components need; one array, kept up to date. */
   get requiredEffects(): readonly RequiredEffect[] {
     return this.index.effects.array;
   }
 
   /**
-   * The camera to draw with: the first one that came, unless another was chosen; null when the scene has none.
+   * The camera to draw with: the first one added, unless another was chosen; null when the scene has none.
    * @throws Error when set to a camera that is not in the scene
    */
   get activeCamera(): CameraComponent | null {
@@ -151,7 +152,7 @@ export class Scene implements GameObjectContainer {
     return this.seconds;
   }
 
-  /** Whether it was updated by more than 0 seconds since it was made or reset. */
+  /** Whether the scene was updated by more than 0 s since it was made or reset. */
   get isSimulated(): boolean {
     return this.wasSimulated;
   }
@@ -161,12 +162,12 @@ export class Scene implements GameObjectContainer {
     return this.edits;
   }
 
-  /** Itself. */
+  /** The scene itself, as a container of objects. */
   get scene(): Scene {
     return this;
   }
 
-  /** @internal The three object below which its children's hang. */
+  /** @internal Parent of the children's three objects. */
   get threeParent(): ThreeScene {
     return this.three;
   }
@@ -234,17 +235,14 @@ export class Scene implements GameObjectContainer {
     return this.systems.get(type);
   }
 
-  /**
-   * Whether a component of a script is left alone since it threw: it is not called until it is changed, or the scene is
-   * reset. Its `enabled` stays as it is.
-   */
+  /** Whether a script's component is not called after an error, until it is changed or the scene is reset. */
   isSwitchedOff(component: Component): boolean {
     return this.index.switchedOff.has(component);
   }
 
   /**
-   * Tells of something that a component threw: to `onComponentError`. A component of a script is switched off.
-   * @throws what it was given while that is null
+   * Reports an error of a component to `onComponentError`. A script's component is switched off.
+   * @throws the error itself while `onComponentError` is null
    */
   reportError(component: Component, error: unknown): void {
     if (scriptClasses.has(component.componentClass)) this.index.switchOff(component);
@@ -257,7 +255,7 @@ export class Scene implements GameObjectContainer {
     this.simulatedOnes.add(component);
   }
 
-  /** @internal Something of the scene needs an effect of the renderer, or needs it no more. */
+  /** @internal Counts one user more or less of a renderer effect. */
   useEffect(effect: RequiredEffect, isUsed: boolean): void {
     this.index.countEffect(effect, isUsed ? 1 : -1);
   }
@@ -269,31 +267,27 @@ export class Scene implements GameObjectContainer {
   }
 
   /**
-   * From now on the scene remembers what it is made of, until the next `reset`: that brings back objects and components
-   * that were removed, disposed of or moved, takes out those that were added, and sets names, switches and fields as
-   * they are now. Scripts that are edited meanwhile stay as they are edited.
+   * Records the scene's state for the next `reset`, which brings back objects and components that were removed,
+   * disposed of or moved, removes added ones, and restores names, switches and fields. Edits of scripts stay.
    */
   keepAuthored(): void {
     this.authored ??= new AuthoredState(this);
   }
 
   /**
-   * @internal An object is about to be disposed of.
-   * @returns whether it has only left the scene, since `reset` brings it back
+   * @internal Called before an object is disposed of.
+   * @returns true when `reset` restores the object, which then only leaves the scene
    */
   holds(gameObject: GameObject): boolean {
     return this.authored?.hold(gameObject) ?? false;
   }
 
-  /** Tells the systems that the simulation is held: sounds pause. The next `update` lets them go on. */
+  /** Pauses the systems (sounds stop); the next `update` resumes them. */
   pause(): void {
     this.systems.pause();
   }
 
-  /**
-   * Undoes simulation: time 0, and every object where it was authored. After `keepAuthored` all else that was changed
-   * since is taken back too.
-   */
+  /** Undoes simulation: time 0, and authored poses. After `keepAuthored`, all other changes since are undone too. */
   reset(): void {
     this.pointer.reset();
     this.calls.destroyAll();
@@ -317,20 +311,18 @@ export class Scene implements GameObjectContainer {
     return receivers;
   }
 
-  /**
-   * Passes a pointer event on to every active component that wants it, and to those of the object under the pointer.
-   */
+  /** Dispatches a pointer event to every active component with a method for it, and to those under the pointer. */
   dispatchPointer(event: EnginePointerEvent): void {
     this.calls.pointer(event);
     this.pointer.take(event);
   }
 
-  /** Passes a pointer event on to the components of the object under the pointer alone. */
+  /** Dispatches a pointer event only to components of the object under the pointer. */
   dispatchObjectPointer(event: EnginePointerEvent): void {
     this.pointer.take(event);
   }
 
-  /** Passes a key event on to every active component that wants it. */
+  /** Dispatches a key event to every active component that wants it. */
   dispatchKey(event: EngineKeyEvent): void {
     this.calls.key(event);
   }
@@ -349,9 +341,7 @@ export class Scene implements GameObjectContainer {
     return this.three.onMatricesUpdated(listener);
   }
 
-  /**
-   * Gives back all that the scene holds. An AssetLibrary that was passed in stays, with what this scene used released.
-   */
+  /** Releases the scene's resources. An AssetLibrary that was passed in stays, without this scene's uses. */
   dispose(): void {
     this.listeners.clear();
     this.endAssets();

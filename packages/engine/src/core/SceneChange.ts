@@ -21,7 +21,7 @@ export type SceneChange =
       readonly kind: 'field';
       readonly component: Component;
       readonly field: string;
-      /** The authored value until then. */
+      /** Authored value before the edit. */
       readonly before: FieldValue;
     }
   | { readonly kind: 'enabled'; readonly component: Component }

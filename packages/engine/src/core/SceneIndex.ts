@@ -40,10 +40,10 @@ export class SceneIndex {
   /** Components with a key method. */
   readonly keyed = new IndexedList<Component>();
 
-  /** Components that are left alone since they threw. */
+  /** Components that are not called since they threw. */
   readonly switchedOff = new Set<Component>();
 
-  /** Lists of the classes and type names that were asked for. */
+  /** Component lists by the classes and type names asked for so far. */
   private readonly byType = new Map<ComponentClass | string, IndexedList<Component>>();
   private readonly effectUsers = new Map<RequiredEffect, number>();
 
@@ -69,7 +69,7 @@ export class SceneIndex {
     this.countEffect(component.componentClass.effect, 1);
   }
 
-  /** Leaves a component alone until `switchOn`. */
+  /** Stops calling a component until `switchOn`. */
   switchOff(component: Component): void {
     if (this.componentsById.get(component.id) !== component) return;
     this.switchedOff.add(component);
@@ -111,7 +111,7 @@ export class SceneIndex {
     this.keyed.remove(component);
   }
 
-  /** Counts who needs an effect. */
+  /** Adds to the number of components that need an effect. */
   countEffect(effect: RequiredEffect | null, change: 1 | -1): void {
     if (!effect) return;
     const users = (this.effectUsers.get(effect) ?? 0) + change;

@@ -7,10 +7,10 @@ import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 import type { SceneIndex } from './SceneIndex';
 
-/** Farther apart (CSS pixels) a press and a release are no click. */
+/** Greatest distance (CSS pixels) between press and release of a click. */
 const CLICK_REACH = 10;
 
-/** Frames after which it is looked anew what is under a pointer that rests: what is there may have moved. */
+/** Frames between picks under a resting pointer, since objects may move. */
 const RESTING_FRAMES = 8;
 
 type PointerMethod = 'onPointerOver' | 'onPointerOut' | 'onPointerPress' | 'onPointerRelease' | 'onPointerClick';
@@ -27,11 +27,11 @@ interface Pointer {
   pressed: GameObject | null;
   pressX: number;
   pressY: number;
-  /** Its last move, which the next frame looks at. */
+  /** Last move event, handled in the next frame; null for none. */
   moved: EnginePointerEvent | null;
-  /** Its last event of all. */
+  /** Last event of any type. */
   last: EnginePointerEvent;
-  /** Frames since it was last looked what is under it. */
+  /** Frames since the last pick. */
   rested: number;
 }
 
@@ -39,14 +39,14 @@ const place = new Vector2();
 
 const belongsToObject = (hit: Intersection): boolean => gameObjectOf(hit.object, hit.instanceId) !== null;
 
-/** The nearest object that is, or is above, both of two; null where there is none. */
+/** Nearest common ancestor of two objects, itself included; null for none. */
 function nearestAbove(one: GameObject | null, other: GameObject | null): GameObject | null {
   for (let each = one; each; each = each.parent)
     for (let below = other; below; below = below.parent) if (below === each) return each;
   return null;
 }
 
-/** Finds what pointers are over, and tells its components: see `Component.onPointerOver`. */
+/** Finds the objects under pointers, and calls their components: see `Component.onPointerOver`. */
 export class ScenePointer {
   private readonly pointers: Pointer[] = [];
 
@@ -55,7 +55,7 @@ export class ScenePointer {
     private readonly index: SceneIndex,
   ) {}
 
-  /** A pointer event came. A move waits for the next frame: many may come in one. */
+  /** Handles a pointer event. A move waits for the next frame, since many may arrive in one. */
   take(event: EnginePointerEvent): void {
     const { type, pointerId } = event;
     if (type === 'wheel') return;
@@ -107,12 +107,12 @@ export class ScenePointer {
     }
   }
 
-  /** Nothing is pointed at any more; nobody is told. */
+  /** Forgets all pointers, without calling components. */
   reset(): void {
     this.pointers.length = 0;
   }
 
-  /** An object leaves the scene: what is above it is still pointed at. */
+  /** Called when an object leaves the scene; its ancestors stay under the pointer. */
   forget(gameObject: GameObject): void {
     for (const pointer of this.pointers) {
       if (pointer.over === gameObject) pointer.over = gameObject.parent;
@@ -128,7 +128,7 @@ export class ScenePointer {
     return false;
   }
 
-  /** Finds what is under a pointer. */
+  /** Finds the object under a pointer. */
   private aim(pointer: Pointer, event: EnginePointerEvent): void {
     const camera = this.scene.pointerCamera ?? this.scene.activeCamera?.three;
     const hit = camera ? hitPoint(this.scene, camera, place.set(event.ndcX, event.ndcY), belongsToObject) : null;
@@ -173,12 +173,12 @@ export class ScenePointer {
     this.tell('onPointerRelease', over, pointer, event);
     if (event.button !== 0 || !pressed) return;
     if (Math.hypot(event.x - pointer.pressX, event.y - pointer.pressY) > CLICK_REACH) return;
-    // of the nearest object that holds both, as in a page
+    // a click goes to the nearest common ancestor, as in HTML
     const clicked = nearestAbove(over, pressed);
     if (clicked) this.tell('onPointerClick', clicked, pointer, event);
   }
 
-  /** Calls the components of an object, then of those above it, up to `end`, which is not called. */
+  /** Calls the components of an object and of its ancestors up to `end`, exclusive. */
   private tell(
     method: PointerMethod,
     object: GameObject,

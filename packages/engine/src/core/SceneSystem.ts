@@ -2,7 +2,7 @@ import type { Scene } from './Scene';
 
 /** A part of the simulation that works on many components at once, such as physics: see `Scene.system`. */
 export interface SceneSystem {
-  /** Lower ones come first: animation is 100, physics 200. */
+  /** Order of updates, lower first: animation is 100, physics 200. */
   readonly order: number;
   /**
    * Called in each frame that is simulated, after every component's `update` and before every `lateUpdate`.
@@ -10,11 +10,11 @@ export interface SceneSystem {
    * @param time - the scene's time in seconds
    */
   update(deltaSeconds: number, time: number): void;
-  /** The simulation is held: the next `update` may come much later. */
+  /** Called when the simulation pauses: the next `update` may come much later. */
   pause?(): void;
-  /** The scene was reset: time 0, all as it was authored. */
+  /** Called after the scene was reset to time 0 and its authored state. */
   reset(): void;
-  /** Gives back what it holds. It is not used afterwards. */
+  /** Releases the system's resources; the system is not used afterwards. */
   dispose(): void;
 }
 

@@ -8,7 +8,7 @@ export class SceneSystems {
 
   constructor(private readonly scene: Scene) {}
 
-  /** The one of a class, made when it is first asked for. */
+  /** The system of a class, made on the first call. */
   get<T extends SceneSystem>(type: SceneSystemClass<T>): T {
     let system = this.byClass.get(type) as T | undefined;
     if (!system) {

@@ -1,4 +1,4 @@
-/** From where a scene is looked at in an editor, under a name: a bookmark. */
+/** Named camera bookmark of an editor. */
 import { describeValue, type Vector3Tuple } from '@farol/editing/fields';
 export interface SceneView {
   readonly name: string;
@@ -8,11 +8,11 @@ export interface SceneView {
   readonly target: Vector3Tuple;
   /** Vertical field of view, from 0.01 to 3.1 (rad). */
   readonly fov: number;
-  /** Whether it is without perspective. */
+  /** Whether the view is orthographic. */
   readonly orthographic: boolean;
 }
 
-/** Places that views of a scene have: 1 to this. */
+/** Greatest place number of a view; places begin at 1. */
 export const MOST_VIEWS = 9;
 
 const isFinite3 = (value: unknown): boolean =>
@@ -34,14 +34,14 @@ export function viewProblem(view: Readonly<Record<keyof SceneView, unknown>>, me
   return isSame ? 'must be elsewhere than position.' : null;
 }
 
-/** Views of a scene that are kept with it, for editors: they change nothing of what is seen. */
+/** Camera bookmarks of a scene for editors, saved with the scene; the picture does not depend on them. */
 export class SceneViews {
   private readonly byPlace = new Map<number, SceneView>();
 
   /** @param changed - called after a view was set or taken out */
   constructor(private readonly changed: (place: number) => void) {}
 
-  /** Places that are taken, with their views, in the order of the places. */
+  /** Views with their places, in the order of the places. */
   get entries(): readonly (readonly [number, SceneView])[] {
     return [...this.byPlace].toSorted(([a], [b]) => a - b);
   }
@@ -51,7 +51,7 @@ export class SceneViews {
   }
 
   /**
-   * Keeps a view, or forgets it.
+   * Sets the view of a place, or removes it (null).
    * @param place - 1 to 9
    * @throws RangeError for another place, or naming what is wrong with the view
    */

@@ -36,7 +36,7 @@ export class Transform extends component({
     return super.get(name);
   }
 
-  /** Moves the object, not where it was put. */
+  /** Moves the object for the simulation; the authored values stay. */
   override simulate(name: string, value: FieldValue): void {
     const problem = checkFieldValue(this.fields[name], value);
     if (problem) throw new FieldError(this.ownerName, name, problem);
@@ -55,7 +55,7 @@ export class Transform extends component({
     restore(this, name);
   }
 
-  /** Puts the object back to where it was authored, undoing what simulation did. */
+  /** Moves the object back to its authored pose, undoing simulation. */
   restoreAuthored(): void {
     restore(this, 'position');
     restore(this, 'rotation');

@@ -6,8 +6,8 @@ import type { ComponentClass, ComponentData } from './ComponentClass';
 const data: FieldType = { name: 'data', allows: 'a number, text, true, false, null or [x, y, z]', check: () => true };
 
 /**
- * A component whose class is not known: its data are kept and saved as a file, or a class that was taken out of the
- * registry, left them. It does nothing. Each has a class of its own, whose fields are those that its data name.
+ * A component of an unknown class: does nothing, and keeps and saves data that came from a file or a class removed from
+ * the registry. Each has a class of its own, whose fields are those named in the data.
  */
 export abstract class UnknownComponent extends Component {
   static override readonly help: string = 'What brings this component is not here: its data are kept as they are.';
@@ -15,7 +15,7 @@ export abstract class UnknownComponent extends Component {
 
 /** The class of a component that holds the data of a class that is not known. */
 export function unknownClass({ type, version, values }: ComponentData): ComponentClass<UnknownComponent> {
-  // no default: whatever the value is, it is saved
+  // no default, so that every value is saved
   const fieldOf = (): CustomField => ({
     kind: 'custom',
     type: data,

@@ -4,7 +4,10 @@ import type { Component } from './Component';
 import type { GameObject } from './GameObject';
 import type { Scene } from './Scene';
 
-/** Checks that an object, with all below it, can come into a scene. @throws Error naming a duplicate id or an unknown asset */
+/**
+ * Checks that an object, with all below it, can come into a scene.
+ * @throws Error naming a duplicate id or an unknown asset
+ */
 export function checkSubtree(scene: Scene, gameObject: GameObject): void {
   gameObject.traverse((each) => {
     if (scene.findById(each.id)) {
@@ -16,7 +19,7 @@ export function checkSubtree(scene: Scene, gameObject: GameObject): void {
   });
 }
 
-/** Checks that a component can come into a scene. @throws Error when it names an asset that nobody knows */
+/** Checks that a component can come into a scene. @throws Error when the component names an unknown asset */
 export function checkComponent(scene: Scene, component: Component): void {
   for (const { name, assetType } of assetFields(component.fields)) {
     const value = component.getAuthored(name);

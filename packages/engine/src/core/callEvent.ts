@@ -1,9 +1,9 @@
 import type { Component } from './Component';
 
 /**
- * Calls a method of a component for an event, if it has it and is not switched off; what it throws goes to
+ * Calls a component's event method if present and the component is not switched off; errors go to
  * `Scene.reportError`.
- * @returns whether it has the method
+ * @returns whether the component has the method
  */
 export function callEvent(component: Component, method: string, ...args: unknown[]): boolean {
   const called = (component as unknown as Readonly<Record<string, unknown>>)[method];

@@ -6,7 +6,7 @@ import type { Scene } from './Scene';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** Runs code of a component's class; what it throws is told, and stops nothing. */
+/** Runs code of a component's class; errors are reported and stop nothing. */
 function attempt(component: Component, scene: Scene | null, run: () => void): void {
   try {
     run();
@@ -17,9 +17,9 @@ function attempt(component: Component, scene: Scene | null, run: () => void): vo
 }
 
 /**
- * Makes a component that is on a GameObject one of another class: it stays the same object, so that whatever refers to it,
- * such as the history of an editor, goes on. Its id, its place and whether it is enabled stay; what it was besides its fields
- * is as new. A started one is destroyed as of its old class, and starts again as of its new one.
+ * Makes a component that is on a GameObject one of another class: it stays the same object, so that whatever refers to
+ * it, such as the history of an editor, goes on. Its id, its place and whether it is enabled stay; what it was besides
+ * its fields is as new. A started one is destroyed as of its old class, and starts again as of its new one.
  * @param values - of the fields of the new class, in place of the defaults; those that are not allowed are left out
  * @throws what the constructor of the class throws: make one first, to see whether it can be made
  */

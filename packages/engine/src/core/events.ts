@@ -3,7 +3,7 @@ import type { GameObject } from './GameObject';
 
 /** A pointer event as components see it; positions in CSS pixels from the canvas's top left corner. */
 export interface EnginePointerEvent {
-  /** 'leave': the pointer left the canvas, or what it had begun was cancelled. */
+  /** 'leave': the pointer left the canvas, or its gesture was cancelled. */
   readonly type: 'down' | 'move' | 'up' | 'wheel' | 'leave';
   readonly x: number;
   readonly y: number;
@@ -48,11 +48,11 @@ export interface ObjectPointerEvent extends EnginePointerEvent {
   readonly target: GameObject;
   /** Point under the pointer on `target`, in world space (m). */
   readonly point: Vector3;
-  /** From the camera to that point (m). */
+  /** Distance from the camera to `point` (m). */
   readonly distance: number;
-  /** Keeps the event from the objects above the one that is called. */
+  /** Stops the event from reaching ancestors of the called object. */
   stopPropagation(): void;
 }
 
-/** Events that cost something to find out, and are found out only for components that want them. */
+/** Kinds of events that cost time to detect, and are detected only for components that want them. */
 export type CostlyEvents = 'pointer' | 'key';

@@ -8,7 +8,7 @@ export function setGameObjectOf(object3D: Object3D, gameObject: GameObject): voi
   owners.set(object3D, gameObject);
 }
 
-/** Something that stands for many GameObjects, as instances drawn together do. */
+/** Owner of a three object that draws many GameObjects as instances. */
 export interface InstanceOwner {
   gameObjectAt(instanceId: number): GameObject | null;
 }

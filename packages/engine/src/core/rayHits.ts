@@ -12,23 +12,23 @@ import { hasReadableVertices } from '@farol/renderer/vertex-data';
 import type { Scene } from './Scene';
 
 /**
- * Casts the ray of a raycaster at a mesh in place of three, such as by a tree of its triangles: adds what it hits to
+ * Intersects a raycaster's ray with a mesh in place of three, such as by a tree of its triangles: adds hits to
  * `hits`.
- * @returns whether it did: three does it otherwise
+ * @returns false to leave the mesh to three
  */
 export type MeshCaster = (mesh: Mesh, raycaster: Raycaster, hits: Intersection[]) => boolean;
 
 const raycaster = new Raycaster();
 const found: Intersection[] = [];
 
-/** False for what three alone could cast at, by vertices that the CPU cannot read. */
+/** False for objects whose vertices the CPU cannot read. */
 function isCastable(object: Object3D): boolean {
   const { geometry } = object as Partial<Mesh>;
   return geometry === undefined || Object.hasOwn(object, 'raycast') || hasReadableVertices(geometry);
 }
 
 function castAt(object: Object3D, hits: Intersection[], cast: MeshCaster | undefined): void {
-  // three remembers how large it was in the first pose: the bones may have it elsewhere now
+  // three caches the sphere of the first pose, which the bones may have left
   if (object instanceof SkinnedMesh) object.computeBoundingSphere();
   const isCast = cast !== undefined && object instanceof Mesh && cast(object, raycaster, hits);
   if (!isCast) raycaster.intersectObject(object, false, hits);

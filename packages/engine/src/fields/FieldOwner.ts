@@ -10,7 +10,7 @@ import {
   sameValue,
 } from '@farol/editing/fields';
 export interface AssetNames {
-  /** Null when `name` is an asset of this type, else what is wrong and the mend. */
+  /** Null when `name` is an asset of this type, else the problem with its remedy. */
   problemWith(type: AssetType, name: string): string | null;
 }
 
@@ -113,7 +113,7 @@ export abstract class FieldOwner {
   }
 
   /**
-   * The value that was last set: what is saved in a file, untouched by simulation.
+   * Authored value of a field: last set, saved in files, untouched by simulation.
    * @throws FieldError when there is no such field
    */
   getAuthored(name: string): FieldValue {
@@ -125,8 +125,8 @@ export abstract class FieldOwner {
 
   /**
    * Sets a field; arrays are copied. Nothing happens when the value is the same as before.
-   * @throws FieldError naming owner, field, the value and what is allowed, or an asset that nobody knows; nothing has
-   * changed then
+   * @throws FieldError naming owner, field, the value and what is allowed, or an unknown asset; nothing has changed
+   * then
    */
   set(name: string, value: FieldValue): void {
     this.checkValue(name, value);

@@ -11,7 +11,7 @@ interface Held {
 }
 
 /**
- * Fields of an owner whose values lie in declared ones, such as the uniforms of the surface that it wears: see
+ * Fields of an owner whose values are stored in declared fields, such as a surface's uniforms: see
  * `storedValues`.
  */
 export class StoredViews implements FieldViews {

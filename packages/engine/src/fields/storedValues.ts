@@ -36,7 +36,7 @@ export function withEntry(stored: StoredValues, name: string, field: Field, valu
   return writeStored(sameValue(value, field.default) ? others : { ...others, [entryOf(name)]: value });
 }
 
-/** Reads what a string field holds; what is none gives no values. */
+/** Parses the JSON of a string field; invalid text gives no values. */
 export function readStored(text: string): StoredValues {
   if (text === '') return {};
   try {

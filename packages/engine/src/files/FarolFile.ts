@@ -19,7 +19,7 @@ export const FILE_VERSION = 3;
  * fields (a material, script or clip): one of the three.
  */
 export interface FileAsset {
-  /** With its folder: 'Props/robot.glb'. */
+  /** Name with folder: 'Props/robot.glb'. */
   name: string;
   type: AssetType;
   /** An address; `data:` holds the bytes themselves. */
@@ -30,7 +30,7 @@ export interface FileAsset {
   values?: Record<string, FieldValue>;
 }
 
-/** A view of the scene that editors keep, in a place from 1 to 9, each of which is taken once. */
+/** A camera bookmark for editors, at a place from 1 to 9; each place occurs once. */
 export interface FileView extends SceneView {
   readonly place: number;
 }
@@ -45,7 +45,7 @@ export interface FarolFile {
   /** Id of the GameObject whose Camera is looked through, or null. */
   activeCamera: string | null;
   assets: FileAsset[];
-  /** Folders of assets that are there without an asset in them too, by path: 'Props/Lamps'. None when absent. */
+  /** Paths of asset folders, also empty ones: 'Props/Lamps'. None when absent. */
   assetFolders?: string[];
   /**
    * Microshaders of the scene, in place of the renderer's own or besides them: text in the form of a `.glsl` file (see
@@ -54,7 +54,7 @@ export interface FarolFile {
   microShaders?: Record<string, string>;
   /** Views that editors keep, by their places. None when absent. */
   views?: FileView[];
-  /** None when absent. */
+  /** Prefabs of the scene; none when absent. */
   prefabs?: Prefab[];
   objects: FileObject[];
 }

@@ -17,7 +17,7 @@ export class OwnAssets {
     return this.byName.get(name) ?? this.modelOf(name);
   }
 
-  /** Whether an asset of the file is the one that is meant, or a model whose part it may be: that shows once it is loaded. */
+  /** Whether an asset of the file matches a use, or is a model that may contain it, which is known once loaded. */
   mayHold({ name, type }: AssetUse): boolean {
     const own = this.byName.get(name);
     return own ? own.type === type : this.modelOf(name) !== null;

@@ -9,7 +9,7 @@ export type JsonRecord = Record<string, unknown>;
 export const isRecord = (value: unknown): value is JsonRecord =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** Collects what is wrong with a file, and reads parts of it that must have a type. */
+/** Collects the problems of a file, and reads its typed parts. */
 export class ProblemList {
   readonly problems: FileProblem[] = [];
 
@@ -30,28 +30,28 @@ export class ProblemList {
     if (this.count > 0) throw new FileError(this.problems, { more: this.count - this.problems.length });
   }
 
-  /** The value as a record; an empty one, and a problem, when it is none. */
+  /** The value as a record; any other value gives an empty one and a problem. */
   record(value: unknown, path: PathLike): JsonRecord {
     if (isRecord(value)) return value;
     this.add(path, `must be an object, not ${describeValue(value)}.`);
     return {};
   }
 
-  /** The value as an array; an empty one, and a problem, when it is none. */
+  /** The value as an array; any other value gives an empty one and a problem. */
   array(value: unknown, path: PathLike): unknown[] {
     if (Array.isArray(value)) return value;
     this.add(path, `must be a list, not ${describeValue(value)}.`);
     return [];
   }
 
-  /** The value as text; '' and a problem when it is none, or when it is empty and must not be. */
+  /** The value as text; any other value, or a forbidden empty text, gives '' and a problem. */
   text(value: unknown, path: PathLike, mayBeEmpty = false): string {
     if (typeof value === 'string' && (mayBeEmpty || value !== '')) return value;
     this.add(path, `must be ${mayBeEmpty ? '' : 'non-empty '}text, not ${describeValue(value)}.`);
     return '';
   }
 
-  /** The value as true or false; `fallback` when it is absent. */
+  /** The value as a boolean; `fallback` when absent. */
   flag(value: unknown, path: PathLike, fallback: boolean): boolean {
     if (value === undefined) return fallback;
     if (typeof value === 'boolean') return value;

@@ -12,7 +12,7 @@ export interface AssetUse {
   readonly name: string;
 }
 
-/** Its path is for messages, and written when one asks for it: a large scene has thousands of uses. */
+/** A use whose path, for messages, is formatted on demand: a large scene has thousands of uses. */
 class Use implements AssetUse {
   constructor(
     readonly type: AssetType,

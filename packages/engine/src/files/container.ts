@@ -8,7 +8,7 @@ export const SCENE_ENTRY = 'scene.json';
 /** Content of a container: the scene, and each asset's bytes. */
 export interface ContainerContent {
   readonly file: FarolFile;
-  /** By path in the container. */
+  /** Bytes of assets by path in the container. */
   readonly files: ReadonlyMap<string, Blob>;
 }
 

@@ -27,17 +27,17 @@ export interface DeserializeOptions {
   /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
   fileOf?: (path: string) => Blob | null;
   /**
-   * Asked once, before anything is fetched, when the file names addresses away from the page: true for all, false for
+   * Asked once, before any fetch, when the file names addresses of foreign origins: true for all, false for
    * none, or the origins that may be asked. What is refused stays away, told by an AddressRefusedError to
    * `assets.onChange`; the rest of the scene opens. From then on the library fetches from those origins only. All are
    * fetched when absent.
    */
   mayFetch?: (addresses: readonly ForeignAddress[]) => MayFetch | Promise<MayFetch>;
-  /** Cancels the opening: nothing of the scene is left, and assets that only it asked for are loaded no further. */
+  /** Cancels opening: the scene is disposed of, and loads that only the scene needs are aborted. */
   signal?: AbortSignal;
 }
 
-/** Which foreign origins may be fetched from: all of those asked about, none, or these. */
+/** Foreign origins that may be fetched from: all of those asked about, none, or these. */
 export type MayFetch = boolean | Iterable<string>;
 
 /** Registers the file's own assets that the library does not have, their names in `registered`. */
@@ -102,7 +102,7 @@ async function loadAssets(
   /** Asset to load so that a name is known: the model for a name of its part, else the asset itself. */
   const loadedFor = (name: string): string => (assets.has(name) ? name : (own.find(name)?.name ?? name));
   const needed = new Map(uses.map((use) => [loadedFor(use.name), use]));
-  // a material is made when it is drawn first, of textures that are there by then
+  // materials are made when first drawn, after their textures are loaded
   const names = [...needed.keys()].filter((name) => !assets.fieldAsset(name));
   const loads = Promise.allSettled(names.map((name) => assets.load(name, signal)));
   const results = await cancellable(loads, signal, () => {});

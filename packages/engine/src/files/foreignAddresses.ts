@@ -3,7 +3,7 @@ import type { FarolFile } from './FarolFile';
 
 /** An address in a scene file that leads away from the page. */
 export interface ForeignAddress {
-  /** Name of the asset that is read from it. */
+  /** Name of the asset at the address. */
   readonly asset: string;
   readonly url: string;
   /** Origin that the user is asked about: 'https://example.com'. */

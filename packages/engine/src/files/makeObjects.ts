@@ -3,7 +3,7 @@ import type { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
 import type { FileObject } from './FarolFile';
 
-/** One GameObject without its children and parent, from checked data. */
+/** Makes one GameObject, without children and parent, from checked data. */
 function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
   const gameObject = new GameObject(data.name, { id: data.id });
   gameObject.tags = data.tags ?? [];
@@ -23,7 +23,7 @@ function makeObject(data: FileObject, registry: ComponentRegistry): GameObject {
   return gameObject;
 }
 
-/** The objects of a checked file, linked; those at the top. Parents may come after their children. */
+/** Makes the linked objects of a checked file. Parents may come after their children. @returns the top objects */
 export function makeObjects(
   objects: readonly FileObject[],
   registry: ComponentRegistry = builtinComponents,

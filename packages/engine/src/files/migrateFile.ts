@@ -6,7 +6,7 @@ import type { JsonRecord } from './ProblemList';
  * what it changes.
  */
 export const fileMigrations: Readonly<Record<number, (file: JsonRecord) => JsonRecord>> = {
-  // prefabs and assets inside the file are new; what was there stays as it is
+  // version 2 adds prefabs and embedded assets; the rest is unchanged
   1: (file) => file,
   // scripts, clips and sounds are new
   2: (file) => file,

@@ -27,7 +27,7 @@ export interface OpenBesideOptions {
   readonly host?: Pick<Window, 'open' | 'location' | 'addEventListener' | 'removeEventListener'>;
 }
 
-/** How often it is looked whether the page was closed (ms). */
+/** Interval (ms) between checks whether the page was closed. */
 const LOOK = 2000;
 
 /**
@@ -45,7 +45,7 @@ export async function openBeside(
   label: string,
   { fragment = '', scene, patience = 30_000, host = window }: OpenBesideOptions = {},
 ): Promise<void> {
-  // before anything is waited for: later the browser takes it for a pop-up
+  // before any await: later the browser blocks the window as a pop-up
   const page = host.open('about:blank', '_blank');
   if (!page) {
     throw new Error(`The browser blocked the window of ${label}: allow pop-ups for this page, then choose it again.`);
@@ -128,7 +128,7 @@ function handOver(
     const look = setInterval(() => {
       if (!page.closed) return;
       end();
-      // who closed it knows
+      // the user has closed the page: no error
       resolve();
     }, LOOK);
     host.addEventListener('message', onMessage);

@@ -21,7 +21,7 @@ async function bytesOfDataUri(uri: string): Promise<Uint8Array> {
   return new Uint8Array(await (await fetch(uri)).arrayBuffer());
 }
 
-/** An address without its escapes; as it is when they are damaged. */
+/** Decodes an address; unchanged when its escapes are malformed. */
 export function decodedUri(uri: string): string {
   try {
     return decodeURIComponent(uri);
@@ -46,7 +46,7 @@ export async function packGltf(
   const parts: Uint8Array[] = [];
   const missing: string[] = [];
   let length = 0;
-  /** Puts data at the end of the one buffer. @returns where they begin */
+  /** Appends data to the buffer. @returns offset of the data (bytes) */
   const append = (part: Uint8Array): number => {
     const start = length;
     parts.push(part);

@@ -1,4 +1,4 @@
-/** Bytes as text, a character each: what is not ASCII stays as it is. */
+/** Decodes bytes as text, one character per byte; non-ASCII bytes are kept. */
 function textOf(bytes: Uint8Array): string {
   let text = '';
   for (let at = 0; at < bytes.length; at += 0x2000) text += String.fromCharCode(...bytes.subarray(at, at + 0x2000));

@@ -31,7 +31,7 @@ function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (cause) {
-    // what the browser quotes of bytes says nothing
+    // the browser's quotation of binary data is useless in a message
     const isBinary = /[\0-\b\ufffd]/.test(text.slice(0, 1000));
     const reason = isBinary ? 'it is no text' : shortText((cause as Error).message, 120);
     const problem = `is no JSON: ${reason}. Choose a scene that was saved by Farol.`;
@@ -103,8 +103,8 @@ function checkCamera(id: unknown, objects: readonly FileObject[], problems: Prob
  * Reads and checks a scene file, and brings older components up to date. Makes nothing but a copy of the data.
  * @param input - JSON text, or what JSON.parse made of it
  * @throws FileError listing everything that is wrong: no JSON, another format, a newer version, unknown components and
- * fields, newer component versions, values of another type or out of range, duplicate ids, missing parents, cycles, and,
- * when `options.assets` is given, missing assets
+ * fields, newer component versions, values of another type or out of range, duplicate ids, missing parents, cycles,
+ * and, when `options.assets` is given, missing assets
  */
 export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile {
   const registry = options.registry ?? builtinComponents;
@@ -116,8 +116,8 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
 }
 
 /**
- * The first half of `parseFile`: all but the look for missing assets.
- * @param problems - gets what is wrong
+ * First half of `parseFile`, without the search for missing assets.
+ * @param problems - receives the problems
  * @throws FileError when nothing of the file can be read
  */
 export function readFile(input: unknown, registry: ComponentRegistry, problems: ProblemList): FarolFile {

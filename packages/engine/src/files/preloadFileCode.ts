@@ -1,4 +1,4 @@
-/** Fetches what is otherwise fetched with the first file: what reads assets, and what packs and unpacks containers. */
+/** Fetches the late code of files in advance: readers of assets, and packing of containers. */
 export async function preloadFileCode(): Promise<void> {
   await Promise.all([
     import('three/addons/libs/fflate.module.js'),

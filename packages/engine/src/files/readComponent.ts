@@ -84,7 +84,7 @@ function readFittingValues(
   return Object.fromEntries(Object.entries(readUnknownValues(value, path, problems)).filter(fits));
 }
 
-/** The version of a component's class that wrote its values; null, and a problem, when it is none. */
+/** Version of the component's class that wrote the values; null, and a problem, when invalid. */
 function readVersion(version: unknown, path: PathLike, problems: ProblemList): number | null {
   if (typeof version === 'number' && Number.isInteger(version) && version >= 1) return version;
   problems.add(path, `must be a whole number of at least 1, not ${describeValue(version)}.`);

@@ -98,7 +98,7 @@ function checkIds(objects: readonly ReadObject[], problems: ProblemList): Map<st
   return byId;
 }
 
-/** Names missing parents, circles, and what lies too deep. Each object is visited once. */
+/** Reports missing parents, cycles, and objects nested too deep. Each object is visited once. */
 function checkParents(
   objects: readonly ReadObject[],
   byId: ReadonlyMap<string, ReadObject>,

@@ -6,7 +6,7 @@ import type { MayUnpack } from '../guard/unpack';
 /** A scene file that was read: the scene as text, and the files that came with it. */
 export interface SceneFile {
   readonly text: string;
-  /** The bytes of a file of the container; null when it has none. */
+  /** Bytes of a file in the container; null for none. */
   fileOf(path: string): Blob | null;
 }
 
@@ -20,7 +20,8 @@ const fail = (problem: string, cause?: unknown): never => {
 export const isContainer = (bytes: Uint8Array<ArrayBuffer>): boolean => isInZip(bytes, SCENE_ENTRY);
 
 /**
- * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`, with
+ * Reads a scene file: a `.farol` container, or plain JSON. The scene is not checked here: give it to `deserialize`,
+ * with
  * `fileOf`.
  * @param mayUnpack - asked before the container becomes large; such a one is refused when absent. See `unpackLimits`
  * @throws FileError (as a rejection) when the bytes are neither, are cut short, or become too large; AbortError when

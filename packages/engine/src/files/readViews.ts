@@ -6,7 +6,7 @@ import { join, type ProblemList } from './ProblemList';
 
 const members = ['name', 'position', 'target', 'fov', 'orthographic'] as const;
 
-/** Reads the views of a scene file, each in a place of its own. */
+/** Reads the camera bookmarks of a scene file, each at a distinct place. */
 export function readViews(value: unknown, path: PathLike, problems: ProblemList): FileView[] {
   const taken = new Set<unknown>();
   return problems.array(value, path).flatMap((given, i) => {

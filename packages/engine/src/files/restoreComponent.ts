@@ -5,7 +5,7 @@ import { ProblemList } from './ProblemList';
 import { readComponent } from './readComponent';
 
 /**
- * A component on no object from data whose class has come to be known: checked, and brought up to the class's version.
+ * Makes a component, on no object, of data whose class is now registered: checked and migrated to the class's version.
  * @throws FileError listing what is wrong with the data; Error for a type that the registry does not know
  */
 export function restoreComponent(data: ComponentData, registry: ComponentRegistry): Component {

@@ -25,22 +25,22 @@ function changedValues(owner: FieldOwner, scene: Scene | null): Record<string, F
   return values;
 }
 
-/** By name, so that the same texts make the same file. */
+/** Sorts texts by name, so that equal texts make equal files. */
 const sorted = (texts: ReadonlyMap<string, string>): Record<string, string> =>
   Object.fromEntries([...texts].toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
-/** A copy, its members always in the same order. */
+/** Copies a view, with members in a fixed order. */
 const fileView = (place: number, { name, position, target, fov, orthographic }: SceneView): FileView => ({
   ...{ place, name, fov, orthographic },
   position: [position[0], position[1], position[2]],
   target: [target[0], target[1], target[2]],
 });
 
-/** Whether what an object links to is there: the link of one that was pasted from another scene leads nowhere. */
+/** Whether an object's prefab exists in the scene; objects pasted from another scene may link to none. */
 const hasPrefab = ({ prefabLink, scene }: GameObject): boolean =>
   prefabLink !== null && (!scene || scene.prefabs.get(prefabLink.prefab) !== null);
 
-/** One GameObject without its children, as a file holds it. */
+/** Writes one GameObject, without children, in the form of the file. */
 export function serializeObject(gameObject: GameObject): FileObject {
   return {
     id: gameObject.id,
@@ -61,7 +61,7 @@ export function serializeObject(gameObject: GameObject): FileObject {
   };
 }
 
-/** An asset that is made of fields, as a file holds it. */
+/** Writes a field asset in the form of the file. */
 export function assetInFile(asset: FieldAsset): FileAsset {
   return { name: asset.name, type: asset.type, values: asset.changedValues() };
 }
@@ -81,7 +81,7 @@ function pathInContainer(name: string): string {
  * of an address.
  */
 function lastingAssets(assets: AssetLibrary): FileAsset[] {
-  // by name: an asset that left and came back is at the same place
+  // by name, so that an asset that was removed and restored keeps its place
   const files = assets.files.toSorted((a, b) => (a.name < b.name ? -1 : 1));
   const listed = files.map(({ name, type }): FileAsset => {
     return { name, type, file: pathInContainer(name) };

@@ -11,7 +11,8 @@ export type Profile = (v: number) => readonly [radius: number, y: number];
 const point = new Vector3();
 
 /**
- * Puts a mesh together out of surfaces. Texture coordinates are in metres wherever a surface is flat, so that a texture's
+ * Puts a mesh together out of surfaces. Texture coordinates are in metres wherever a surface is flat, so that a
+ * texture's
  * `repeat` is a number of repeats a metre.
  */
 export class MeshBuilder {
@@ -20,7 +21,7 @@ export class MeshBuilder {
   private readonly indices: number[] = [];
   private readonly matrix = new Matrix4();
 
-  /** Places what is added from here on. */
+  /** Sets the position and rotation of parts added from here on. */
   at(x: number, y: number, z: number, turn = 0): this {
     this.matrix.makeRotationY(turn).setPosition(x, y, z);
     return this;

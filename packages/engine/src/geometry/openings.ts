@@ -13,9 +13,9 @@ const RIM = 0.05;
 export interface OpeningSize {
   readonly width: number;
   readonly height: number;
-  /** From the floor to its bottom; 0 of a door. */
+  /** Height of the hole's bottom above the floor (m); 0 for a door. */
   readonly sill: number;
-  /** From the middle of the wall to that of the hole. */
+  /** Distance from the wall's middle to the hole's middle (m). */
   readonly offset: number;
 }
 

@@ -1,9 +1,9 @@
-/** One thing that is wrong with a file. */
+/** One problem of a file. */
 import { shortText } from '@farol/editing';
 export interface FileProblem {
   /** Place in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
   readonly path: string;
-  /** A sentence on what is wrong, and the mend. */
+  /** The problem with its remedy, as a sentence. */
   readonly problem: string;
 }
 
@@ -18,8 +18,8 @@ const PROBLEM = 400;
 const PATH = 160;
 
 /**
- * A file that cannot be loaded, with what is wrong with it. Nothing of it has been loaded. Its message has less than 2,000
- * letters, each problem 400 at most, whatever the file holds.
+ * Error of a file that cannot be loaded, with its problems. Nothing of the file has been loaded. The message has less
+ * than 2,000 letters, each problem 400 at most, whatever the file holds.
  */
 export class FileError extends Error {
   readonly problems: readonly FileProblem[];

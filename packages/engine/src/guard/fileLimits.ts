@@ -10,6 +10,6 @@ export const fileLimits = {
   objects: 1_000_000,
   /** Lists and objects within one another in the JSON of a file; Farol writes 10 at most. */
   jsonDepth: 32,
-  /** Problems that are told one by one. */
+  /** Greatest number of problems that are listed. */
   problems: 100,
 } as const;

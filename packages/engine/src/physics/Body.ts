@@ -13,12 +13,12 @@ const rotation = new Quaternion();
 /** Targets that Rapier writes to: plain numbers, without the listeners of a Quaternion. */
 const place = { x: 0, y: 0, z: 0 };
 const turn = { x: 0, y: 0, z: 0, w: 1 };
-/** A place and a rotation between two steps. */
+/** Position and quaternion interpolated between two steps. */
 const between = [0, 0, 0, 0, 0, 0, 1];
 
 /**
- * Places of what a body remembers: first x, y, z and a quaternion of the world before the last step, then those after
- * it; position, quaternion and scale that the object was last shown with, of the space above it.
+ * Offsets in a body's `state`: world position and quaternion before the last step come first, then those after it, then
+ * local position, quaternion and scale that the object was last shown with.
  */
 const NOW = 7;
 const SHOWN = 14;
@@ -39,36 +39,36 @@ export function placeOf(object: Object3D, target: Vector3, turned: Quaternion): 
 
 /** Part of a collider's record that Body uses. */
 export interface BodyCollider {
-  /** Null for that of a CharacterController. */
+  /** Null for the capsule of a CharacterController. */
   readonly component: ColliderPart | null;
   readonly rapier: RapierCollider;
-  /** In m³ times density: its share of the body's mass. */
+  /** Volume times density (m³ × density): the collider's share of the body's mass. */
   readonly weight: number;
 }
 
 /**
- * A body of Rapier's world and the object that it is of. Places are of the world; of a dynamic body the last two steps
- * are kept, and the object is shown between them.
+ * A body of Rapier's world and its object, in world space. For a dynamic body, the last two steps are kept, and the
+ * object is shown between them.
  */
 export class Body implements BodyControl {
-  /** Place among the bodies, by which events are sorted. */
+  /** Index among the bodies, by which events are sorted. */
   order = 0;
   hasTarget = false;
-  /** In the order in which they were made. */
+  /** Colliders of the body, in order of creation. */
   readonly colliders = new Set<BodyCollider>();
   /** Force (N) and torque (N·m) that act during this frame; null for none. */
   force: Vector3 | null = null;
   torque: Vector3 | null = null;
 
-  /** In one piece of memory: each step reads and writes it for every body. */
+  /** Poses of the body, in one array since each step reads and writes them for every body. */
   private readonly state = new Float64Array(LENGTH);
   /** Pose of a kinematic body after this frame's steps. */
   private readonly target = new Vector3();
   private readonly turnTarget = new Quaternion();
   private watch: ObjectWatch;
-  /** As of the last step. */
+  /** Whether the body slept after the last step. */
   private wasSleeping = false;
-  /** It rests where it is shown. */
+  /** Whether the body rests at the shown pose. */
   private isSettled = false;
 
   constructor(
@@ -134,7 +134,7 @@ export class Body implements BodyControl {
     this.show(1);
   }
 
-  /** Turns forces of the frame into an impulse. */
+  /** Converts the frame's force and torque into impulses of a step of this length. */
   spendForces(deltaSeconds: number): void {
     if (this.force) this.rapier.applyImpulse(this.force.multiplyScalar(deltaSeconds), true);
     if (this.torque) this.rapier.applyTorqueImpulse(this.torque.multiplyScalar(deltaSeconds), true);
@@ -142,8 +142,8 @@ export class Body implements BodyControl {
   }
 
   /**
-   * Follows its object: what is not dynamic, or was moved by somebody else than the physics.
-   * @returns whether the size of the object changed, and its colliders with it
+   * Copies the object's pose to the body if the body is not dynamic, or other code has moved the object.
+   * @returns whether the object's scale changed, so that its colliders must be rebuilt
    */
   follow(): boolean {
     const { object3D } = this.object;
@@ -186,7 +186,7 @@ export class Body implements BodyControl {
     }
   }
 
-  /** Moves a kinematic body on its way through the frame. @param share - of the way that is left, above 0 to 1 */
+  /** Moves a kinematic body towards the frame's target. @param share - of the remaining way, above 0 to 1 */
   approach(share: number): void {
     const { state } = this;
     this.stay();
@@ -198,13 +198,13 @@ export class Body implements BodyControl {
     if (share === 1) this.hasTarget = false;
   }
 
-  /** A kinematic body that does not move in a step. */
+  /** Holds a kinematic body still in the next step. */
   stay(): void {
     const { state } = this;
     for (let i = 0; i < 7; i++) state[i] = state[NOW + i];
   }
 
-  /** Moves a body on from where it is, by the next step. */
+  /** Moves the body by `way` (m) in the next step. */
   advance(way: Vector3): void {
     const { state } = this;
     position.fromArray(state, NOW).add(way).toArray(state, NOW);
@@ -212,8 +212,8 @@ export class Body implements BodyControl {
   }
 
   /**
-   * How far what stands on it moved with it in the last step.
-   * @param other - what stands on it
+   * Adds the distance by which the body carried `other` in the last step.
+   * @param other - body that stands on this one
    * @param way - the way is added to it (m, in the world)
    */
   carry(other: Body, way: Vector3): void {
@@ -229,7 +229,7 @@ export class Body implements BodyControl {
     way.add(arm);
   }
 
-  /** Takes over where a step put a dynamic body. */
+  /** Reads a dynamic body's pose after a step. */
   read(): void {
     const { rapier, state } = this;
     this.wasSleeping = rapier.isSleeping();
@@ -249,7 +249,7 @@ export class Body implements BodyControl {
     state[NOW + 6] = w * factor;
   }
 
-  /** Moves the object to between the last two steps. @param share - 0 is the one before, 1 the last */
+  /** Shows the object between the last two steps. @param share - 0 is the earlier step, 1 the last */
   show(share: number): void {
     const { object3D } = this.object;
     const { parent } = object3D;
@@ -283,12 +283,12 @@ export class Body implements BodyControl {
       state[SHOWN + i] = from[i];
       isTurned = true;
     }
-    // three computes angles anew with each rotation
+    // three recomputes Euler angles with each change of the quaternion
     if (isTurned) object3D.quaternion.set(from[3], from[4], from[5], from[6]);
     this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
-  /** The object belongs elsewhere in the tree. */
+  /** Called when the object has another parent. */
   objectMoved(): void {
     this.watch = new ObjectWatch(this.object.object3D);
     this.noteShown();

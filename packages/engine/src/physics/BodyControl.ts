@@ -3,7 +3,7 @@ import type { Quaternion, Vector3 } from 'three';
 /** Control of a body in the running simulation; world space, SI units. */
 export interface BodyControl {
   readonly isSleeping: boolean;
-  /** In kilograms. */
+  /** Mass (kg). */
   readonly mass: number;
   velocity(target: Vector3): Vector3;
   setVelocity(velocity: Vector3): void;
@@ -11,10 +11,10 @@ export interface BodyControl {
   setAngularVelocity(velocity: Vector3): void;
   /** @param point - where it acts; the centre of mass when null */
   applyImpulse(impulse: Vector3, point: Vector3 | null): void;
-  /** Acts for the time of the frame. @param point - where it acts; the centre of mass when null */
+  /** Applies a force (N) for the duration of the frame. @param point - where it acts; the centre of mass when null */
   applyForce(force: Vector3, point: Vector3 | null): void;
   applyTorque(torque: Vector3): void;
   wakeUp(): void;
-  /** @param rotation - as it is when null */
+  /** @param rotation - unchanged when null */
   teleport(position: Vector3, rotation: Quaternion | null): void;
 }

@@ -5,11 +5,11 @@ export interface CharacterControl {
   /** Requested horizontal velocity (world x and z) as a share of full speed; length 1 at most. */
   readonly wish: Vector3;
   isRunning: boolean;
-  /** Until the next step: it wants to jump. */
+  /** Whether to jump in the next step, which resets the flag. */
   wantsJump: boolean;
   /** Requested position for an immediate move; null for none. */
   teleport: Vector3 | null;
-  /** Written by the physics: of the last step. */
+  /** Velocity in the last step (m/s), written by the physics. */
   readonly velocity: Vector3;
   isGrounded: boolean;
 }

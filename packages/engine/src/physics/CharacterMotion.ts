@@ -7,13 +7,13 @@ import type { CharacterPart } from './PhysicsParts';
 
 /** Distance that the controller keeps from everything (m). */
 const SKIN = 0.01;
-/** Share of the difference to the wished speed that is made up in a step on the ground: full speed in 0.2 s. */
+/** Share of the difference to the requested velocity gained per step on the ground: full speed in 0.2 s. */
 const GRIP = 0.25;
-/** Steps after leaving the ground in which it still jumps. */
+/** Steps after leaving the ground in which a jump is still accepted. */
 const LATE_JUMP = 6;
 /** Steps without a touch until a contact counts as ended. */
 const GRACE = 5;
-/** Least height of a ground's normal. */
+/** Least y of a unit normal that counts as ground. */
 const GROUND_NORMAL = 0.3;
 
 const wanted = new Vector3();
@@ -22,7 +22,7 @@ const moved = new Vector3();
 /** Another collider that the character touches. */
 interface Hit {
   readonly record: ColliderRecord;
-  /** The step in which it was touched last. */
+  /** Number of the step of the last touch. */
   step: number;
 }
 
@@ -75,7 +75,7 @@ export class CharacterMotion {
     controller.setCharacterMass(component.mass);
   }
 
-  /** One step. @param step - its number; nothing is known of what stands round before the first */
+  /** Runs one step. @param step - number of the step; before the first, surrounding colliders are unknown */
   move(step: number, seconds: number): void {
     const { body, component, controller, velocity, rapier } = this;
     const { control } = component;
@@ -89,7 +89,7 @@ export class CharacterMotion {
     if (step === 0) return;
     this.steer(seconds);
     wanted.copy(velocity).multiplyScalar(seconds);
-    // with what it stands on
+    // moved along by the body it stands on
     this.ground?.carry(body, wanted);
     controller.computeColliderMovement(
       this.capsule.rapier,
@@ -101,7 +101,7 @@ export class CharacterMotion {
     controller.computedMovement(moved);
     control.isGrounded = controller.computedGrounded();
     this.stepsInAir = control.isGrounded ? 0 : this.stepsInAir + 1;
-    // the head met something
+    // the head hit something
     if (velocity.y > 0 && moved.y < wanted.y / 2) velocity.y = 0;
     this.readHits(step);
     body.advance(moved);

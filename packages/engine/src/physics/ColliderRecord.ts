@@ -20,21 +20,21 @@ const inverse = new Matrix4();
 export interface ColliderRecord extends BodyCollider {
   readonly object: GameObject;
   readonly body: Body;
-  /** Place among the colliders, by which events are sorted. */
+  /** Index among the colliders, by which events are sorted. */
   readonly order: number;
   /**
    * Notices that the collider's object moved relative to its body; null when the collider is on the body's own object.
    */
   readonly watch: ObjectWatch | null;
-  /** From its object to the body when it was made; null for that of a CharacterController. */
+  /** Matrix from the collider's object to the body at creation; null for a CharacterController's capsule. */
   readonly made: Matrix4 | null;
-  /** From the shape as Rapier has it to the body, when it was made. */
+  /** Matrix from Rapier's shape to the body at creation. */
   readonly shapeMade: Matrix4;
 }
 
 const way = new Matrix4();
 const columns = [new Vector3(), new Vector3(), new Vector3()] as const;
-/** By how much a matrix may differ from one that only moves and turns. */
+/** Tolerance per matrix element of a rigid motion. */
 const RIGID = 1e-5;
 
 function isRigid(matrix: Matrix4): boolean {
@@ -46,8 +46,8 @@ function isRigid(matrix: Matrix4): boolean {
 }
 
 /**
- * Moves a collider to where its object is now in the body; what touches it goes on touching it.
- * @returns false where its shape changed too, and it must be made anew
+ * Moves a collider to its object's present pose in the body; contacts persist.
+ * @returns false when the shape changed too, so that the collider must be rebuilt
  */
 export function moveCollider({ object, body, rapier, made, shapeMade }: ColliderRecord): boolean {
   if (!made) return false;
@@ -63,7 +63,7 @@ export function moveCollider({ object, body, rapier, made, shapeMade }: Collider
 
 const nameOf = (object: GameObject): string => `'${shortText(object.name)}'`;
 
-/** From the object of a collider to its body, which has no scale: as they are shown. */
+/** Matrix from a collider's object to its body (without scale), by their shown poses. */
 export function matrixInBody(object: GameObject, body: Body, target = new Matrix4()): Matrix4 {
   placeOf(body.object.object3D, place, turn);
   inverse.compose(place, turn, one).invert();
@@ -71,7 +71,7 @@ export function matrixInBody(object: GameObject, body: Body, target = new Matrix
   return target.multiplyMatrices(inverse, object.object3D.matrixWorld);
 }
 
-/** Whether a component of an object hears of collisions. */
+/** Whether any component of an object has a collision method. */
 export function listens(object: GameObject): boolean {
   return object.components.some((component) =>
     collisionMethods.some((name) => typeof (component as unknown as Record<string, unknown>)[name] === 'function'),
@@ -80,8 +80,8 @@ export function listens(object: GameObject): boolean {
 
 /**
  * Makes the collider of a component.
- * @param make - brings the description into Rapier's world
- * @throws Error naming the object and the mend where there is no shape
+ * @param make - creates the collider in Rapier's world
+ * @throws Error naming the object and the remedy when there is no shape
  */
 export function makeCollider(
   rapier: Rapier,
@@ -168,7 +168,7 @@ export function makeCapsule(
   }
   const half = Math.max((component.height * along) / 2 - radius, 0.001);
   const desc = Desc.capsule(half, radius).setTranslation(place.x, place.y, place.z);
-  // what touches it is told by the controller, which keeps a distance; sensors are told by Rapier
+  // the controller keeps a distance and reports contacts itself; Rapier reports sensors
   desc.setActiveEvents(listens(object) ? ActiveEvents.COLLISION_EVENTS : ActiveEvents.NONE);
   return {
     component: null,

@@ -9,23 +9,23 @@ import type { ColliderPart } from './PhysicsParts';
  */
 export interface CollisionEvent {
   readonly type: 'enter' | 'exit';
-  /** The object that is touched: the one with the RigidBody, or the Collider's own where there is none. */
+  /** The touched object: the one with the RigidBody, or the Collider's own object without one. */
   readonly other: GameObject;
-  /** The object that is called. */
+  /** The object whose components are called. */
   readonly object: GameObject;
-  /** The collider that touches; null for the body of a CharacterController. */
+  /** Collider on the side of `object`; null for a CharacterController's capsule. */
   readonly collider: ColliderPart | null;
-  /** The collider that is touched; null for the body of a CharacterController. */
+  /** Collider on the side of `other`; null for a CharacterController's capsule. */
   readonly otherCollider: ColliderPart | null;
   /** Whether one of the two colliders is a sensor, which stops nothing. */
   readonly isSensor: boolean;
-  /** A point of the world where they touch (m); null for sensors and at the exit. */
+  /** Contact point in world space (m); null for sensors and at the exit. */
   readonly point: Vector3 | null;
-  /** Unit vector of the world from the other object to this one; null for sensors and at the exit. */
+  /** World-space unit normal from `other` to `object`; null for sensors and at the exit. */
   readonly normal: Vector3 | null;
   /** Impulse of the first contact (N·s); 0 for sensors and at the exit. */
   readonly impulse: number;
 }
 
-/** The methods of components that hear of collisions. */
+/** Names of component methods for collision events. */
 export const collisionMethods = ['onCollisionEnter', 'onCollisionExit', 'onTriggerEnter', 'onTriggerExit'] as const;

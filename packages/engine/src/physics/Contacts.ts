@@ -10,7 +10,7 @@ interface Touch {
   readonly started: boolean;
   readonly isSensor: boolean;
   readonly point: Vector3 | null;
-  /** From b to a. */
+  /** Contact normal, from b to a. */
   readonly normal: Vector3 | null;
   readonly impulse: number;
 }
@@ -18,12 +18,12 @@ interface Touch {
 const keyOf = (receiver: GameObject, other: GameObject, isSensor: boolean): string =>
   `${receiver.id} ${other.id} ${isSensor}`;
 
-/** Tells the components of objects what touches them: once for two objects, however many colliders they have. */
+/** Reports contacts to components: once for each pair of objects, however many colliders they have. */
 export class Contacts {
-  /** How many pairs of colliders touch, by receiver and other. */
+  /** Number of touching collider pairs, by receiving and other object. */
   private readonly counts = new Map<string, number>();
   private touches: Touch[] = [];
-  /** Collider pairs that touch, to end those of a collider that is taken away. */
+  /** Touching collider pairs, to end those of a removed collider. */
   private readonly open = new Map<string, Touch>();
 
   constructor(
@@ -36,7 +36,7 @@ export class Contacts {
     ) => void,
   ) {}
 
-  /** Takes over what began and ended in a step. */
+  /** Collects the contacts that began and ended in a step. */
   collect(queue: EventQueue): void {
     const first = this.touches.length;
     queue.drainCollisionEvents((handle1, handle2, started) => {
@@ -56,7 +56,7 @@ export class Contacts {
     this.touches.splice(first, sorted.length, ...sorted);
   }
 
-  /** Takes over a touch that Rapier does not tell of: that of a character. @param normal - from the second to the first */
+  /** Adds a contact of a character, which Rapier does not report. @param normal - from the second to the first */
   touch(
     one: ColliderRecord,
     two: ColliderRecord,
@@ -73,7 +73,7 @@ export class Contacts {
     this.touches.push(touch);
   }
 
-  /** A collider is taken away: what touches it no longer does. */
+  /** Ends all contacts of a removed collider. */
   end(record: ColliderRecord): void {
     for (const [key, { a, b, isSensor }] of this.open) {
       if (a !== record && b !== record) continue;
@@ -82,7 +82,7 @@ export class Contacts {
     }
   }
 
-  /** Calls the methods, in the order of the steps and of the tree. */
+  /** Calls the collision methods, in the order of the steps and of the tree. */
   tell(): void {
     if (this.touches.length === 0) return;
     const { touches } = this;
@@ -144,6 +144,6 @@ export class Contacts {
 
 const none = { point: null, normal: null, impulse: 0 };
 
-/** Ends before beginnings, then by the colliders' places in the tree. */
+/** Sort order: ends before beginnings, then by the colliders' places in the tree. */
 const inOrder = (one: Touch, two: Touch): number =>
   Number(one.started) - Number(two.started) || one.a.order - two.a.order || one.b.order - two.b.order;

@@ -16,7 +16,7 @@ import type { JointPart } from './PhysicsParts';
 export interface JointRecord {
   readonly component: JointPart;
   readonly body: Body;
-  /** Null for the world. */
+  /** The other body; null for a joint to the world. */
   readonly partner: Body | null;
   readonly rapier: ImpulseJoint;
   /** Second joint that limits a ball joint to its cone; null for none. */
@@ -36,7 +36,7 @@ interface LocalFrame {
   readonly frame: Quaternion;
 }
 
-/** A point and a rotation of the world in the space of a body; of the world's own for null. */
+/** Converts a world point and rotation to a body's space; null is the world itself. */
 function localFrame(body: Body | null, point: Vector3, rotation: Quaternion): LocalFrame {
   const [anchor, frame] = [point.clone(), rotation.clone()];
   if (!body) return { anchor, frame };
@@ -45,13 +45,13 @@ function localFrame(body: Body | null, point: Vector3, rotation: Quaternion): Lo
   return { anchor, frame: frame.premultiply(turn.invert()) };
 }
 
-/** The point of an object's space in the world. */
+/** Converts a point from an object's space to the world. */
 function inWorld(object: GameObject, point: readonly [number, number, number]): Vector3 {
   object.object3D.updateWorldMatrix(true, false);
   return new Vector3(...point).applyMatrix4(object.object3D.matrixWorld);
 }
 
-/** The rotation of the world whose X is the joint's axis. */
+/** World rotation whose X axis is the joint's axis. */
 function frameOf(component: JointPart): Quaternion {
   const rotation = new Quaternion();
   placeOf(component.gameObject.object3D, place, rotation);
@@ -85,7 +85,7 @@ function dataOf({ JointData: Data }: Rapier, component: JointPart, from: Vector3
 
 /**
  * Makes the joint of a component, as the two objects are now.
- * @param partner - null for the world, which `ground` then is a body of
+ * @param partner - null for the world; `ground` then gives a fixed body
  */
 export function makeJoint(
   rapier: Rapier,

@@ -1,21 +1,21 @@
 import type { Object3D } from 'three';
 
-/** Numbers of each object: position, rotation, scale. */
+/** Numbers stored per object: position 3, quaternion 4, scale 3. */
 const SIZE = 10;
 
-/** Notices that an object was moved, or one above it. */
+/** Detects that an object or an ancestor was moved. */
 export class ObjectWatch {
   private readonly chain: Object3D[] = [];
   private readonly seen: Float64Array;
 
-  /** @param end - the first object above that does not count; null for none */
+  /** @param end - ancestor at which watching ends, exclusive; null for the root */
   constructor(object: Object3D, end: Object3D | null = null) {
     for (let each: Object3D | null = object; each && each !== end; each = each.parent) this.chain.push(each);
     this.seen = new Float64Array(this.chain.length * SIZE).fill(NaN);
     this.moved();
   }
 
-  /** Whether one of them is elsewhere than when this was asked last. */
+  /** Whether any watched object has moved since the last call. */
   moved(): boolean {
     const { chain, seen } = this;
     let moved = false;

@@ -7,19 +7,19 @@ import type { colliderFields } from './colliderFields';
 import type { jointFields } from './jointFields';
 import type { rigidBodyFields } from './rigidBodyFields';
 
-/** A RigidBody as the physics know it. */
+/** RigidBody as seen by the physics code. */
 export interface RigidBodyPart extends Component, ValuesOf<typeof rigidBodyFields> {
-  /** Takes the body that it is as long as the scene plays. @param control - null when that is given up */
+  /** Sets the control of the running body. @param control - null when the body is removed */
   setControl(control: BodyControl | null): void;
 }
 
-/** A Collider as the physics know it. */
+/** Collider as seen by the physics code. */
 export interface ColliderPart extends Component, ValuesOf<typeof colliderFields> {}
 
-/** A CharacterController as the physics know it. */
+/** CharacterController as seen by the physics code. */
 export interface CharacterPart extends Component, ValuesOf<typeof characterFields> {
   readonly control: CharacterControl;
 }
 
-/** A Joint as the physics know it. */
+/** Joint as seen by the physics code. */
 export interface JointPart extends Component, ValuesOf<typeof jointFields> {}

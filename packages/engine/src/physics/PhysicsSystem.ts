@@ -12,7 +12,7 @@ type Code = {
 /** Types of components for which a scene needs physics. */
 const types = ['RigidBody', 'Collider', 'CharacterController', 'Joint'] as const;
 
-/** Rapier and what works with it, fetched apart. */
+/** Fetches Rapier and the physics code, which are late code. */
 async function loadCode(): Promise<Code> {
   const [rapier, { PhysicsWorld }, { shapesReady }] = await Promise.all([
     loadRapier(),
@@ -29,9 +29,9 @@ async function loadCode(): Promise<Code> {
  */
 export class PhysicsSystem implements SceneSystem {
   readonly order = 200;
-  /** Components whose fields changed while the world ran. */
+  /** Components whose fields changed while the physics world exists. */
   readonly changed = new Set<Component>();
-  /** Grows by one when components came, went or changed. */
+  /** Counter, raised when physics components were added, removed or changed. */
   revision = 0;
 
   private world: PhysicsWorld | null = null;
@@ -43,7 +43,7 @@ export class PhysicsSystem implements SceneSystem {
 
   constructor(private readonly scene: Scene) {}
 
-  /** Whether the next update simulates. */
+  /** Whether code and collider meshes are loaded, so that the next update simulates. */
   get ready(): boolean {
     return this.isReady;
   }
@@ -53,7 +53,7 @@ export class PhysicsSystem implements SceneSystem {
     return this.world?.steps ?? 0;
   }
 
-  /** Time that the last update spent in Rapier's steps, and in all (ms): for measurements. */
+  /** Duration (ms) of Rapier's steps and of the whole last update, for measurements. */
   get times(): { readonly rapier: number; readonly all: number } {
     return this.world?.times ?? { rapier: 0, all: 0 };
   }
@@ -70,12 +70,12 @@ export class PhysicsSystem implements SceneSystem {
     return this.preparing;
   }
 
-  /** A component came, went, was switched on or off, or has another field value. */
+  /** Called when a component was added, removed, switched or has another field value. */
   componentChanged(component: Component): void {
     this.revision++;
     if (this.world) this.changed.add(component);
     else if (this.isReady) {
-      // a collider may name a mesh that is not there yet
+      // a collider may name a mesh that is not loaded yet
       this.isReady = false;
       this.preparing = null;
     }
@@ -114,7 +114,7 @@ export class PhysicsSystem implements SceneSystem {
   private async fetchAll(): Promise<void> {
     this.code ??= await loadCode();
     let seen = -1;
-    // what comes while others load is waited for too
+    // components added during the wait are waited for too
     while (seen !== this.revision) {
       seen = this.revision;
       await this.code.shapesReady(this.scene);
@@ -122,7 +122,7 @@ export class PhysicsSystem implements SceneSystem {
     this.isReady = true;
   }
 
-  /** Once, by the first component; the next time that the scene plays it is tried again. */
+  /** Reports the failed fetch once, through the first component; the next play tries again. */
   private tellFailure(): void {
     if (this.isFailureTold) return;
     this.isFailureTold = true;

@@ -16,7 +16,7 @@ import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './Ph
 
 /** Length of a step (s). */
 export const STEP = 1 / 60;
-/** As many steps as the longest frame of an App has; what a frame took beyond them is left out. */
+/** Greatest number of steps per frame, as in an App's longest frame; further time is dropped. */
 const MOST_STEPS = 6;
 /** Share of a step that a frame may be short of and still run that step, since frame times are not exact. */
 const TOLERANCE = 1e-6;
@@ -33,7 +33,7 @@ interface Changes {
  * order of its tree.
  */
 export class PhysicsWorld {
-  /** How many steps were taken. */
+  /** Steps taken since the world was made. */
   steps = 0;
   readonly times = { rapier: 0, all: 0 };
 
@@ -43,7 +43,7 @@ export class PhysicsWorld {
   /** All bodies, in the order of their creation. */
   private bodyList: Body[] = [];
   private readonly colliders = new Map<ColliderPart, ColliderRecord>();
-  /** Those whose objects may move in the body. */
+  /** Colliders whose objects may move relative to their body. */
   private readonly watched = new Set<ColliderRecord>();
   private readonly characters = new Map<Body, CharacterMotion>();
   private readonly joints = new Map<JointPart, JointRecord>();
@@ -56,7 +56,7 @@ export class PhysicsWorld {
   private readonly endChanges: () => void;
   private seenRevision = -1;
   private wasEdited = false;
-  /** Time that has passed since the last step (s). */
+  /** Simulated time since the last step (s). */
   private rest = 0;
   private made = 0;
 
@@ -123,7 +123,7 @@ export class PhysicsWorld {
     for (const record of this.watched) if (record.watch!.moved()) this.colliderMoved(record);
   }
 
-  /** The object of a collider, or one above it, was moved in the body. */
+  /** Called when a collider's object was moved relative to its body. */
   private colliderMoved(record: ColliderRecord): void {
     const { body, rapier, component } = record;
     if (!moveCollider(record)) {
@@ -135,7 +135,7 @@ export class PhysicsWorld {
     this.world.contactPairsWith(rapier, (other) => other.parent()?.wakeUp());
   }
 
-  /** @param left - steps of this frame that are still to come, this one included */
+  /** @param left - remaining steps of this frame, this one included */
   private step(left: number): void {
     const { bodyList } = this;
     for (let i = 0; i < bodyList.length; i++) {
@@ -152,7 +152,7 @@ export class PhysicsWorld {
     this.contacts.collect(this.queue);
   }
 
-  /** `World.step` less what follows it there: a walk over all bodies and colliders for those that a soft body tore. */
+  /** `World.step` without the walk over all bodies and colliders that Rapier appends for torn soft bodies. */
   private stepRapier(): void {
     const { world } = this;
     world.physicsPipeline.step(
@@ -191,7 +191,7 @@ export class PhysicsWorld {
     } else if (change.kind === 'component-add' || change.kind === 'component-remove') this.wasEdited = true;
   }
 
-  /** Brings bodies and colliders in line with the components that there are. */
+  /** Creates and removes bodies and colliders to match the scene's components. */
   private reconcile(): void {
     const { changed } = this.changes;
     this.seenRevision = this.changes.revision;
@@ -217,7 +217,7 @@ export class PhysicsWorld {
     }
     for (const component of parts.doubled) this.attempt(component, () => refuseDouble(component));
     changed.clear();
-    // what was asked of new bodies needs their mass
+    // queued calls on new bodies need their mass
     for (const body of this.bodyList) controlledBy(body, body);
   }
 
@@ -346,7 +346,7 @@ export class PhysicsWorld {
     this.world.removeCollider(record.rapier, true);
   }
 
-  /** Components that hear of collisions may have come or gone. */
+  /** Switches collision events of a collider by whether components listen. */
   private hear({ rapier, object, body }: ColliderRecord): void {
     const { ActiveEvents } = this.rapier;
     const heard = listens(object) || listens(body.object);

@@ -5,11 +5,11 @@ import type { ColliderPart } from './PhysicsParts';
 /** The shape of a collider in the space of its object, before the object's scale. */
 export interface ColliderShape {
   readonly kind: 'box' | 'sphere' | 'capsule' | 'cylinder' | 'hull' | 'mesh';
-  /** Middle of the shape (m). */
+  /** Centre of the shape (m). */
   readonly centre: Vector3;
-  /** Half of the sides of a box round it (m). */
+  /** Half extents of the shape's bounding box (m). */
   readonly half: Vector3;
-  /** Along which a capsule or cylinder stands: 0 x, 1 y, 2 z. */
+  /** Axis of a capsule or cylinder: 0 x, 1 y, 2 z. */
   readonly axis: 0 | 1 | 2;
   /** Meshes that make a hull or mesh shape. */
   readonly parts: readonly MeshPart[];

@@ -9,7 +9,7 @@ export interface SceneParts {
   readonly bodies: Map<GameObject, RigidBodyPart | CharacterPart | null>;
   /** Colliders, each with the object whose body it belongs to. */
   readonly colliders: Map<ColliderPart, GameObject>;
-  /** Joints, each with the object whose body it ties; null where there is none. */
+  /** Joints, each with the object of its body; null without one. */
   readonly joints: Map<JointPart, GameObject | null>;
   /** RigidBodies of objects that have a CharacterController. */
   readonly doubled: RigidBodyPart[];

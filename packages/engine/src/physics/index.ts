@@ -6,7 +6,7 @@ import { loadRapier as load } from './loadRapier';
 export { type ColliderShape, colliderShape } from './colliderShape';
 
 /**
- * Rapier's module, initialised. Its declarations stay its own: a host need not compile them.
+ * Fetches Rapier's module, initialised; typed as object, so that hosts need not compile Rapier's declarations.
  * @throws Error (as a rejection) when it cannot be fetched
  */
 export const loadRapier: () => Promise<object> = load;

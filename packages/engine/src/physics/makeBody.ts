@@ -20,8 +20,8 @@ export const vectorOf = ([x, y, z]: readonly [number, number, number]): { x: num
 });
 
 /**
- * Makes the body of an object where the object is, without the fields of a RigidBody that may change later.
- * @throws Error naming the object where it has no place
+ * Makes a body at an object's pose, without the RigidBody fields that may change later.
+ * @throws Error naming the object when its pose is not finite
  */
 export function makeBody(rapier: Rapier, world: World, object: GameObject, component: BodyPart): Body {
   placeOf(object.object3D, place, turn);
@@ -45,7 +45,7 @@ export function makeBody(rapier: Rapier, world: World, object: GameObject, compo
   return new Body(object, component, type, world.createRigidBody(desc));
 }
 
-/** Gives a body the fields of its RigidBody. */
+/** Applies a RigidBody's fields to its body. */
 export function applyFields({ RigidBodyType }: Rapier, body: Body, component: RigidBodyPart): void {
   const { rapier } = body;
   const { type } = component;
@@ -67,7 +67,7 @@ export function applyFields({ RigidBodyType }: Rapier, body: Body, component: Ri
   rapier.setEnabledRotations(!component.lockRotationX, !component.lockRotationY, !component.lockRotationZ, true);
 }
 
-/** Gives the colliders of a body their shares of its mass. */
+/** Distributes a body's mass over its colliders by weight. */
 export function weigh({ component, type, rapier, colliders }: Body): void {
   if (!component || isCharacter(component) || type !== 'dynamic') return;
   let weight = 0;

@@ -13,7 +13,7 @@ const toBody = new Matrix4();
 const X = new Vector3(1, 0, 0);
 const Z = new Vector3(0, 0, 1);
 
-/** Least half side of a shape (m): a flat mesh makes a thin box. */
+/** Least half extent of a shape (m): a flat mesh becomes a thin box. */
 const THINNEST = 0.001;
 
 function pointsOf(parts: readonly MeshPart[], matrix: Matrix4): Float32Array {
@@ -45,7 +45,7 @@ function indicesOf(parts: readonly MeshPart[]): Uint32Array {
 }
 
 /**
- * A shape as Rapier has it, where it is in its body.
+ * Rapier's description of a shape, placed in its body.
  * @param matrix - from the collider's object to the body, whose space has no scale
  * @returns null when the points of a hull or mesh span no shape
  */
@@ -73,7 +73,7 @@ export function makeColliderDesc(
   if (kind === 'box') desc = Desc.cuboid(half.x, half.y, half.z);
   else if (kind === 'sphere') desc = Desc.ball(Math.max(half.x, half.y, half.z));
   else {
-    // Rapier's stand along y
+    // Rapier's capsules and cylinders stand along y
     if (axis === 0) rotation.multiply(turn.setFromAxisAngle(Z, -Math.PI / 2));
     else if (axis === 2) rotation.multiply(turn.setFromAxisAngle(X, Math.PI / 2));
     if (kind === 'cylinder') desc = Desc.cylinder(along, across);

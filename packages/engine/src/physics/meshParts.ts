@@ -7,7 +7,7 @@ import type { Scene } from '../core/Scene';
 /** A mesh that an object is drawn with. */
 export interface MeshPart {
   readonly geometry: BufferGeometry;
-  /** From the mesh to the object. */
+  /** Matrix from the mesh to the object. */
   readonly matrix: Matrix4;
 }
 
@@ -35,15 +35,15 @@ export function meshNamesOf(object: GameObject): MeshName[] {
 }
 
 /**
- * The objects whose meshes a collider is fitted to: its own object where that draws a mesh, else all below it, but for
- * those that belong to another body.
+ * Objects whose meshes a collider is fitted to: its own object if that draws a mesh, else all descendants, except ones
+ * that belong to another body.
  */
 export function drawnObjects(object: GameObject): GameObject[] {
   if (meshNamesOf(object).length > 0) return [object];
   return object.children.flatMap((child) => (child.getComponent('RigidBody') ? [] : drawnObjects(child)));
 }
 
-/** @param subtree - what is drawn of the model; the object is where its root is */
+/** @param subtree - drawn part of the model; the object is at its root */
 function addModelParts(node: Object3D, matrix: Matrix4, parts: MeshPart[], subtree: ModelSubtree | null): void {
   node.updateMatrix();
   const own = node === subtree?.root ? matrix : new Matrix4().multiplyMatrices(matrix, node.matrix);
@@ -54,7 +54,7 @@ function addModelParts(node: Object3D, matrix: Matrix4, parts: MeshPart[], subtr
   }
 }
 
-/** The matrix from an object below another to that one. */
+/** Matrix from an object's space to that of its ancestor `above`. */
 function matrixBetween(object: GameObject, above: GameObject): Matrix4 {
   const matrix = new Matrix4();
   for (let each: GameObject | null = object; each && each !== above; each = each.parent) {

@@ -1,7 +1,7 @@
 import type { Scene } from '../core/Scene';
 import { drawnObjects, meshNamesOf } from './meshParts';
 
-/** Fulfilled when the meshes that colliders of a scene are fitted to are loaded, or could not be. */
+/** Resolves when all meshes that colliders of a scene are fitted to are loaded, or have failed. */
 export async function shapesReady(scene: Scene): Promise<void> {
   const names = new Set<string>();
   for (const collider of scene.componentsOf('Collider')) {

@@ -3,8 +3,8 @@ import { type Object3D, Quaternion, type Vector3 } from 'three';
 const own = new Quaternion();
 
 /**
- * The rotation of an object in the world without scale or shear: the product of the rotations from the scene down, those
- * below a mirrored object seen in the mirror.
+ * The rotation of an object in the world without scale or shear: the product of the rotations from the scene down,
+ * those below a mirrored object seen in the mirror.
  * @param signs - gets the product of the signs of all scales
  */
 export function worldRotation(object: Object3D | null, rotation: Quaternion, signs: Vector3): Quaternion {
@@ -21,7 +21,7 @@ export function worldRotation(object: Object3D | null, rotation: Quaternion, sig
   return rotation;
 }
 
-/** A rotation as it is seen in the mirror that `signs` are of, in place. */
+/** Mirrors a rotation in place, by the signs of a mirroring scale. */
 export function mirrored(rotation: Quaternion, signs: Vector3): Quaternion {
   if (signs.x > 0 && signs.y > 0 && signs.z > 0) return rotation;
   const sense = signs.x * signs.y * signs.z;

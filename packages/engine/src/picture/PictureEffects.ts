@@ -58,7 +58,10 @@ export class PictureEffects {
     return frames;
   }
 
-  /** Brings the effects up to the settings, and to the technique of the last frame. Those of others in the list stay first. */
+  /**
+   * Brings the effects up to the settings, and to the technique of the last frame. Those of others in the list stay
+   * first.
+   */
   update(settings: SceneSettings): void {
     const { technique } = this.farol.info;
     if (settings === this.settings && settings.revision === this.revision && technique === this.technique) return;
@@ -73,7 +76,7 @@ export class PictureEffects {
     for (const effect of this.made.values()) effect.reset?.();
   }
 
-  /** Takes in effects of plugins that came, and gives back those that went. */
+  /** Adds effects of new plugins, and removes those of removed ones. */
   addedChanged(): void {
     this.refresh();
     for (const [name, effect] of this.made) {

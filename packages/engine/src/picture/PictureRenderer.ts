@@ -24,7 +24,7 @@ export interface ScenePainter {
 export interface PictureRendererOptions {
   /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
   readonly redraw?: () => void;
-  /** Called when something that the scene asks for cannot be drawn; told in the console when absent. */
+  /** Called when something that the scene asks for cannot be drawn; the console is warned when absent. */
   readonly failed?: (error: unknown) => void;
   /**
    * False: technique, anti-aliasing, ambient occlusion and the like stay the host's, for small pictures of the same
@@ -71,7 +71,7 @@ export class PictureRenderer {
 
   /**
    * Draws to the render target, viewport and scissor of the WebGLRenderer.
-   * @param camera - what is looked through
+   * @param camera - camera to draw with
    * @param component - the component that the camera is of, whose own settings count; null for a camera of the host's
    */
   render(scene: Scene, camera: Camera, component: CameraComponent | null = null): void {
@@ -144,7 +144,10 @@ export class PictureRenderer {
     this.effects.update(settings);
   }
 
-  /** A technique that is not there, or that the device cannot run, is told; 'auto' draws. */
+  /**
+   * Sets the renderer's technique; one that is unknown, or that the device cannot run, is reported and replaced by
+   * 'auto'.
+   */
   private take(technique: string): void {
     const { farol } = this;
     this.technique = technique;
@@ -239,7 +242,7 @@ export class PictureRenderer {
 
   private makeChain({ PictureChain }: NonNullable<typeof late.code>): PictureChain {
     const { webgl } = this.farol;
-    // what is freed after the context is back, three would delete in a context that it does not belong to
+    // resources freed after the context is restored would be deleted in the wrong context by three
     webgl.domElement.addEventListener('webglcontextlost', this.free);
     return new PictureChain(webgl, this.redraw);
   }

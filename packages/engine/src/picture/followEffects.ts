@@ -7,7 +7,7 @@ interface OwnEffects {
   readonly required: RequiredEffect[];
   /** The effect made for each of `required`. */
   readonly made: FarolEffect[];
-  /** Those whose code is being fetched. */
+  /** Effects whose late code is being fetched. */
   readonly loading: Set<RequiredEffect>;
 }
 

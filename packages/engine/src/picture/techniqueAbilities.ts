@@ -2,11 +2,11 @@ import type { Technique } from '@farol/renderer/authoring';
 
 /** Abilities of a technique that effects depend on. */
 export interface TechniqueAbilities {
-  /** It knows depth before it shades. Without it ambient occlusion is left out. */
+  /** Whether depth is known before shading; without it ambient occlusion is left out. */
   readonly depth: boolean;
-  /** It has a G-buffer. Without it decals are not seen. */
+  /** Whether there is a G-buffer; without it decals are not drawn. */
   readonly gbuffer: boolean;
-  /** It shades as many samples a pixel as the target has. Without it edges are smoothed by an effect or not at all. */
+  /** Whether the target's multisampling is used; without it edges are smoothed by an effect or not at all. */
   readonly samples: boolean;
 }
 

@@ -14,17 +14,17 @@ const sameTags = (a: readonly string[] = [], b: readonly string[] = []): boolean
   a.length === b.length && a.every((tag, i) => tag === b[i]);
 
 /**
- * Finds what has to be done to an instance when its prefab becomes another: a merge of three, by object and field. What
- * has the value that the prefab had takes the new one; what differs from it is an override and stays.
+ * Computes the edits of an instance when its prefab is replaced: a three-way merge by object and field. A value that
+ * equals the old prefab's takes the new one; any other value is an override and stays.
  */
 export class InstanceUpdate {
   readonly edits: PrefabEdit[] = [];
 
   private readonly instances: Map<string, GameObject>;
-  /** Ids of the instance's objects by those of the prefab's, new ones included. */
+  /** Ids of the instance's objects by ids in the prefab, new objects included. */
   private readonly ids: Map<string, string>;
 
-  /** @param force - overrides are given up too: the instance becomes as the prefab is */
+  /** @param force - also drops overrides: the instance becomes equal to the prefab */
   constructor(
     private readonly root: GameObject,
     private readonly before: Prefab,
@@ -46,7 +46,7 @@ export class InstanceUpdate {
   private addObjects(): void {
     for (const next of this.after.objects) {
       if (this.ids.has(next.id) || next.parent === null) continue;
-      // taken out of this instance: stays out
+      // an object removed from this instance stays removed
       if (objectsOf(this.before).has(next.id) && !this.force) continue;
       const parent = this.instances.get(next.parent);
       if (!parent) continue;
@@ -60,7 +60,7 @@ export class InstanceUpdate {
     const kept = objectsOf(this.after);
     for (const { id, parent } of this.before.objects) {
       const object = kept.has(id) ? undefined : this.instances.get(id);
-      // what is below another one that goes, goes with it
+      // descendants of a removed object are removed with it
       if (object && parent !== null && kept.has(parent)) this.edits.push({ kind: 'remove-object', object });
     }
   }

@@ -3,7 +3,7 @@ import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 import type { PrefabLink } from '../core/Prefab';
 
-/** One thing to do to an instance so that it follows its prefab. An editor makes commands of them. */
+/** One edit of an instance that follows its prefab; editors turn edits into commands. */
 export type PrefabEdit =
   | { readonly kind: 'field'; readonly component: Component; readonly field: string; readonly value: FieldValue }
   | { readonly kind: 'enabled'; readonly component: Component; readonly value: boolean }
@@ -13,13 +13,13 @@ export type PrefabEdit =
   | { readonly kind: 'link'; readonly object: GameObject; readonly value: PrefabLink | null }
   | { readonly kind: 'add-component'; readonly object: GameObject; readonly component: Component; readonly id: string }
   | { readonly kind: 'remove-component'; readonly object: GameObject; readonly component: Component }
-  /** `object` is new, and in no scene. It comes after the children that are there. */
+  /** Appends the new `object`, not yet in a scene, to the parent's children. */
   | { readonly kind: 'add-object'; readonly object: GameObject; readonly parent: GameObject }
   | { readonly kind: 'remove-object'; readonly object: GameObject }
-  /** Its local transform stays. */
+  /** Moves an object in the tree; its local transform stays. */
   | { readonly kind: 'move-object'; readonly object: GameObject; readonly parent: GameObject };
 
-/** Does an edit. */
+/** Applies an edit to the scene. */
 export function applyPrefabEdit(edit: PrefabEdit): void {
   switch (edit.kind) {
     case 'field':

@@ -21,7 +21,7 @@ function prefabOf(root: GameObject | null): { root: GameObject; prefab: Prefab }
 const sourcesOf = (root: GameObject): Map<GameObject, string> =>
   new Map([...objectsBySource(root)].map(([source, object]) => [object, source]));
 
-/** Gives the root of a prefab back what is each instance's own. */
+/** Restores the values of a prefab's root that are each instance's own. */
 function withOwnOf(root: FileObject, old: FileObject): FileObject {
   const values = old.components.find(({ type }) => type === 'Transform')?.values ?? {};
   const components = root.components.map((component): FileComponent => {
@@ -56,7 +56,7 @@ export function planApplyAll(instance: GameObject): PrefabPlan {
 const sameLink = (a: PrefabLink | null, b: PrefabLink): boolean =>
   a?.prefab === b.prefab && a.source === b.source && !a.pinned;
 
-/** The link without one of its pins. */
+/** A prefab link without one of its pinned paths. */
 export function withoutPin(link: PrefabLink, path: string): PrefabLink {
   const { prefab, source } = link;
   const pinned = link.pinned?.filter((each) => each !== path) ?? [];

@@ -3,7 +3,7 @@ import type { ComponentRegistry } from '../core/ComponentRegistry';
 import type { FileObject } from '../files/FarolFile';
 import { componentKey } from './instances';
 
-/** References to objects among field values, by a map of ids; what is not in it becomes null. */
+/** Maps object references among field values to new ids; an id missing from the map becomes null. */
 export function mapReferences(
   values: Readonly<Record<string, FieldValue>>,
   type: string,
@@ -15,7 +15,7 @@ export function mapReferences(
     const value = mapped[name];
     if (field.kind === 'object' && typeof value === 'string') mapped[name] = ids.get(value) ?? null;
   }
-  // of data that are kept it is not known which are references
+  // data of an unknown class do not tell which values are references
   if (!registry.types.has(type)) {
     for (const [name, value] of Object.entries(mapped)) {
       if (typeof value === 'string') mapped[name] = ids.get(value) ?? value;
@@ -24,7 +24,10 @@ export function mapReferences(
   return mapped;
 }
 
-/** Objects of a file under other ids. @param ids - the new id of every one of them; a parent that is not in it becomes null */
+/**
+ * Objects of a file under other ids.
+ * @param ids - new id of every object; a parent missing from the map becomes null
+ */
 export function copyObjects(
   objects: readonly FileObject[],
   registry: ComponentRegistry,

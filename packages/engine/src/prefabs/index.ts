@@ -1,4 +1,4 @@
-/** Trees of objects that are placed any number of times, and what an editor does with them. */
+/** Prefabs (trees of objects placed any number of times), and operations on them for editors. */
 export { planApplyAll, planApplyField, planRevertAll, planUnpack, withoutPin } from './applyOverrides';
 export { instanceRootOf, isInstanceRoot } from './instances';
 export { instantiatePrefab } from './instantiatePrefab';

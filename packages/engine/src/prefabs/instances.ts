@@ -5,10 +5,7 @@ import type { GameObject } from '../core/GameObject';
 export const isInstanceRoot = (object: GameObject): boolean =>
   object.prefabLink !== null && object.prefabLink.source === object.prefabLink.prefab;
 
-/**
- * The root of the instance that an object belongs to, as part of which it follows its prefab; null when it follows
- * none.
- */
+/** Root of the instance through which an object follows its prefab; null when the object follows none. */
 export function instanceRootOf(object: GameObject): GameObject | null {
   const prefab = object.prefabLink?.prefab;
   if (prefab === undefined) return null;
@@ -18,9 +15,7 @@ export function instanceRootOf(object: GameObject): GameObject | null {
   return null;
 }
 
-/**
- * The objects of an instance by the ids that they have in the prefab; what was added to the instance is not among them.
- */
+/** Objects of an instance by their ids in the prefab, without objects added to the instance. */
 export function objectsBySource(root: GameObject): Map<string, GameObject> {
   const prefab = root.prefabLink!.prefab;
   const found = new Map<string, GameObject>();

@@ -6,7 +6,7 @@ import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './insta
 import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 
-/** A field whose value is the instance's own. */
+/** An overridden field of an instance. */
 export interface FieldOverride {
   readonly component: Component;
   readonly field: string;
@@ -41,8 +41,8 @@ const idsIn = (root: GameObject): Map<string, string> =>
   new Map([...objectsBySource(root)].map(([source, { id }]) => [source, id]));
 
 /**
- * Whether a field of an instance is an override, and what the prefab has; null when it follows the prefab, when it is
- * one that each instance has for itself (place and turn of its root), or when the component is no part of a prefab.
+ * The override of a field of an instance; null when the field follows the prefab, when its value is each instance's own
+ * (position and rotation of the root), or when the component is in no prefab.
  */
 export function fieldOverride(component: Component, field: string): FieldOverride | null {
   const object = component.gameObject;

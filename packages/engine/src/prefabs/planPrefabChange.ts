@@ -13,7 +13,7 @@ import { PrefabSizes } from '../files/PrefabSizes';
 
 /** Consequences of replacing a prefab. */
 export interface PrefabPlan {
-  /** The prefab, and those that hold instances of it, as they shall be. */
+  /** New data of the prefab, and of prefabs that hold instances of it. */
   readonly prefabs: readonly Prefab[];
   /** Edits of the scene's objects, in this order. */
   readonly edits: readonly PrefabEdit[];
@@ -27,7 +27,7 @@ function rootsIn(object: GameObject, changed: ReadonlyMap<string, Prefab>): Game
   return roots;
 }
 
-/** A prefab that holds instances of changed ones, after they have followed; null when nothing of it changes. */
+/** A prefab with its nested instances of changed prefabs updated; null when nothing changes. */
 function follow(scene: Scene, prefab: Prefab, changed: ReadonlyMap<string, Prefab>): Prefab | null {
   if (!prefab.objects.some(({ prefab: link }) => link && changed.has(link.prefab))) return null;
   const [root] = makeObjects(prefab.objects, scene.registry);
@@ -44,7 +44,7 @@ function follow(scene: Scene, prefab: Prefab, changed: ReadonlyMap<string, Prefa
   return { ...prefab, objects };
 }
 
-/** All prefabs but one, each after those that it holds. */
+/** All prefabs except one, each after the prefabs that it contains. */
 function inOrder(scene: Scene, except: string): Prefab[] {
   const done = new Set([except]);
   const ordered: Prefab[] = [];
@@ -88,7 +88,7 @@ function checkChange(scene: Scene, next: Prefab): void {
 /**
  * Finds what has to change when a prefab becomes `next`: prefabs that hold it, and every instance in the scene, their
  * overrides kept. Nothing is changed by this; see `changePrefab`.
- * @param except - root of an instance that is as it shall be already
+ * @param except - root of an instance that already equals the new prefab
  * @throws PrefabError when it would hold itself, or come to more than a file may hold
  */
 export function planPrefabChange(scene: Scene, next: Prefab, except: GameObject | null = null): PrefabPlan {
@@ -125,7 +125,7 @@ function withoutLost(edits: readonly PrefabEdit[]): PrefabEdit[] {
   });
 }
 
-/** Puts a prefab in the place of that with its id, or adds it: all instances follow, and keep their overrides. */
+/** Adds a prefab, or replaces the prefab of the same id: all instances follow, and keep their overrides. */
 export function changePrefab(scene: Scene, next: Prefab): void {
   const plan = planPrefabChange(scene, next);
   for (const prefab of plan.prefabs) scene.prefabs.set(prefab);

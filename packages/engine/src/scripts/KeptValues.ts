@@ -8,7 +8,7 @@ type Values = Readonly<Record<string, FieldValue>>;
 
 /** Values of a component when it left a class. */
 interface Past {
-  /** Its values then, and those that it got in the next class. */
+  /** Values on leaving the class, and values given in the next class. */
   readonly left: Values;
   readonly next: Values;
   readonly kept: ReadonlyMap<string, FieldValue>;
@@ -24,8 +24,8 @@ interface Memory {
 }
 
 /**
- * Brings components from class to class with the values of their fields: those that do not fit a class are kept for one
- * that they fit, so that undoing the edit of a script gives back what there was.
+ * Carries field values of components from class to class: values that do not fit a class are kept for a class that they
+ * fit, so that undoing a script's edit restores them.
  */
 export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();

@@ -26,7 +26,7 @@ export interface SceneScriptsOptions {
 /** Texts of a script whose functions are kept: as many as a history has steps. */
 const KEPT_TEXTS = 1000;
 
-/** One script asset, also after it was taken out of the library: undo brings the same one back. */
+/** State of one script asset, kept after its removal from the library, since undo brings the asset back. */
 class Entry {
   /** Compiled function or error of each text. */
   readonly results = new Map<string, ScriptFunction | ScriptError>();
@@ -217,7 +217,7 @@ export class SceneScripts {
     throw entry.resultError ?? new ScriptError(name, 'it is still being read.');
   }
 
-  /** Compiles what is new, and brings the scene up to date once nothing is missing. */
+  /** Compiles new texts, and updates the scene once all are compiled. */
   private refresh(): void {
     if (this.isDisposed) return;
     const entries = this.listed.map((asset) => this.entry(asset));

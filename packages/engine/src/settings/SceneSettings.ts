@@ -53,7 +53,7 @@ export class SceneSettings extends FieldOwner {
   }
 
   /**
-   * Fulfilled when the sky is there that was asked for last; null before any is waited for.
+   * Resolves when the sky requested last is painted; null before the first wait.
    * @throws Error (as a rejection) when its code cannot be fetched
    */
   get skyReady(): Promise<void> | null {

@@ -30,7 +30,7 @@ export const techniqueType: FieldType = {
 export const skyPresets = ['clear-day', 'overcast', 'sunset', 'night', 'studio'] as const;
 export type SkyPreset = (typeof skyPresets)[number];
 
-/** Those with a sun or a moon. */
+/** Sky presets with a sun or a moon. */
 export const skiesWithSun = ['clear-day', 'sunset', 'night'] as const satisfies readonly SkyPreset[];
 
 export const skyFields = {

@@ -50,7 +50,7 @@ export function addAtrium(build: SceneBuilder, textureSize: number): void {
   addFurniture(build, looks);
 }
 
-/** One long side, with its arcades looking to the nave. Side 1 is at +z. */
+/** Adds one long side, its arcades facing the nave. Side 1 is at +z. */
 function addLongSide(build: SceneBuilder, atrium: GameObject, looks: Record<string, Look>, side: number): void {
   const group = build.object(side > 0 ? 'South side' : 'North side', {
     rotation: [0, side > 0 ? Math.PI : 0, 0],

@@ -2,7 +2,7 @@ import type { ProbeBox } from '@farol/renderer/light-probes';
 
 /** A lightmap of a scene. */
 export interface LightmapData {
-  /** Texels. */
+  /** Size in texels. */
   readonly width: number;
   readonly height: number;
   /** Half floats, RGBA, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it. */
@@ -11,38 +11,38 @@ export interface LightmapData {
 
 /** A mesh of a scene that a lightmap lights. */
 export interface LightmappedMesh {
-  /** Id of the ObjectRenderer or ModelRenderer that draws it. */
+  /** Id of the ObjectRenderer or ModelRenderer of the mesh. */
   readonly component: string;
-  /** Which of the meshes of the component, in the order of its tree. */
+  /** Index among the component's meshes, in tree order. */
   readonly part: number;
-  /** Index of its lightmap. */
+  /** Index of the mesh's lightmap. */
   readonly lightmap: number;
-  /** Vertices that the geometry had when it was baked: another number is another geometry. */
+  /** Vertex count of the geometry at the bake; another count means another geometry. */
   readonly sourceVertices: number;
-  /** Two a vertex, 0 to 1: where it is in the lightmap. Kept to 1/65535. */
+  /** Lightmap coordinates, two per vertex, 0 to 1; stored in steps of 1/65535. */
   readonly uv1: Float32Array<ArrayBuffer>;
-  /** Three a triangle: vertices of `uv1`. */
+  /** Vertex indices into `uv1`, three per triangle. */
   readonly index: Uint32Array<ArrayBuffer>;
-  /** One a vertex of `uv1`: the vertex of the geometry that it comes from. */
+  /** Source vertex in the geometry, one per vertex of `uv1`. */
   readonly sourceVertex: Uint32Array<ArrayBuffer>;
 }
 
 /** Light at the probes of a grid. */
 export interface ProbeData {
   readonly box: ProbeBox;
-  /** 27 a probe, of radiance, as three's SphericalHarmonics3 has them. */
+  /** Radiance coefficients, 27 per probe, ordered as in three's SphericalHarmonics3. */
   readonly coefficients: Float32Array<ArrayBuffer>;
 }
 
-/** Light of a scene that was baked. */
+/** Baked light of a scene. */
 export interface BakeData {
   /** Signature of the scene at the time of the bake: see `bakeSignature`. */
   readonly signature: string;
-  /** Ids of the Light components whose whole light is in it. */
+  /** Ids of Light components whose direct and indirect light is baked. */
   readonly lights: readonly string[];
-  /** Whether the light of sky and environment is in it. */
+  /** Whether light of sky and environment is baked. */
   readonly hasSky: boolean;
-  /** Which set of texture coordinates the lightmaps are read by, 1 to 3. */
+  /** Index of the UV set of the lightmaps, 1 to 3. */
   readonly channel: number;
   readonly lightmaps: readonly LightmapData[];
   readonly meshes: readonly LightmappedMesh[];

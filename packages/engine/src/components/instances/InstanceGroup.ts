@@ -40,7 +40,7 @@ export class InstanceGroup {
     private readonly shadows: { readonly cast: boolean; readonly receive: boolean },
   ) {}
 
-  /** The three mesh as of the last `update`; it is replaced when the group outgrows it. */
+  /** Instanced mesh as of the last `update`; replaced when the group outgrows its capacity. */
   get three(): InstancedMesh | null {
     return this.mesh;
   }
@@ -76,7 +76,7 @@ export class InstanceGroup {
     mesh.instanceMatrix.needsUpdate = true;
     if (recoloured) colours.needsUpdate = true;
     mesh.boundingBox = null;
-    // around all of them, so that the group is culled, and told from what reaches the far plane
+    // a bounding sphere of all instances, for culling and for tests against the far plane
     box.getBoundingSphere((mesh.boundingSphere ??= new Sphere()));
     fitBounds(mesh);
     return mesh;
@@ -105,7 +105,7 @@ export class InstanceGroup {
   }
 }
 
-/** Extends `box` by a sphere. Numbers that are none make it none: the group is drawn then wherever it is. */
+/** Extends `box` by a sphere. NaN makes the box NaN: the group is then never culled. */
 function addSphere({ center: { x, y, z }, radius }: Sphere): void {
   const { min, max } = box;
   min.set(Math.min(min.x, x - radius), Math.min(min.y, y - radius), Math.min(min.z, z - radius));

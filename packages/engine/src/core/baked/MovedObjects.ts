@@ -3,14 +3,14 @@ import type { Mesh } from 'three';
 import { gameObjectOf } from '../gameObjectOf';
 import type { Scene } from '../Scene';
 
-/** Updates of the world matrices between two looks. */
+/** Updates of the world matrices between two checks. */
 const UPDATES = 30;
 /** Least difference of an element of a world matrix that counts as movement. */
 const LEAST = 1e-3;
 
-/** Tells, once, of a mesh with a lightmap that moves while the scene plays: its light stays behind. */
+/** Warns once of a lightmapped mesh that moves while the scene plays, since its baked light does not follow. */
 export class MovedObjects {
-  /** World matrices when the meshes were dressed; null until they are known. */
+  /** World matrices of the meshes when their lightmaps were applied; null until recorded. */
   private places: Map<Mesh, readonly number[]> | null = null;
   private updates = 0;
   private isTold = false;
@@ -23,7 +23,7 @@ export class MovedObjects {
     this.stop = scene.onMatricesUpdated(() => this.update());
   }
 
-  /** Meshes came or went, or were moved by an edit. */
+  /** Called after lightmapped meshes were added, removed or moved by an edit. */
   changed(): void {
     this.places = null;
   }

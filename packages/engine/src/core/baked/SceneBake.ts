@@ -4,10 +4,10 @@ import { bakeCode, loadBakeCode } from './bakeCode';
 import type { Scene } from '../Scene';
 import type { ShownBake } from './ShownBake';
 
-/** Types of components that baked light changes something for. */
+/** Types of components that baked light affects. */
 const TYPES = ['Light', 'ObjectRenderer', 'ModelRenderer'];
 
-/** The baked light of a scene, by its setting `bakedLight`; what shows it comes with the asset. */
+/** The baked light of a scene, by its setting `bakedLight`; shown by late code that is fetched with the asset. */
 export class SceneBake {
   private shown: ShownBake | null = null;
   private light: BakedLight | null = null;
@@ -15,7 +15,7 @@ export class SceneBake {
 
   constructor(private readonly scene: Scene) {}
 
-  /** Whether the scene is lit by it. */
+  /** Whether baked light lights the scene. */
   get isShown(): boolean {
     return this.shown !== null;
   }
@@ -30,7 +30,7 @@ export class SceneBake {
     };
   }
 
-  /** Shows what the setting names, once it and the code for it are loaded. */
+  /** Shows the baked light that the setting names, once asset and code are loaded. */
   update(): void {
     const light = this.wanted();
     if (light === this.light) return;
@@ -65,7 +65,7 @@ export class SceneBake {
     this.shown?.dress(component, root);
   }
 
-  /** @internal Gives meshes that leave the scene back what they had. */
+  /** @internal Restores the materials and geometries of meshes that leave the scene. */
   undress(root: Object3D): void {
     this.shown?.undress(root);
   }

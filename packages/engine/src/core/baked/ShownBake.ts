@@ -18,7 +18,7 @@ import { MovedObjects } from './MovedObjects';
 
 type Materials = Material | Material[];
 
-/** A mesh with a lightmap, and what it had without. */
+/** A lightmapped mesh with its original material and geometry. */
 interface Dressed {
   readonly baked: LightmappedMesh;
   geometry: BufferGeometry;
@@ -27,7 +27,7 @@ interface Dressed {
   ownMaterial: Materials;
 }
 
-/** The effect by which probes light what has no lightmap. */
+/** Effect by which light probes light meshes without a lightmap. */
 const probesEffect: RequiredEffect = { effectClass: LightProbes, load: () => Promise.resolve() };
 
 function textureOf({ width, height, data }: LightmapData, channel: number): DataTexture {
@@ -70,7 +70,7 @@ export class ShownBake {
     this.moved = new MovedObjects(scene, this.dressed);
   }
 
-  /** Whether all light of a Light is in it. @param light - id of the component */
+  /** Whether all light of a Light component is baked. @param light - id of the component */
   hides(light: string): boolean {
     return this.lights.has(light);
   }
@@ -88,7 +88,7 @@ export class ShownBake {
     });
   }
 
-  /** Gives the meshes below `root` back what they had. */
+  /** Restores the original materials and geometries of the meshes below `root`. */
   undress(root: Object3D): void {
     root.traverse((object) => {
       const mesh = object as Mesh;
@@ -97,7 +97,7 @@ export class ShownBake {
     });
   }
 
-  /** Leaves the scene as it is without it. */
+  /** Removes the baked light from the scene. */
   end(): void {
     for (const [mesh, dressed] of [...this.dressed]) this.undressMesh(mesh, dressed);
     for (const [source, made] of [...this.materials]) this.forget(source, made);

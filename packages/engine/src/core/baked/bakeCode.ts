@@ -9,7 +9,7 @@ const late = new LateCode(
 export const bakeCode = () => late.code?.ShownBake ?? null;
 
 /**
- * Fetches what lights scenes by baked light, which most scenes do without.
+ * Fetches the code that lights scenes by baked light, which most scenes do not need.
  * @throws Error (as a rejection) when it cannot be fetched; try again
  */
 export const loadBakeCode = () => late.load();

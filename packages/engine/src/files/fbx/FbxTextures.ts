@@ -11,7 +11,7 @@ const endingOfType: Readonly<Record<string, string>> = {
   'image/tiff': '.tif',
 };
 
-/** Notes the pictures that an FBXLoader asks for, and loads none; those inside the file become files of their own. */
+/** Records the images that an FBXLoader requests, without loading; embedded images become files. */
 export class FbxTextures {
   readonly manager = new LoadingManager();
 

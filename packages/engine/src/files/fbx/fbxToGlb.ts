@@ -28,7 +28,7 @@ import { FbxTextures } from './FbxTextures';
 /** Metres of a unit of FBX: a centimetre. */
 const UNIT = 0.01;
 
-/** The largest file that is read: its buffers are held twice while it is packed. */
+/** Largest file that is read (bytes): buffers are held twice during packing. */
 const LARGEST = 2 ** 30;
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -54,7 +54,7 @@ function parse(loader: FBXLoader, bytes: ArrayBuffer, notes: Set<string>): Group
   }
 }
 
-/** One sentence on the fault of an FBX, from the error that the loader threw. */
+/** Turns an error of the FBX loader into one sentence. */
 function readError(cause: unknown): Error {
   const said = cause instanceof Error ? cause.message.replace(/^THREE\.\w+:\s*/, '') : String(cause);
   const isRaw = cause instanceof TypeError || cause instanceof RangeError;
@@ -89,7 +89,7 @@ function mtlOf(material: MeshPhongMaterial, textures: FbxTextures): MtlMaterial 
   };
 }
 
-/** In glTF v counts from the top. Normals get a length of 1. */
+/** Flips v, which glTF counts from the top, and normalises normals. */
 function prepareGeometry(geometry: BufferGeometry): void {
   for (const name of ['uv', 'uv1', 'uv2', 'uv3']) {
     const uv = geometry.getAttribute(name) as BufferAttribute | undefined;
@@ -99,7 +99,7 @@ function prepareGeometry(geometry: BufferGeometry): void {
   else geometry.computeVertexNormals();
 }
 
-/** Puts plain materials in the place of those of FBX, with their number in `userData`. @returns those of FBX, in that order */
+/** Replaces FBX materials by plain ones with their index in `userData`. @returns the FBX materials in that order */
 function replaceMaterials(root: Object3D): MeshPhongMaterial[] {
   const given: Material[] = [];
   const plain: MeshStandardMaterial[] = [];
@@ -197,7 +197,7 @@ export async function fbxToGlb(files: FileMap, path: string, signal?: AbortSigna
   };
 }
 
-/** Puts pictures behind what the buffer of a glTF holds. */
+/** Appends images to the buffer of a glTF. */
 function addPictures(json: GltfOut, binary: Uint8Array, pictures: GltfBuffer, textures: ObjTextures): void {
   const before = json.bufferViews?.length ?? 0;
   const start = padded(binary.length);

@@ -1,6 +1,6 @@
 import { padded } from '../writeGlb';
 
-/** The one buffer of a GLB that is being made, with its views and accessors. */
+/** Builder of a GLB's single buffer, with its views and accessors. */
 export class GltfBuffer {
   readonly parts: Uint8Array[] = [];
   readonly views: object[] = [];
@@ -15,7 +15,11 @@ export class GltfBuffer {
     return this.views.push(view) - 1;
   }
 
-  /** An attribute of vertices. @param bounds - with the least and the largest values, as positions need @returns its number */
+  /**
+   * An attribute of vertices.
+   * @param bounds - with the least and the largest values, as positions need
+   * @returns its number
+   */
   addVertices(values: Float32Array, size: 2 | 3, bounds = false): number {
     const bufferView = this.addBytes(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), 34962);
     const accessor = { bufferView, componentType: 5126, count: values.length / size, type: `VEC${size}` };

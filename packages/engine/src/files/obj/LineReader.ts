@@ -60,7 +60,7 @@ export class LineReader {
     return new TextDecoder().decode(bytes.subarray(start, this.at)).trim();
   }
 
-  /** The next word as a decimal number; NaN when it is none. */
+  /** Next word as a decimal number; NaN for any other word. */
   number(): number {
     this.skipBlanks();
     const { bytes } = this;
@@ -141,7 +141,9 @@ export class LineReader {
     return byte === undefined || byte === SPACE || byte === TAB || byte === LINE_FEED || byte === RETURN || byte === 0;
   }
 
-  /** Byte at which the text goes on after a backslash: the start of the next line if the backslash ends this one. */
+  /**
+   * Offset at which the text continues after a backslash: the start of the next line if the backslash ends this one.
+   */
   private joined(backslash: number): number {
     const next = this.bytes[backslash + 1];
     if (next !== LINE_FEED && next !== RETURN) return backslash + 1;

@@ -12,7 +12,7 @@ function partsOf(path: string): string[] {
 
 const stemOf = (name: string): string => name.replace(/\.\w+$/, '');
 
-/** Parts of a path, from its end, by which files are told apart. */
+/** Greatest number of trailing path parts by which files are distinguished. */
 const MOST_PARTS = 32;
 
 /** The ends of a path, the longest first: 'a/b/c', 'b/c', 'c'. */
@@ -24,7 +24,7 @@ function endsOf(parts: readonly string[]): string[] {
 /** Finds what OBJ and MTL files name among dropped files: by other case, other slashes, another folder. */
 export class ObjFolder {
   private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
-  /** By its whole path, and by each end of one, the first file that has it. */
+  /** First file with each whole path, and with each trailing part of a path. */
   private readonly wholes = new Map<string, string>();
   private readonly ends = new Map<string, string>();
 
@@ -41,8 +41,8 @@ export class ObjFolder {
   }
 
   /**
-   * The path of the file that a reference means: the one from the folder of who names it, else the one of this name whose
-   * path agrees most with it. Null when there is none.
+   * The path of the file that a reference means: the one from the folder of who names it, else the one of this name
+   * whose path agrees most with it. Null when there is none.
    * @param from - path of the file that names it
    * @param endings - a file with one of these endings will do where there is none of the one that is named
    */
@@ -63,7 +63,7 @@ export class ObjFolder {
     return null;
   }
 
-  /** Paths of the files that end so, those in the folder of `from` first. */
+  /** Paths of the files with this ending, files in the folder of `from` first. */
   ending(ending: string, from: string): string[] {
     const folder = partsOf(from).slice(0, -1);
     const isNear = (parts: readonly string[]): number => (parts.slice(0, -1).join('/') === folder.join('/') ? 0 : 1);

@@ -25,14 +25,14 @@ export class ObjTextures {
     { wrapS: 10497, wrapT: 10497, magFilter: 9729, minFilter: 9987 },
     { wrapS: 33071, wrapT: 33071, magFilter: 9729, minFilter: 9987 },
   ];
-  /** Paths as they stand in the MTL file. */
+  /** Missing files, by their paths as written in the MTL file. */
   readonly missing = new Set<string>();
   readonly damaged = new Set<string>();
   readonly used = new Set<string>();
   usesTransform = false;
 
   private readonly imageNumbers = new Map<string, Promise<number | null>>();
-  /** Whether a picture, by its key, cuts something out, or, by its path, holds normals. */
+  /** Results of `isCutOut` by an image's key, and of `holdsNormals` by its path. */
   private readonly cutOuts = new Map<string, boolean>();
   private readonly normals = new Map<string, boolean>();
   private readonly textureNumbers = new Map<string, number>();
@@ -44,7 +44,7 @@ export class ObjTextures {
     private readonly signal?: AbortSignal,
   ) {}
 
-  /** Path of the file that a map means; null, and noted, when it is missing. @param from - path of the MTL file */
+  /** Path of a map's file; null, and recorded as missing, when not found. @param from - path of the MTL file */
   find(from: string, map: MtlMap): string | null {
     const path = this.folder.find(from, map.path, PICTURES);
     if (path === null) this.missing.add(map.path);
@@ -52,7 +52,7 @@ export class ObjTextures {
     return path;
   }
 
-  /** A picture in memory; null, and noted, when it cannot be decoded. */
+  /** Decoded image; null, and recorded, when it cannot be decoded. */
   async decode(path: string): Promise<Picture | null> {
     this.signal?.throwIfAborted();
     try {
@@ -63,7 +63,7 @@ export class ObjTextures {
     }
   }
 
-  /** The picture of a file as it is, where glTF can hold it, else as PNG. */
+  /** Adds a file's image unchanged if glTF allows its format, else as PNG. */
   plain(path: string): Promise<number | null> {
     return this.once(path, async () => {
       const bytes = await this.bytesOf(path);
@@ -77,7 +77,7 @@ export class ObjTextures {
     });
   }
 
-  /** A picture that is made of others, once for each key. @param make - null when they cannot be decoded */
+  /** Adds an image computed from others, once for each key. @param make - gives null when they cannot be decoded */
   made(key: string, name: string, make: () => Promise<Picture | null>): Promise<number | null> {
     return this.once(key, async () => {
       const picture = await make();

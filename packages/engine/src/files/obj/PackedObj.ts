@@ -1,8 +1,8 @@
 /** An OBJ and what belongs to it, as one file. */
 export interface PackedObj {
-  /** A GLB: nothing beside it is needed. */
+  /** The GLB, which needs no other files. */
   readonly glb: ArrayBuffer;
-  /** Sentences that name the OBJ, say what is missing or was left out, and how to mend it. Empty when nothing is. */
+  /** Sentences that name the OBJ, missing or omitted parts, and the remedy; empty when complete. */
   readonly notes: readonly string[];
   /** Paths of the files that belong to it: materials and textures. */
   readonly used: ReadonlySet<string>;

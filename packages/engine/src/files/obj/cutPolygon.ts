@@ -4,13 +4,13 @@ import { ShapeUtils, Vector2 } from 'three';
 export interface CutPolygon {
   /** Three indices of corners for each triangle. */
   readonly triangles: readonly number[];
-  /** Whether it is not convex, and was cut as if it was. */
+  /** Whether a concave polygon was cut as if convex. */
   readonly isCoarse: boolean;
 }
 
 /**
- * Cuts a polygon into triangles that turn as it does: a fan from its first corner where it is convex, by ears where it is
- * not.
+ * Cuts a polygon into triangles that turn as it does: a fan from its first corner where it is convex, by ears where it
+ * is not.
  * @param points - x, y and z of each corner
  * @param most - corners up to which one is cut by ears
  */

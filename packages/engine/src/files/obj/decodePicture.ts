@@ -35,8 +35,8 @@ export async function canDecode(bytes: Uint8Array<ArrayBuffer>): Promise<boolean
 }
 
 /**
- * Decodes a picture: TGA, or what the browser knows.
- * @param name - of the file: TGA is told by its ending
+ * Decodes an image: TGA, or any format of the browser.
+ * @param name - of the file; TGA is recognised by its extension
  * @throws Error when it cannot be decoded
  */
 export async function decodePicture(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Picture> {

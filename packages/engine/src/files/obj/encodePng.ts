@@ -15,8 +15,8 @@ async function chunk(type: string, data: Uint8Array): Promise<Uint8Array<ArrayBu
 }
 
 /**
- * A picture as PNG. A canvas would do it too, but it multiplies colours by alpha, and those that cannot be seen are lost:
- * filtering shows them at the edges of what is cut out.
+ * Encodes an image as PNG. A canvas would premultiply alpha and lose the colours of transparent pixels: filtering shows
+ * those colours at the edges of cut-outs.
  * @see PNG (ISO/IEC 15948), 5 and 10
  */
 export async function encodePng({ width, height, data }: Picture): Promise<Uint8Array<ArrayBuffer>> {
@@ -24,7 +24,7 @@ export async function encodePng({ width, height, data }: Picture): Promise<Uint8
   const rows = new Uint8Array((stride + 1) * height);
   for (let y = 0; y < height; y++) {
     const at = y * (stride + 1);
-    // each byte as its difference from the one of the texel before: packs better
+    // PNG filter 1 (difference from the previous texel) compresses better
     rows[at] = 1;
     for (let x = 0; x < stride; x++) {
       rows[at + 1 + x] = data[y * stride + x] - (x < 4 ? 0 : data[y * stride + x - 4]);

@@ -4,8 +4,8 @@ import { weldPositions } from '../../geometry/weldPositions';
 import type { ObjFile } from './parseObj';
 
 /**
- * A geometry of triangles in the form of an OBJ file: one group without a material. Vertices of one place become one where
- * it has no index, since its format knows no shared vertices then.
+ * A geometry of triangles in the form of an OBJ file: one group without a material. Vertices of one place become one
+ * where it has no index, since its format knows no shared vertices then.
  * @param hasNormals - whether its normals are worth keeping; they are computed by crease angle otherwise
  */
 export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): Steps<ObjFile> {
@@ -22,7 +22,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
   yield* inSteps(whole, (from, to) => {
     for (let corner = from; corner < to; corner++) {
       const vertex = index ? index.getX(corner) : corner;
-      // colours belong to vertices: those of one place may differ
+      // vertices at one position may differ in colour, so they are not merged
       const place = places && !colour ? places[vertex] : vertex;
       corners[corner * 3] = place;
       corners[corner * 3 + 1] = uv ? vertex : -1;
@@ -43,7 +43,7 @@ export function* fileOfGeometry(geometry: BufferGeometry, hasNormals: boolean): 
   };
 }
 
-/** The values of an attribute as numbers, whatever it keeps them as. */
+/** Values of an attribute as numbers, of any component type. */
 function* valuesOf(attribute: BufferAttribute | InterleavedBufferAttribute, size: number): Steps<Float32Array> {
   const values = new Float32Array(attribute.count * size);
   yield* inSteps(attribute.count, (from, to) => {

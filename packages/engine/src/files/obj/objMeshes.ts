@@ -14,21 +14,21 @@ export interface ObjPrimitive {
   readonly index: Uint32Array;
 }
 
-/** A group of the file, or, where it has very many, everything. */
+/** Mesh of one group, or of all groups in a file with very many. */
 export interface ObjMesh {
   readonly name: string;
   readonly primitives: readonly ObjPrimitive[];
 }
 
-/** Groups above which they are joined: each costs a draw call, and some programs write one for each face. */
+/** Number of groups above which all are joined: each costs a draw call, and some programs write one per face. */
 const MOST_GROUPS = 4000;
 
 const CREASE = Math.PI / 6;
 
 /**
- * The meshes of an OBJ file: a mesh for each group, a primitive for each material in it. Corners without a normal get one
- * by the crease angle of 30°, as the engine computes them, over the whole file at once, so that nothing shows where groups
- * meet.
+ * The meshes of an OBJ file: a mesh for each group, a primitive for each material in it. Corners without a normal get
+ * one by the crease angle of 30°, as the engine computes them, over the whole file at once, so that nothing shows where
+ * groups meet.
  * @param signal - cancels the work
  * @throws what the signal was aborted with (as a rejection)
  */
@@ -37,7 +37,7 @@ export async function objMeshes(file: ObjFile, signal?: AbortSignal): Promise<Ob
   return runInSlices(buildMeshes({ ...file, normals }), new Slices(signal));
 }
 
-/** The normals of a file and those that it lacks; the corners name them. Normals of no length are absent ones. */
+/** Normals of a file, completed where missing or of length 0; corners are updated to index them. */
 async function completeNormals({ positions, normals, corners }: ObjFile, signal?: AbortSignal): Promise<Float32Array> {
   const slices = new Slices(signal);
   const own = await runInSlices(unitNormals(normals, corners), slices);
@@ -68,7 +68,7 @@ async function completeNormals({ positions, normals, corners }: ObjFile, signal?
   return all;
 }
 
-/** Normals of a length of 1; corners lose those that have none. */
+/** Normalises normals; corners with a normal of length 0 lose it. */
 function* unitNormals(normals: Float32Array, corners: Int32Array): Steps<Float32Array> {
   const unit = new Float32Array(normals.length);
   yield* inSteps(normals.length / 3, (from, to) => {
@@ -87,7 +87,7 @@ function* unitNormals(normals: Float32Array, corners: Int32Array): Steps<Float32
   return unit;
 }
 
-/** The corners of all triangles that lack a normal at any of them. */
+/** Corners of all triangles with a missing normal at any corner. */
 function* trianglesWithoutNormals(corners: Int32Array): Steps<Uint32Array> {
   const found = new Uint32Array(corners.length / 3);
   let count = 0;

@@ -12,7 +12,7 @@ import type { PackedObj } from './PackedObj';
 import { type MtlMaterial, parseMtl } from './parseMtl';
 import { readerOf } from './readers';
 
-/** A material and the MTL file that it stands in. */
+/** A material with the path of its MTL file. */
 interface FoundMaterial {
   readonly material: MtlMaterial;
   readonly from: string;
@@ -135,7 +135,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
   };
 }
 
-/** In glTF v counts from the top. */
+/** Flips v, which glTF counts from the top. */
 function fromTheTop(uvs: Float32Array): Float32Array {
   for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i];
   return uvs;

@@ -2,13 +2,13 @@ import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 
 /** A texture of an MTL file, with its options. */
 export interface MtlMap {
-  /** Path as it stands in the file. */
+  /** Path as written in the MTL file. */
   readonly path: string;
   /** Factors of u and v. */
   readonly scale: readonly [number, number];
   /** Added to u and v after that. */
   readonly offset: readonly [number, number];
-  /** Whether what lies beyond the picture is its edge, not the picture again. */
+  /** Whether the texture is clamped beyond its edges, not repeated. */
   readonly isClamped: boolean;
   /** Strength of bumps. */
   readonly bump: number;
@@ -36,7 +36,7 @@ export interface MtlMaterial {
   readonly normalMap?: MtlMap;
   /** A map of heights, which `bump` and `map_bump` name; many are maps of normals in truth. */
   readonly bumpMap?: MtlMap;
-  /** A map of displacements: used only where it is a map of normals in truth. */
+  /** Displacement map; used only when its texels are in fact normals. */
   readonly displacementMap?: MtlMap;
 }
 
@@ -70,7 +70,7 @@ const wordValues: Readonly<Record<string, RegExp>> = {
 const isOption = (word: string | undefined): boolean => Object.hasOwn(optionLengths, word?.toLowerCase() ?? '');
 const isNumber = (word: string | undefined): word is string => word !== undefined && /^[-+]?[\d.]/.test(word);
 
-/** Reads options from words on into `options`. @returns the place after them */
+/** Reads options into `options`, beginning at word `from`. @returns index after the options */
 function readOptions(words: readonly string[], from: number, options: Map<string, string[]>): number {
   let at = from;
   while (isOption(words[at])) {
@@ -84,7 +84,7 @@ function readOptions(words: readonly string[], from: number, options: Map<string
   return at;
 }
 
-/** Whether values are what an option takes, and so no part of a name that looks like one. */
+/** Whether words are valid values of an option, and not part of a file name that resembles one. */
 function areValues(name: string, values: readonly string[]): boolean {
   const word = wordValues[name];
   if (word) return word.test(values[0]);
@@ -94,7 +94,10 @@ function areValues(name: string, values: readonly string[]): boolean {
 /** Words at the end of a line among which options are looked for: twice as many as all options can take. */
 const TRAILING = 64;
 
-/** The options at the end of some words, where programs write them too. @returns the place of the first; the end for none */
+/**
+ * The options at the end of some words, where programs write them too.
+ * @returns the place of the first; the end for none
+ */
 function trailingOptions(words: readonly string[], from: number, options: Map<string, string[]>): number {
   for (let start = Math.max(from, words.length - TRAILING); start < words.length; start++) {
     const found = new Map<string, string[]>();
@@ -112,7 +115,7 @@ export function parseMtlMap(text: string): MtlMap | undefined {
   const options = new Map<string, string[]>();
   const from = readOptions(words, 0, options);
   const to = trailingOptions(words, from + 1, options);
-  // blanks within the path as they are
+  // blanks within the path are kept
   let path = text.trim();
   for (let i = 0; i < from; i++) path = path.replace(/^\S+\s*/, '');
   for (const word of words.slice(to).toReversed()) path = path.slice(0, -word.length).trimEnd();
@@ -179,7 +182,9 @@ function readMaterial(name: string, info: MtlInfo): MtlMaterial {
   };
 }
 
-/** A material that nobody would see is opaque: programs write `d 0`, as in the Sponza that is handed round, or `Tr 1` for it. */
+/**
+ * Opacity; a fully invisible material counts as opaque, since programs write `d 0` (as in the common Sponza) or `Tr 1`.
+ */
 function opacityOf(d: number | undefined, transparency: number | undefined): number | undefined {
   const opacity = d ?? (transparency === undefined ? undefined : 1 - transparency);
   return opacity === undefined || opacity <= 0 ? undefined : Math.min(1, opacity);

@@ -14,7 +14,7 @@ export interface ObjRun {
   readonly key: string;
   /** Name of the material; null before the first `usemtl`. */
   readonly material: string | null;
-  /** Its corners are those from `from` up to, not including, `to`. */
+  /** Index of the first corner; `to` is one past the last. */
   readonly from: number;
   to: number;
 }
@@ -36,14 +36,14 @@ export interface ObjFile {
   readonly materialFiles: readonly string[];
   /** Lines, points, curves and surfaces, which are left out. */
   readonly leftOut: number;
-  /** Faces of so many corners that they were cut as if they were convex, and are not. */
+  /** Number of concave faces with too many corners, cut as if convex. */
   readonly coarse: number;
 }
 
 /** Lines from one step to the next: about a millisecond of work. */
 const STEP = 4096;
 
-/** Corners of a face that is not convex: cutting it by ears takes time by their square. */
+/** Greatest number of corners of a concave face cut by ears, which takes quadratic time. */
 const MOST_CORNERS = 4096;
 
 const triangle = [0, 1, 2];
@@ -51,7 +51,7 @@ const triangle = [0, 1, 2];
 const halves = [0, 1, 2, 0, 2, 3];
 const otherHalves = [1, 2, 3, 1, 3, 0];
 
-/** Keywords of what is left out. */
+/** Keywords of elements that are ignored. */
 const notDrawn = new Set(['l', 'p', 'curv', 'curv2', 'surf']);
 
 /**
@@ -89,7 +89,7 @@ class ObjParser {
   /** Work of the current step: lines, and what cutting a polygon costs in lines. */
   private work = 0;
   private hasColours = false;
-  /** The vertex of the highest number, and the line that names it. */
+  /** Highest vertex index referred to, and its line. */
   private highest = -1;
   private highestLine = 0;
   private readonly face: number[] = [];
@@ -241,7 +241,10 @@ class ObjParser {
     this.key = `${object} ${group}`;
   }
 
-  /** Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not convex. */
+  /**
+   * Whether the halves of a four-cornered face, cut from its first corner, face away from one another: it is not
+   * convex.
+   */
   private isFolded(face: readonly number[]): boolean {
     const p = this.pointsOf(face);
     let product = 0;
@@ -295,7 +298,7 @@ class ObjParser {
   }
 }
 
-/** Takes numbers of what the file does not have out of the corners. */
+/** Removes indices of missing elements from the corners. */
 function dropMissing(corners: NumberList<Int32Array>, offset: number, count: number): void {
   for (let i = offset; i < corners.length; i += 3) if (corners.at(i) >= count) corners.set(i, -1);
 }

@@ -29,8 +29,8 @@ function checkStl(bytes: Uint8Array): boolean {
 }
 
 /**
- * The corners of the triangles of a text. three's loader looks for each beginning's end in all that follows, again and again
- * where there is none.
+ * The corners of the triangles of a text. three's loader looks for each beginning's end in all that follows, again and
+ * again where there is none.
  */
 function* parseText(bytes: Uint8Array): Steps<BufferGeometry> {
   const reader = new LineReader(bytes);
@@ -53,7 +53,7 @@ function* parseText(bytes: Uint8Array): Steps<BufferGeometry> {
 }
 
 /**
- * Reads an STL file, binary or text. Its normals are those of the triangles: others are computed by crease angle.
+ * Reads an STL file, binary or text. The file's face normals are ignored: normals are computed by crease angle.
  * @throws Error of one sentence that says what is wrong
  */
 export async function parseStl(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile> {

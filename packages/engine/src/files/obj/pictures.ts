@@ -5,7 +5,7 @@ export interface Picture {
   readonly data: Uint8ClampedArray | Uint8Array;
 }
 
-/** Texels that are looked at to tell what a picture is. */
+/** Number of texels sampled to classify an image. */
 const SAMPLES = 4096;
 
 /** Calls back for up to `SAMPLES` texels, evenly spread, with where each begins in the data. */
@@ -99,7 +99,10 @@ export function isCutOut(picture: Picture): boolean {
   return between < count * 0.1;
 }
 
-/** Roughness, in the green channel as glTF wants it, from a picture of how strong highlights are. @param smoothest - where white */
+/**
+ * Roughness, in the green channel as glTF wants it, from a picture of how strong highlights are.
+ * @param smoothest - where white
+ */
 export function roughnessOfSpecular(specular: Picture, smoothest: number): Picture {
   const { width, height, data } = specular;
   const result = new Uint8ClampedArray(data.length);

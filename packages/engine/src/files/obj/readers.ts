@@ -7,7 +7,7 @@ import { parseStl } from './parseStl';
 
 /** A format of triangles without a scene. */
 interface MeshReader {
-  /** Whether its faces name materials of MTL files. */
+  /** Whether faces of the format name materials of MTL files. */
   readonly hasMaterials: boolean;
   /** @throws Error (as a rejection) of one sentence that says what is wrong; what the signal was aborted with */
   read(bytes: Uint8Array<ArrayBuffer>, signal?: AbortSignal): Promise<ObjFile>;
@@ -26,7 +26,7 @@ export const readers: Readonly<Record<string, MeshReader>> = {
   },
 };
 
-/** The reader of a file, told by the ending of its name. @throws Error when there is none */
+/** Reader of a file, by its extension. @throws Error when there is none */
 export function readerOf(path: string): MeshReader {
   const ending = /\.(\w+)$/.exec(path)?.[1].toLowerCase() ?? '';
   if (!Object.hasOwn(readers, ending)) throw new Error(`only .${Object.keys(readers).join(', .')} can be packed.`);

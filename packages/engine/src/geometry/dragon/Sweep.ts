@@ -36,7 +36,7 @@ function between(points: readonly number[], knots: readonly number[], t: number)
   return level[0];
 }
 
-/** A curve through points, and what is swept along it. It may go anywhere but straight to the side (z). */
+/** A curve through points, for shapes swept along it. The curve must nowhere run straight along z. */
 export class Sweep {
   /** Lengths (m) up to the ends of the pieces. */
   private readonly lengths: number[] = [0];

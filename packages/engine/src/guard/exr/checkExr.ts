@@ -23,7 +23,10 @@ async function checkBlock(bytes: Uint8Array<ArrayBuffer>, size: number, compress
   if (compression >= DWAA) await checkDwa(bytes, size);
 }
 
-/** Checks that Huffman codes end within a block of PIZ: three's loader bounds the pixels that they become, not where they end. */
+/**
+ * Checks that Huffman codes end within a block of PIZ: three's loader bounds the pixels that they become, not where
+ * they end.
+ */
 function checkPiz(bytes: Uint8Array<ArrayBuffer>): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const bitmap = bytes.length < 4 ? 0 : Math.max(0, view.getUint16(2, true) - view.getUint16(0, true) + 1);
@@ -52,7 +55,7 @@ async function checkDeepRow(
 }
 
 /**
- * Checks an EXR before it is given to three's loader, which takes memory for whatever comes out of its blocks.
+ * Checks an EXR before three's loader reads it, which allocates memory for any size that the file states.
  * @throws Error (as a rejection) that says what is wrong with its header, or with a block of it
  * @see OpenEXR file layout
  */

@@ -82,7 +82,10 @@ interface PackedArray {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** Goes through the nodes of a binary FBX as the loader does. @throws RangeError where the loader reads beyond the end */
+/**
+ * Goes through the nodes of a binary FBX as the loader does.
+ * @throws RangeError where the loader reads beyond the end
+ */
 function* arraysOf(bytes: ArrayBuffer, budget: Budget): Generator<PackedArray> {
   const view = new DataView(bytes);
   let at = MAGIC.length + 2;
@@ -157,7 +160,7 @@ async function checkBinary(bytes: ArrayBuffer, budget: Budget, signal?: AbortSig
       if (content && isCurve) budget.takeCurve(numbersOf(content, type));
     }
   } catch (error) {
-    // the loader says what is damaged
+    // the loader reports the damage
     if (!(error instanceof RangeError)) throw error;
   }
 }
@@ -175,8 +178,8 @@ function checkText(bytes: ArrayBuffer, budget: Budget): void {
 }
 
 /**
- * Checks an FBX before three's loader reads it, which writes entries of any name into objects, unpacks whatever comes, cuts
- * faces of any number of corners at once, and puts as many keys into a clip as its angles ask for.
+ * Checks an FBX before three's loader reads it, which writes entries of any name into objects, unpacks whatever comes,
+ * cuts faces of any number of corners at once, and puts as many keys into a clip as its angles ask for.
  * @throws Error (as a rejection) whose message is the reason; what the signal was aborted with
  */
 export async function checkFbx(bytes: ArrayBuffer, signal?: AbortSignal): Promise<void> {

@@ -16,7 +16,7 @@ export function imageSize(bytes: Uint8Array): { width: number; height: number } 
     return size && { width: Number(size[2]), height: Number(size[1]) };
   }
   if (tag(0) === '\xabKTX') return { width: view.getUint32(20, true), height: Math.max(1, view.getUint32(24, true)) };
-  // what browsers decode besides: such a file may have another one's name
+  // further formats that browsers decode, even under another format's extension
   if (tag(0) === 'GIF8') return { width: view.getUint16(6, true), height: view.getUint16(8, true) };
   if (tag(0).startsWith('BM')) {
     return { width: Math.abs(view.getInt32(18, true)), height: Math.abs(view.getInt32(22, true)) };

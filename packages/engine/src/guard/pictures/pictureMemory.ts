@@ -3,11 +3,18 @@ import { readExrHeader } from '../exr/readExrHeader';
 import { signatureOf } from '../signature';
 import { checkPixels, imageSize, PixelsError } from './imageSize';
 
-/** Bytes that the files of a library may come to once decoded, whatever their size, and how many times their size beyond. */
+/**
+ * Bytes that the files of a library may come to once decoded, whatever their size, and how many times their size
+ * beyond.
+ */
 const FREE = 2 ** 30;
 const RATIO = 32;
 
-/** @param decoded - bytes of all that is decoded @param files - bytes of all files @throws PixelsError when it is too much */
+/**
+ * @param decoded - bytes of all that is decoded
+ * @param files - bytes of all files
+ * @throws PixelsError when it is too much
+ */
 export function checkMemory(decoded: number, files: number): void {
   const limit = FREE + RATIO * files;
   if (decoded <= limit) return;
@@ -17,7 +24,10 @@ export function checkMemory(decoded: number, files: number): void {
   );
 }
 
-/** Bytes that a picture takes once decoded; 0 where its head says nothing. @throws PixelsError for one of absurd size */
+/**
+ * Bytes that a picture takes once decoded; 0 where its head says nothing.
+ * @throws PixelsError for one of absurd size
+ */
 export function pictureMemory(bytes: Uint8Array): number {
   const said = signatureOf(bytes.slice(0, 16).buffer);
   const size = said === 'EXR' ? exrSize(bytes.slice().buffer) : imageSize(bytes);
@@ -32,7 +42,7 @@ function exrSize(bytes: ArrayBuffer): { width: number; height: number } | null {
     return readExrHeader(bytes);
   } catch (error) {
     if (error instanceof PixelsError) throw error;
-    // told when it is read
+    // reported when the image is read
     return null;
   }
 }

@@ -11,7 +11,7 @@ const MOST = 2 ** 29;
 /** Browsers give samples as floats, of the rate that they were asked for or of their own. */
 const BYTES = 4;
 
-/** Size of a sound by its own data; null for what is none of MP3, AAC, Ogg, WAV, M4A and FLAC, or is damaged. */
+/** Size of a sound by its data; null for damaged files and formats other than MP3, AAC, Ogg, WAV, M4A and FLAC. */
 export function soundSize(bytes: ArrayBuffer): SoundSize | null {
   const view = new DataView(bytes);
   if (view.byteLength < 16) return null;

@@ -2,10 +2,13 @@ import { flacFrame, flacInfo } from './flacSize';
 import type { SoundSize } from './SoundSize';
 
 const RATE_OF_OPUS = 48_000;
-/** Packets of Vorbis are short or long: so many times more samples than it says would be there if all were long, at most. */
+/**
+ * Packets of Vorbis are short or long: so many times more samples than it says would be there if all were long, at
+ * most.
+ */
 const SHORT = 3;
 
-/** One stream of an Ogg. */
+/** State of one logical stream of an Ogg. */
 interface Stream {
   readonly channels: number;
   readonly rate: number;
@@ -51,7 +54,7 @@ function beginStream(view: DataView, at: number): Stream | null {
 /** The size of an Ogg, by what its pages say or its packets come to, whichever is more. @see RFC 3533, 6 */
 export function oggSize(view: DataView): SoundSize | null {
   const all: Stream[] = [];
-  /** By serial number, those that go on. */
+  /** Open streams by serial number. */
   const streams = new Map<number, Stream>();
   const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
   for (let at = 0; at >= 0 && at + 27 <= view.byteLength;) {

@@ -69,8 +69,8 @@ function readEntries(view: DataView<ArrayBuffer>): Entry[] {
 }
 
 /**
- * Reads the files of a ZIP, deflated or stored. What they come to is checked, and asked about, before any is unpacked, and
- * counted while it is; what comes out is checked against its checksum.
+ * Reads the files of a ZIP, deflated or stored. What they come to is checked, and asked about, before any is unpacked,
+ * and counted while it is; what comes out is checked against its checksum.
  * @throws FileError when it is damaged or beyond `unpackLimits`, AbortError when the answer was no
  * @see PKWARE APPNOTE.TXT
  */
@@ -117,7 +117,7 @@ export function isInZip(bytes: Uint8Array<ArrayBuffer>, path: string): boolean {
       ({ name }) => name === path,
     );
   } catch {
-    // what is wrong with it is told by who unpacks it
+    // the caller that unpacks reports the problem
     return false;
   }
 }

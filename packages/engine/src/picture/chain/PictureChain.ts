@@ -36,7 +36,7 @@ const modes: Partial<Record<ToneMapping, postprocessing.ToneMappingMode>> = {
   [NeutralToneMapping]: postprocessing.ToneMappingMode.NEUTRAL,
 };
 
-/** Bits of what is on. */
+/** Bit flags of enabled effects. */
 const BLOOM = 1;
 const FOCUS = 2;
 const GRADING = 4;
@@ -78,7 +78,7 @@ export class PictureChain {
     return extensions.has('EXT_color_buffer_float') || extensions.has('EXT_color_buffer_half_float');
   }
 
-  /** @param redraw - called when a table of colours is there that was waited for */
+  /** @param redraw - called when an awaited colour lookup table is loaded */
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly redraw: () => void,
@@ -185,7 +185,7 @@ export class PictureChain {
     this.depth.texture = this.target!.depthTexture;
   }
 
-  /** Makes the passes of what is on. */
+  /** Makes the passes of the enabled effects. */
   private make(on: number, camera: Camera): void {
     this.freePasses();
     this.on = on;

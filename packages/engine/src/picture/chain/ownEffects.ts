@@ -23,7 +23,7 @@ void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)
   outputColor = inputColor;
 }`;
 
-/** Hands on the depth of the scene: what is drawn over the picture finds it there. */
+/** Copies the scene's depth to the output, for things drawn over the picture. */
 export class DepthEffect extends postprocessing.Effect {
   private readonly sceneDepth = new Uniform<Texture | null>(null);
 

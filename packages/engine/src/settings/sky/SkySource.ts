@@ -12,14 +12,14 @@ const late = new LateCode(
 /** The sky that a scene's settings ask for, made when they change. */
 export class SkySource {
   /**
-   * Fulfilled when the sky that was asked for last is there; rejected when its code could not be fetched. Null before
-   * any is waited for.
+   * Resolves when the sky requested last is painted; rejects when its late code could not be fetched. Null before the
+   * first wait.
    */
   ready: Promise<void> | null = null;
   private made: Sky | null = null;
   private key = '';
 
-  /** @param came - called when the sky is there after it was not */
+  /** @param came - called when late code has been loaded, so that the sky can be made */
   constructor(private readonly came: () => void) {}
 
   /** Sky that the settings ask for; null for none, and until its late code is loaded. */
@@ -28,7 +28,7 @@ export class SkySource {
     if (key === this.key) return this.made;
     if (key !== '' && late.code === null) {
       this.ready = late.load().then(this.came);
-      // told to who waits for it
+      // callers that await `ready` get the error
       this.ready.catch(() => {});
       return null;
     }

@@ -12,7 +12,10 @@ function directionOf({ elevation, azimuth }: SkyDisc | SkyBox): [number, number,
   return [Math.cos(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.sin(azimuth) * Math.cos(elevation)];
 }
 
-/** Cosine of the angle from the sun within which its glow is seen: at the edge it is below 1e-12 of what it is at the sun. */
+/**
+ * Cosine of the angle from the sun within which its glow is seen: at the edge it is below 1e-12 of what it is at the
+ * sun.
+ */
 const GLOWING = 0.88;
 
 /** Share of a cloud in a direction above the horizon, and how lit it is: written to `cloud`. */
@@ -126,7 +129,7 @@ export function paintSky(look: SkyLook, width: number, height: number): Float32A
 /** 1 within a box, 0 away from it, soft at its edges. */
 function boxShare(box: SkyBox, to: readonly number[], x: number, y: number, z: number): number {
   const { halfWidth, halfHeight, azimuth } = box;
-  // the box's own axes: level, and what is left
+  // axes of the box: a level one, and the one normal to the others
   const rightX = -Math.sin(azimuth);
   const rightZ = Math.cos(azimuth);
   const across = Math.abs(x * rightX + z * rightZ);
