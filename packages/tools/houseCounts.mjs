@@ -7,7 +7,7 @@ import { dirname } from 'node:path/posix';
 export const houseLimits = {
   riddles: 1372,
   parametersWithoutDash: 0,
-  tinyFiles: 38,
+  tinyFiles: 10,
   macrosAcrossFiles: 45,
   lines: 158_500,
 };

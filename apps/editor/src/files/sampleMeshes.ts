@@ -1,1 +1,0 @@
-export { registerSceneAssets } from '@farol/scenes';
