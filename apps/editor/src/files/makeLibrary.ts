@@ -5,6 +5,6 @@ export function makeLibrary(options: AssetLibraryOptions): AssetLibrary {
   const library = new AssetLibrary(options);
   library.allowedOrigins = new Set();
   // meshes of the samples are offered in every scene; files that use them load them by themselves
-  void import('@farol/scenes').then(({ registerSceneAssets }) => registerSceneAssets(library));
+  void import('./sampleMeshes').then(({ registerSceneAssets }) => registerSceneAssets(library));
   return library;
 }

@@ -3,7 +3,10 @@ import { classifyLight } from '../../lights/classifyLight';
 import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
-/** Bits of what shaders can have code for; `defines` has the name of each in maskFeatures.glsl; for `images` there are samplers. */
+/**
+ * Bits of what shaders can have code for. `defines` has the macro of each in maskFeatures.glsl; `basic`, `pcf` and `variance`
+ * are bits of FAROL_SHADOW_LOOKUPS, and `images` asks for samplers.
+ */
 export const maskFeatures = {
   maps: 1,
   cubes: 2,
@@ -21,13 +24,10 @@ export const maskFeatures = {
   images: 8192,
 } as const;
 
-const defines: Record<Exclude<keyof typeof maskFeatures, 'images'>, string> = {
+const defines: Record<Exclude<keyof typeof maskFeatures, 'basic' | 'pcf' | 'variance' | 'images'>, string> = {
   maps: 'FAROL_SHADOW_MAPS',
   cubes: 'FAROL_SHADOW_CUBES',
   cascades: 'FAROL_SHADOW_CASCADES',
-  basic: 'FAROL_BASIC_SHADOWS',
-  pcf: 'FAROL_PCF_SHADOWS',
-  variance: 'FAROL_VARIANCE_SHADOWS',
   cookies: 'FAROL_LIGHT_COOKIES',
   unshadowed: 'FAROL_UNSHADOWED_MASKS',
   unbounded: 'FAROL_UNBOUNDED_MASKS',
@@ -69,6 +69,8 @@ export function maskFeaturesOf(
 /** Text of the chunk `maskFeatures` for some features: code for others would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
   const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
+  const { basic, pcf, variance } = maskFeatures;
+  lines.push(`#define FAROL_SHADOW_LOOKUPS ${(features & (basic | pcf | variance)) / basic}`);
   for (const [name, define] of Object.entries(defines)) {
     if ((features & maskFeatures[name as keyof typeof maskFeatures]) !== 0) lines.push(`#define ${define}`);
   }

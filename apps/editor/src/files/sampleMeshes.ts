@@ -1,0 +1,1 @@
+export { registerSceneAssets } from '@farol/scenes';
