@@ -3,7 +3,6 @@ import { AppliedBake } from './apply/AppliedBake';
 import { freeChannel } from './apply/litGeometry';
 import type { Bake, BakedLightmap, BakedMesh } from './Bake';
 import type { BakeOptions } from './BakeOptions';
-import { checkDevice } from './checkDevice';
 import { type CheckedBakeOptions, checkBakeOptions } from './checkOptions';
 import { keepState } from './gpu/keepState';
 import { Slices } from './gpu/Slices';
@@ -157,4 +156,13 @@ async function trace(
   } finally {
     for (const each of tables) each.dispose();
   }
+}
+
+/** @throws Error for a device that cannot bake, and while the context is lost, which says nothing of the device */
+export function checkDevice(renderer: WebGLRenderer): void {
+  if (renderer.getContext().isContextLost())
+    throw new Error('The bake cannot begin: the WebGL context is lost. Bake again once the picture is back.');
+  const missing = ['EXT_color_buffer_float', 'EXT_float_blend'].filter((name) => !renderer.extensions.has(name));
+  if (missing.length === 0) return;
+  throw new Error(`This device cannot bake: its WebGL2 has no ${missing.join(' and no ')}.`);
 }

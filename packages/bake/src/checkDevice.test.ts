@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { expect, it } from 'vitest';
-import { checkDevice } from './checkDevice';
+import { checkDevice } from './bakeLightmaps';
 
 const deviceOf = (names: readonly string[], isLost: boolean): WebGLRenderer =>
   ({

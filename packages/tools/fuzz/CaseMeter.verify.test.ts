@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import { CaseMeter } from './CaseMeter';
-import { collectGarbage } from './collectGarbage';
+import { CaseMeter, collectGarbage } from './CaseMeter';
 
 test('work and waiting are time; what another process takes of the machine is none', async () => {
   const working = await CaseMeter.begin(null);

@@ -10,8 +10,7 @@ import { FileError } from '../../engine/src/guard/FileError';
 import { serialize } from '../../engine/src/files/serialize';
 import { unpack } from '../../engine/src/guard/unpack';
 import { parsePly } from '../../engine/src/geometry/parsePly';
-import { CaseMeter, youngBytes } from './CaseMeter';
-import { collectGarbage } from './collectGarbage';
+import { CaseMeter, collectGarbage, youngBytes } from './CaseMeter';
 import { machineSlowness } from '@farol/tools/machineSlowness';
 import type { FuzzCase } from './generate';
 

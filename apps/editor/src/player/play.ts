@@ -18,7 +18,6 @@ import { player } from '../language/es/player';
 import { firstLanguage } from '../language/languages';
 import { askForHosts, askForScripts } from './ask';
 import { hasParticles } from './hasParticles';
-import { keepToHosts } from './keepToHosts';
 import { needsParticles } from '../files/share/needsParticles';
 import { hasScripts, isSandboxed, showSandboxed, tellReady } from './sandbox';
 import { playWithParticles } from './withParticles';
@@ -210,4 +209,15 @@ export function play(runScripts: RunScripts | null): Promise<void> {
   // errors are shown by `start`, and reach those who await `ready`
   ready.then(tellReady, () => {});
   return ready;
+}
+
+/** Restricts the page, including workers, to fetching from its own and the given hosts; it can show no other page. */
+function keepToHosts(hosts: readonly string[]): void {
+  const policy = document.createElement('meta');
+  policy.httpEquiv = 'Content-Security-Policy';
+  const allowed = hosts.filter((host) => /^https?:\/\/[\w.:[\]-]+$/.test(host));
+  policy.content = `connect-src 'self' data: blob: ${allowed.join(' ')}; frame-src 'none'`;
+  document.head.append(policy);
+  // removed, since no content policy covers these connections
+  for (const name of ['RTCPeerConnection', 'webkitRTCPeerConnection']) Reflect.deleteProperty(globalThis, name);
 }

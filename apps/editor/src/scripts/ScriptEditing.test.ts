@@ -2,8 +2,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { EditorDocument } from '../model/EditorDocument';
 import { addScript } from '../model/scriptEdits';
 import { scriptTemplate } from '../model/scriptTemplate';
-import { hasSyntaxErrors } from './hasSyntaxErrors';
-import { ScriptEditing } from './ScriptEditing';
+import { hasSyntaxErrors, ScriptEditing } from './ScriptEditing';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());

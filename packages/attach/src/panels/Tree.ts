@@ -4,7 +4,6 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import { icon } from '../ui/icon';
 import { objectIcon } from '../ui/objectIcon';
-import { rangeOf } from './rangeOf';
 
 const ROW = 22; // CSS pixels, as in style.css
 const MARGIN = 4; // rows drawn above and below what is seen
@@ -255,4 +254,15 @@ export class Tree {
 
 function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * Items of a list from one to another, both among them, in the order of the walk from the first to the second: the second
+ * comes last, as the primary one of a selection. Null where one of the two is not in the list.
+ */
+export function rangeOf<Item>(items: readonly Item[], from: Item | null, to: Item): Item[] | null {
+  const [first, last] = [items.findIndex((each) => each === from), items.indexOf(to)];
+  if (first < 0 || last < 0) return null;
+  const range = items.slice(Math.min(first, last), Math.max(first, last) + 1);
+  return first < last ? range : range.toReversed();
 }

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { rangeOf } from './rangeOf';
+import { rangeOf } from './Tree';
 
 const items = [...'abcde'];
 

@@ -1,6 +1,15 @@
+import emitters from '../trace/emitters.glsl?raw';
+import sampleCount from '../lightmap/sampleCount.glsl?raw';
+import lightTable from '../trace/lightTable.glsl?raw';
+import random from '../trace/random.glsl?raw';
+import sky from '../trace/sky.glsl?raw';
+import tables from '../trace/tables.glsl?raw';
+import traverse from '../trace/traverse.glsl?raw';
 import { GLSL3, type IUniform, NoBlending, RawShaderMaterial, type ShaderMaterialParameters } from 'three';
-import { chunks } from './chunks';
 import { composeShader } from './composeShader';
+
+/** The shader texts that others include, by name. */
+const chunks = { emitters, lightTable, random, sampleCount, sky, tables, traverse };
 
 const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n';
 

@@ -9,9 +9,8 @@ export { fileLimits } from '../guard/fileLimits';
 export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
-export { preloadFileCode } from './preloadFileCode';
 export { restoreComponent } from './restoreComponent';
-export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
+export { isContainer, preloadFileCode, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/unpack';
 

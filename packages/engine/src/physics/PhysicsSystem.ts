@@ -17,7 +17,7 @@ async function loadCode(): Promise<Code> {
   const [rapier, { PhysicsWorld }, { shapesReady }] = await Promise.all([
     loadRapier(),
     import('./PhysicsWorld'),
-    import('./shapesReady'),
+    import('./meshParts'),
   ]);
   return { start: (scene, system) => new PhysicsWorld(rapier, scene, system), shapesReady };
 }

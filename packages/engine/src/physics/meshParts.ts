@@ -80,3 +80,14 @@ export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
   }
   return parts;
 }
+
+/** Fulfilled when the meshes that colliders of a scene are fitted to are loaded, or could not be. */
+export async function shapesReady(scene: Scene): Promise<void> {
+  const names = new Set<string>();
+  for (const collider of scene.componentsOf('Collider')) {
+    for (const object of drawnObjects(collider.gameObject)) {
+      for (const { type, name } of meshNamesOf(object)) if (!scene.assets.isReady(type, name)) names.add(name);
+    }
+  }
+  await Promise.allSettled([...names].map((name) => scene.assets.load(name)));
+}

@@ -3,7 +3,6 @@ import type { Scene, ScriptAsset } from '@farol/engine';
 import { assetUses, foreignAddresses, readGltfJson, writeContainer } from '@farol/engine/files';
 import { needsParticles } from './needsParticles';
 import { compileScript, ScriptError } from '@farol/engine/scripts';
-import { scriptElement } from './scriptElement';
 import { sharedContent, type ShareOptions } from './sharedContent';
 
 function base64Of(bytes: Uint8Array): string {
@@ -133,3 +132,10 @@ ${[...scripts, script].map((code) => scriptElement(nonce, code)).join('\n')}
 `;
   return new Blob([page], { type: 'text/html' });
 }
+
+/**
+ * An inline script element. Sequences in the code that would end it, or hide its end, are escaped.
+ * @see HTML, "Restrictions for contents of script elements"
+ */
+export const scriptElement = (nonce: string, code: string): string =>
+  `<script nonce="${nonce}">${code.replaceAll(/<(?=\/script|!--)/gi, '\\x3C')}</script>`;

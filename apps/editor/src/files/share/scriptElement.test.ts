@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { scriptElement } from './scriptElement';
+import { scriptElement } from './exportHtml';
 
 const texts = [
   '</script>',

@@ -6,10 +6,9 @@ import { matchKey } from '../../actions/matchKey';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
-import { LINES } from './lines';
 import { matchItems } from './matchItems';
 import './palette.css';
-import { objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
+import { LINES, objectItems, OBJECTS, type PaletteItem, paletteItems } from './paletteItems';
 
 /** Palette of all actions, and objects of the scene, found by typing. */
 export function CommandPalette({ onClose }: { onClose(): void }): ReactNode {

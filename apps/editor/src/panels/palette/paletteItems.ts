@@ -8,6 +8,9 @@ import { creations } from '../../model/creations';
 import type { IconName } from '../../style/iconPaths';
 import type { Findable } from './matchItems';
 
+/** Number of lines shown in the command palette. */
+export const LINES = 60;
+
 /** A line of the command palette. */
 export interface PaletteItem extends Findable {
   readonly id: string;

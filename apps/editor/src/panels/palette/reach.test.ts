@@ -15,9 +15,8 @@ import { EditorDocument } from '../../model/EditorDocument';
 import { RecentFiles } from '../../model/RecentFiles';
 import { Registry } from '../../model/Registry';
 import { panels } from '..';
-import { LINES } from './lines';
 import { matchItems } from './matchItems';
-import { paletteItems } from './paletteItems';
+import { LINES, paletteItems } from './paletteItems';
 
 beforeEach(() => {
   vi.stubGlobal('localStorage', { getItem: () => null, setItem() {}, removeItem() {} });

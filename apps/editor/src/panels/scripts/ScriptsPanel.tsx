@@ -1,3 +1,5 @@
+import type { EditorApi } from '../../api/EditorApi';
+import { ScriptEditing } from '../../scripts/ScriptEditing';
 import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useMemo, useState, useSyncExternalStore } from 'react';
 import { isJavaScript } from '../../model/scriptNames';
@@ -12,8 +14,18 @@ import { ScriptList } from './ScriptList';
 import { ProblemList } from './ProblemList';
 import { problemsOf } from './scriptProblems';
 import './scripts.css';
-import { useScriptEditing } from './useScriptEditing';
 import { useDiagnostics, useScriptLanguage } from './useScriptLanguage';
+
+const known = new WeakMap<EditorApi, ScriptEditing>();
+
+/** Texts of an editor's scripts that are being edited. */
+function useScriptEditing(): ScriptEditing {
+  const editor = useEditor();
+  let editing = known.get(editor);
+  if (!editing) known.set(editor, (editing = new ScriptEditing(editor.document)));
+  useSignal(editing.changed);
+  return editing;
+}
 
 /** The scene's scripts: list and editor; a text runs while it is typed. */
 export function ScriptsPanel(): ReactNode {

@@ -2,7 +2,6 @@ import { type Diagnostic, setDiagnostics } from '@codemirror/lint';
 import { EditorState, type Extension, type Text } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import { type ReactNode, useEffect, useLayoutEffect, useRef } from 'react';
-import { changeTo } from './changeTo';
 import { codeExtensions, fromOutside } from './codeExtensions';
 
 /** A problem shown in the text. */
@@ -100,4 +99,14 @@ export function CodeEditor(props: CodeEditorProps): ReactNode {
       onBlur={(event) => !event.currentTarget.contains(event.relatedTarget) && handlers.current.onLeave()}
     />
   );
+}
+
+/** The smallest single replacement that turns one text into another. */
+function changeTo(before: Text, after: string): { from: number; to: number; insert: string } {
+  const old = before.toString();
+  let from = 0;
+  while (from < old.length && from < after.length && old[from] === after[from]) from++;
+  let end = 0;
+  while (end < old.length - from && end < after.length - from && old.at(-1 - end) === after.at(-1 - end)) end++;
+  return { from, to: old.length - end, insert: after.slice(from, after.length - end) };
 }

@@ -1,7 +1,7 @@
 import { DataUtils } from 'three';
 import { expect, test } from 'vitest';
 import { createRandom } from '../../base/createRandom';
-import { halfOf } from './halfOf';
+import { halfOf } from './makeSky';
 
 test("is three's half float: of every power of 2, of what lies between, of what is too large", () => {
   const random = createRandom(5);

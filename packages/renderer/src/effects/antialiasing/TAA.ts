@@ -8,7 +8,6 @@ import { RecentlyUsed } from '../../frame/RecentlyUsed';
 import { Picture } from '../Picture';
 import { cellWeights } from './cellWeights';
 import { halton } from './halton';
-import { jitterProjection } from './jitterProjection';
 import lanczosCross from './lanczosCross.glsl?raw';
 import { looksOf, surroundingsOf } from './looksOf';
 import { MotionPass } from './MotionPass';
@@ -320,4 +319,17 @@ export class TAA implements FarolEffect {
 /** Whether lights of fields have changed since the last frame. */
 function sendsFields({ lights, uploadedBytes }: Frame): boolean {
   return lights.fields.length > 0 && uploadedBytes > 0;
+}
+
+/**
+ * Moves a projection by normalised device coordinates: a row operation, right for perspective, orthographic and off-centre
+ * projections alike.
+ */
+export function jitterProjection(projection: Matrix4, x: number, y: number): Matrix4 {
+  const e = projection.elements;
+  for (let column = 0; column < 16; column += 4) {
+    e[column] += x * e[column + 3];
+    e[column + 1] += y * e[column + 3];
+  }
+  return projection;
 }

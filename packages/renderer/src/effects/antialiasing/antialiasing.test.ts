@@ -1,8 +1,7 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { halton } from './halton';
-import { jitterProjection } from './jitterProjection';
-import { TAA } from './TAA';
+import { jitterProjection, TAA } from './TAA';
 
 describe('halton', () => {
   it('is the radical inverse', () => {

@@ -1,8 +1,14 @@
 import type { IUniform } from 'three';
-import { beforeMain } from './beforeMain';
 import { findChunk } from '../../three/replaceChunk';
 import type { TwinKind } from '../../materials/TwinKind';
 import probeIrradiance from './probeIrradiance.glsl?raw';
+
+/** Also as the host may write it. */
+const MAIN = /\bvoid\s+main\s*\(/;
+
+/** Puts declarations before a shader's main(). */
+const beforeMain = (shader: string, declarations: string): string =>
+  shader.replace(MAIN, (main) => `${declarations}\n${main}`);
 
 /** `irradiance` and `iblIrradiance` are those of three's lights_fragment_begin. */
 const ADD = `#if defined( RE_IndirectDiffuse )

@@ -13,9 +13,9 @@ export class CookieDraws {
     farol_cookieFlip: { value: 1 },
     farol_cookieLevel: { value: 0 },
   };
-  private readonly images = this.make('cookie images', {});
-  private readonly cubes = this.make('cookie cubes', { FAROL_CUBE: '' });
-  private readonly profiles = this.make('light profiles', { FAROL_PROFILE: '' });
+  private readonly images = this.make('cookie images', { FAROL_IMAGE_KIND: '0' });
+  private readonly cubes = this.make('cookie cubes', { FAROL_IMAGE_KIND: '1' });
+  private readonly profiles = this.make('light profiles', { FAROL_IMAGE_KIND: '2' });
 
   constructor(private readonly drawer: RegionDrawer) {}
 

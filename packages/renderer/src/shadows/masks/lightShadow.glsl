@@ -219,14 +219,14 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
   FarolDisk disk;
   if (farol_isCube(mask, isPoint)) {
 #ifdef FAROL_SHADOW_CUBES
-#ifdef FAROL_PCF_SHADOWS
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
     disk = farol_cubeDisk(mask.region, mask.border, coord.xyz, mask.filtering.xy, mask.filtering.z);
     float depth = disk.middle.z;
 #else
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
 #endif
     inside = depth >= 0.0 && depth <= 1.0; // between the near and far planes
-#ifdef FAROL_BASIC_SHADOWS
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
     if (mask.lookup == FAROL_LOOKUP_CUBE_BASIC)
       lit = farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(coord.xyz), true), depth);
 #endif
@@ -238,21 +238,21 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
     vec2 extent = vec2(mask.region.z, 0.0); // height, cascades
     if (mask.isExtended) extent = farol_maskHeightAndCascades(record);
     vec4 region = farol_cascadeRegion(record, vec4(mask.region, extent.x), across, int(extent.y));
-#ifdef FAROL_BASIC_SHADOWS
+#if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
     if (mask.lookup == FAROL_LOOKUP_BASIC)
       lit = farol_shadowTap(
         clamp(floor(region.xy + across.xy * region.zw) + 0.5, region.xy + 0.5, region.xy + region.zw - 0.5), across.z);
 #endif
-#ifdef FAROL_VARIANCE_SHADOWS
+#if ( FAROL_SHADOW_LOOKUPS & 4 ) != 0 // variance
     if (mask.lookup == FAROL_LOOKUP_VARIANCE) lit = farol_varianceShadow(region, across, mask.filtering.y);
 #endif
-#ifdef FAROL_PCF_SHADOWS
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
     disk = farol_mapDisk(region, across, mask.filtering.yz);
 #endif
 #endif
   }
-#ifdef FAROL_PCF_SHADOWS
-#if defined( FAROL_BASIC_SHADOWS ) || defined( FAROL_VARIANCE_SHADOWS )
+#if ( FAROL_SHADOW_LOOKUPS & 2 ) != 0 // PCF
+#if FAROL_SHADOW_LOOKUPS != 2
   if (mask.lookup == FAROL_LOOKUP_PCF || mask.lookup == FAROL_LOOKUP_CUBE_PCF)
 #endif
   lit = farol_diskShadow(disk);

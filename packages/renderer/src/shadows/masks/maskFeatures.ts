@@ -4,8 +4,8 @@ import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /**
- * Features of masks that shaders can have code for, as bits. `defines` has their names in maskFeatures.glsl; `images`
- * stands for samplers instead.
+ * Features of masks that shaders can have code for, as bits. `defines` has the macro of each in maskFeatures.glsl; `basic`, `pcf` and `variance`
+ * are bits of FAROL_SHADOW_LOOKUPS, and `images` asks for samplers.
  */
 export const maskFeatures = {
   maps: 1,
@@ -24,13 +24,10 @@ export const maskFeatures = {
   images: 8192,
 } as const;
 
-const defines: Record<Exclude<keyof typeof maskFeatures, 'images'>, string> = {
+const defines: Record<Exclude<keyof typeof maskFeatures, 'basic' | 'pcf' | 'variance' | 'images'>, string> = {
   maps: 'FAROL_SHADOW_MAPS',
   cubes: 'FAROL_SHADOW_CUBES',
   cascades: 'FAROL_SHADOW_CASCADES',
-  basic: 'FAROL_BASIC_SHADOWS',
-  pcf: 'FAROL_PCF_SHADOWS',
-  variance: 'FAROL_VARIANCE_SHADOWS',
   cookies: 'FAROL_LIGHT_COOKIES',
   unshadowed: 'FAROL_UNSHADOWED_MASKS',
   unbounded: 'FAROL_UNBOUNDED_MASKS',
@@ -75,6 +72,8 @@ export function maskFeaturesOf(
 /** Text of the chunk `maskFeatures` for the given features; other features' code would slow shaders down. */
 export function maskFeaturesChunk(features: number): string {
   const lines = ['// What shaders have code for: the shadow maps, cookies and profiles met so far.', '// Farol'];
+  const { basic, pcf, variance } = maskFeatures;
+  lines.push(`#define FAROL_SHADOW_LOOKUPS ${(features & (basic | pcf | variance)) / basic}`);
   for (const [name, define] of Object.entries(defines)) {
     if ((features & maskFeatures[name as keyof typeof maskFeatures]) !== 0) lines.push(`#define ${define}`);
   }

@@ -1,9 +1,10 @@
-import type { Camera, Light, Object3D, Texture } from 'three';
+import { lightRange } from '../../lights/lightData';
+import { sphereCoverage } from '../../lights/spheres';
+import { type Camera, type Light, type Object3D, type PointLight, type Texture, Vector3 } from 'three';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
 import { isBelow } from '../isBelow';
 import { CookieSlot } from './CookieSlot';
 import type { ImageSamplers } from './ImageSamplers';
-import { lightCoverage } from './lightCoverage';
 import type { ShadowLight } from './ShadowLight';
 import { ShadowSlot } from './ShadowSlot';
 
@@ -189,4 +190,14 @@ export class LightSlots {
     for (const slot of this.slots.values()) if (slot.cookie === cookie || slot.profile === cookie) return true;
     return false;
   }
+}
+
+const position = new Vector3();
+
+/** Share of the picture that what a light reaches covers, roughly: 0 to 1, 1 without a range. */
+function lightCoverage(light: Light, camera: Camera): number {
+  const range = lightRange(light as PointLight);
+  if (range === 0) return 1;
+  position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(camera.matrixWorldInverse);
+  return sphereCoverage(-position.z, range, camera.projectionMatrix.elements);
 }

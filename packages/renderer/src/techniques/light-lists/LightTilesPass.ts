@@ -17,8 +17,8 @@ const BLOCK = 4;
 const SHARED = ['farol_lightTable', 'farol_lightCounts', 'farol_tiles', 'farol_tileRun', 'farol_tileMask'];
 const DEFINES = {
   none: {},
-  bounds: { FAROL_DEPTH: '' },
-  slices: { FAROL_DEPTH: '', FAROL_SLICES: '' },
+  bounds: { FAROL_DEPTH: '1' },
+  slices: { FAROL_DEPTH: '2' },
 } as const satisfies Record<TileDepthUse, object>;
 const LISTS: LightLists = { loop: 'lightLoopTiled', defines: {} };
 

@@ -57,7 +57,7 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
   if (tile.range.x > tile.range.y) return false;
   vec3 outside = max(max(tile.low - sphere.xyz, sphere.xyz - tile.high), 0.0);
   if (dot(outside, outside) > radius * radius) return false;
-#ifdef FAROL_SLICES
+#if FAROL_DEPTH > 1
   vec2 slices = (vec2(-sphere.z - radius, -sphere.z + radius) - tile.range.x)
     * (32.0 / max(tile.range.y - tile.range.x, 1e-6));
   int first = int(clamp(slices.x, 0.0, 31.0));
