@@ -1,4 +1,6 @@
-/** Controls, marks of format and direction, private use, what stands for no letter, lone surrogates, ends of lines. */
+/**
+ * Matches controls, format and direction marks, private use, replacement characters, lone surrogates, ends of lines.
+ */
 const UNPRINTABLE = /[\p{C}\p{Zl}\p{Zp}\ufffd]/gu;
 
 const escapeOf = (letter: string): string => `\\u{${letter.codePointAt(0)!.toString(16)}}`;
