@@ -4,8 +4,8 @@ import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /**
- * Features of masks that shaders can have code for, as bits. `defines` has the macro of each in maskFeatures.glsl; `basic`, `pcf` and `variance`
- * are bits of FAROL_SHADOW_LOOKUPS, and `images` asks for samplers.
+ * Features of masks that shaders can have code for, as bits. `defines` has their macros in maskFeatures.glsl; `basic`, `pcf`
+ * and `variance` are bits of FAROL_SHADOW_LOOKUPS; `images` asks for samplers.
  */
 export const maskFeatures = {
   maps: 1,

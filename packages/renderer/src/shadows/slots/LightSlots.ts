@@ -194,7 +194,7 @@ export class LightSlots {
 
 const position = new Vector3();
 
-/** Share of the picture that what a light reaches covers, roughly: 0 to 1, 1 without a range. */
+/** Approximate share of the picture that a light's range covers, 0 to 1; 1 without a range. */
 function lightCoverage(light: Light, camera: Camera): number {
   const range = lightRange(light as PointLight);
   if (range === 0) return 1;
