@@ -5,11 +5,11 @@ import { dirname } from 'node:path/posix';
  * `lines` are of product code: TypeScript, GLSL, CSS and scripts of packages and apps, without tests.
  */
 export const houseLimits = {
-  riddles: 1372,
+  riddles: 12,
   parametersWithoutDash: 0,
-  tinyFiles: 10,
+  tinyFiles: 6,
   macrosAcrossFiles: 39,
-  lines: 158_500,
+  lines: 156_800,
 };
 
 /** Files that may have more than {@link MOST_LINES} lines, to become none. */
@@ -17,7 +17,6 @@ export const longFiles = [
   'apps/editor/src/model/timeline/Timeline.ts',
   'apps/editor/src/panels/timeline/TimelinePointer.ts',
   'apps/editor/src/viewport/Viewport.ts',
-  'apps/viewer/src/Viewer.ts',
 ];
 
 /** First words by which a docblock hides its noun. */
@@ -57,7 +56,8 @@ export function parametersWithoutDash(path, source) {
 }
 
 /**
- * Files of under 15 lines that one other file imports, which lies in the same folder: they read better within it.
+ * Files of under 15 lines that one other file imports, which lies in the same folder: they read better within it. Not those
+ * that an `index.ts` lists: a technique or a kind of field is a file of its own and a line there.
  *
  * @param {ReadonlyMap<string, string>} files - source by path, with `/`; no tests
  * @param {import('./importCircles.mjs').ImportGraph} imports
@@ -73,7 +73,13 @@ export function tinyFiles(files, imports) {
   return [...files.keys()].filter((path) => {
     const lines = files.get(path)?.trimEnd().split('\n').length ?? 0;
     const by = importers.get(path) ?? [];
-    return !path.endsWith('/index.ts') && lines < FEWEST_LINES && by.length === 1 && dirname(by[0]) === dirname(path);
+    return (
+      !path.endsWith('/index.ts') &&
+      lines < FEWEST_LINES &&
+      by.length === 1 &&
+      dirname(by[0]) === dirname(path) &&
+      !by[0].endsWith('/index.ts')
+    );
   });
 }
 

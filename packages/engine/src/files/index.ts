@@ -10,7 +10,8 @@ export { type ForeignAddress, foreignAddresses } from './foreignAddresses';
 export { makeObjects } from './makeObjects';
 export { parseFile, type ParseOptions } from './parseFile';
 export { restoreComponent } from './restoreComponent';
-export { isContainer, preloadFileCode, readSceneFile, type SceneFile } from './readSceneFile';
+export { preloadFileCode } from './preloadFileCode';
+export { isContainer, readSceneFile, type SceneFile } from './readSceneFile';
 export { assetInFile, serialize, serializeHead, serializeObject, type SerializeOptions } from './serialize';
 export { type MayUnpack, sizesText, unpack, unpackLimits, type UnpackQuestion } from '../guard/unpack';
 

@@ -41,12 +41,3 @@ export async function readSceneFile(bytes: Uint8Array, mayUnpack?: MayUnpack): P
   if (textOf(bytes.subarray(0, 4)) === 'glTF') fail('The file is a GLB, no scene of Farol: drop it on Assets.');
   return { text: textOf(bytes), fileOf: () => null };
 }
-
-/** Fetches what is otherwise fetched with the first file: what reads assets, and what packs and unpacks containers. */
-export async function preloadFileCode(): Promise<void> {
-  await Promise.all([
-    import('three/addons/libs/fflate.module.js'),
-    import('../assets/readAsset'),
-    import('./obj/objToGlb'),
-  ]);
-}
