@@ -172,5 +172,7 @@ test('a light behind the camera that shines beyond the far plane is whole in lig
       return compareImages(lists, volumes);
     });
   });
-  for (const [turn, { largest }] of results.entries()) expect(largest, `place ${turn}`).toBeLessThan(1e-3);
+  // 0.0019 on an H100, whose volumes and lists round differently; without the whole volume 0.038
+  const most = process.env.FAROL_GPU ? 4e-3 : 1e-3;
+  for (const [turn, { largest }] of results.entries()) expect(largest, `place ${turn}`).toBeLessThan(most);
 });

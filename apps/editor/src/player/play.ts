@@ -11,6 +11,7 @@ import {
   watchPixelRatio,
 } from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
+import { registerSceneAssets } from '@farol/scenes';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';
@@ -54,6 +55,7 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
   const element = document.getElementById('farol-scene');
   const dragon = (element ?? ownScript)?.dataset.dragon;
   const assets = new AssetLibrary({ renderer, ...(dragon ? { urls: { dragon } } : {}) });
+  registerSceneAssets(assets);
   if (element) {
     const { text, fileOf } = await readSceneFile(bytesOf(element.textContent.trim()));
     // the author of an exported page has allowed its hosts, as its content policy says

@@ -14,7 +14,7 @@ const DEFAULT_CREASE = Math.PI / 6;
 export abstract class DerivedAssets extends LoadedAssets {
   protected readonly normals = new MeshNormals();
   /** Textures by repeat and by whether they are data, for each name. */
-  protected readonly repeated = new Map<string, Map<string, Texture>>();
+  protected readonly repeated: Map<string, Map<string, Texture>> = new Map();
 
   /**
    * A mesh's geometry. When the asset has no normals they are computed, faces that meet at less than `creaseAngle`
