@@ -135,7 +135,8 @@ for (const [turn, { name, measured, onGPU = measured, isCopied = false, ...sampl
 const filters: readonly (CheckedSampling & { name: string; measured: number })[] = [
   { name: 'mipmaps', min: 'LinearMipmapLinear', measured: 73 },
   { name: 'mipmaps, anisotropy', min: 'LinearMipmapLinear', anisotropy: 8, measured: 67 },
-  { name: 'the nearest mipmap', min: 'LinearMipmapNearest', measured: 72 },
+  // 69 by lists on an H100
+  { name: 'the nearest mipmap', min: 'LinearMipmapNearest', measured: process.env.FAROL_GPU ? 69 : 72 },
 ];
 
 for (const [turn, { name, measured, ...sampling }] of filters.entries()) {
