@@ -12,7 +12,7 @@ import { playerPlugin } from './player.config.ts';
 const initial = /^assets\/(index|three|rolldown-runtime)-/;
 
 /**
- * What is fetched at once with a file that is imported late: what it imports in its turn, but for what is there already. The
+ * Files to fetch at once with a file that is imported late: its imports that are not there yet. The
  * file itself is asked for a moment later, so it is named only where styles, which are waited for first, come with it.
  */
 function resolveDependencies(

@@ -5,7 +5,7 @@ import { dirname } from 'node:path/posix';
  * `lines` are of product code: TypeScript, GLSL, CSS and scripts of packages and apps, without tests.
  */
 export const houseLimits = {
-  riddles: 12,
+  riddles: 2,
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 39,

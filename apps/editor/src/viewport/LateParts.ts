@@ -8,10 +8,10 @@ import type { MaterialBall } from './MaterialBall';
 import type { ParticlePreview, PreviewHost } from './particles/ParticlePreview';
 import type { OverlayHost, PhysicsOverlay } from './physics/PhysicsOverlay';
 
-/** What the parts that are fetched late need of the viewport. */
+/** Parts of the viewport that its late code uses. */
 export interface LateHost extends OverlayHost, PreviewHost {
   readonly webgl: WebGLRenderer;
-  /** What is drawn over the picture. */
+  /** Helpers drawn over the picture: icons, lines, the gizmo. */
   readonly helpers: { readonly scene: Scene };
   /** The selected camera, of which a small picture is shown; null for none. */
   readonly previewed: CameraComponent | null;
@@ -19,7 +19,7 @@ export interface LateHost extends OverlayHost, PreviewHost {
   onError(error: unknown): void;
 }
 
-/** Of the lines of a selected light. */
+/** Colour of the lines of a selected light. */
 const LIGHT_COLOUR = '#ff9d3c';
 /** Round the light's place, where its icon and the gizmo's middle are (CSS pixels). */
 const LIGHT_CLEARANCE = 12;

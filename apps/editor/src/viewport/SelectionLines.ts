@@ -5,10 +5,10 @@ import { drawRanges, drawSelection } from './drawSelection';
 import { LineSet } from './LineSet';
 import { SelectionOutline } from './SelectionOutline';
 
-/** Of what is selected. */
+/** Colour of lines around selected objects. */
 const COLOUR = '#ff9d3c';
 
-/** Of the ranges of lights that are not. */
+/** Colour of the ranges of lights that are not selected. */
 const QUIET = '#8a7a5c';
 
 /** The outline and lines of what is selected, and the ranges of lights that are not. */

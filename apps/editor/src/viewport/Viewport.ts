@@ -58,7 +58,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   readonly panes: Panes;
   readonly gizmo: Gizmo;
   readonly helpers: Helpers;
-  /** What is fetched when it is first needed. */
+  /** Code that is fetched when it is first needed. */
   readonly parts: LateParts;
   readonly picker: PointerPicker;
   readonly boxSelect: BoxSelect;

@@ -3,7 +3,7 @@ const HEIGHT = 130;
 const WIDEST = 260;
 const MARGIN = 10;
 
-/** Where the small picture is, from the right lower corner of the large one (CSS pixels). */
+/** Rectangle of a camera's small picture, from the right lower corner of the large one (CSS pixels). */
 export interface PreviewPlace {
   readonly width: number;
   readonly height: number;

@@ -16,7 +16,7 @@ import type { EditorDocument } from '../../model/EditorDocument';
 
 const euler = new Euler();
 
-/** Where an edit of an object begins: by what was authored, whatever simulation has done to it since, unless it is recorded. */
+/** Pose from which a drag of an object begins: the authored one, whatever simulation did to it since; while a clip is recorded, the pose as it is seen. */
 function startOf({ object3D }: GameObject, values: PoseValues): DragStart {
   const parent = object3D.parent ?? object3D;
   parent.updateWorldMatrix(true, false);

@@ -4,7 +4,7 @@ import type { EditorDocument } from '../../model/EditorDocument';
 import { LineSet } from '../LineSet';
 import { drawEmitter } from './drawEmitter';
 
-/** What the preview needs of the viewport. */
+/** Parts of the viewport that the particle preview uses. */
 export interface PreviewHost {
   readonly document: EditorDocument;
   /** Tells those who show what the viewport does. */
