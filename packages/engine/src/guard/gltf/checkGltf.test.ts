@@ -1,10 +1,9 @@
-import { BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
-import { afterEach, describe, expect, test, vi } from 'vitest';
-import { Slices } from '../../base/Slices';
+import { BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
+import { describe, expect, test } from 'vitest';
 import { AssetLibrary } from '../../assets/AssetLibrary';
 import { checkGltf } from './checkGltf';
 import { checkModel } from '../checkModel';
-import { checkImageSize, imageSize } from '../pictures/imageSize';
+import { checkImageSize } from '../pictures/imageSize';
 import { checkModelFile, modelError, readModel } from '../../assets/readModel';
 import { type GltfJson, readGltfJson } from './readGltfJson';
 
@@ -287,69 +286,6 @@ describe('pictures', () => {
     new DataView(bytes.buffer).setUint32(20, height);
     return bytes;
   };
-  const letters = (text: string): number[] => [...text].map((letter) => letter.charCodeAt(0));
-  const of = (...numbers: number[]): Uint8Array => new Uint8Array([...numbers, ...Array.from({ length: 40 }, () => 0)]);
-
-  test('tell their size', () => {
-    expect(imageSize(png(640, 480))).toEqual({ width: 640, height: 480 });
-    const jpeg = of(0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xc2, 0, 11, 8, 0x01, 0x00, 0x02, 0x00);
-    expect(imageSize(jpeg)).toEqual({ width: 512, height: 256 });
-    const hdr = new TextEncoder().encode(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n${' '.repeat(40)}`);
-    expect(imageSize(hdr)).toEqual({ width: 32, height: 16 });
-    const webp = new Uint8Array(40);
-    webp.set(new TextEncoder().encode('RIFF    WEBPVP8X'));
-    webp.set([255, 1, 0, 127, 0, 0], 24);
-    expect(imageSize(webp)).toEqual({ width: 512, height: 128 });
-    expect(imageSize(of(1, 2, 3))).toBeNull();
-    // bytes between segments, and marks without a segment, are passed over, as decoders do
-    const odd = of(0xff, 0xd8, 0xff, 0x01, 7, 8, 0xff, 0xd0, 0xff, 0xff, 0xc0, 0, 11, 8, 0x01, 0x00, 0x02, 0x00);
-    expect(imageSize(odd)).toEqual({ width: 512, height: 256 });
-    const tabs = new TextEncoder().encode(`#?RADIANCE\n${`# ${'x'.repeat(80)}\n`.repeat(60)}\n-Y\t16\t+X\t32\n`);
-    expect(imageSize(tabs)).toEqual({ width: 32, height: 16 });
-    // what browsers decode besides, and may have been renamed
-    expect(imageSize(of(...letters('GIF89a'), 0x00, 0x02, 0x00, 0x01))).toEqual({ width: 512, height: 256 });
-    const bmp = [
-      ...letters('BM'),
-      ...Array.from({ length: 12 }, () => 0),
-      40,
-      0,
-      0,
-      0,
-      0,
-      2,
-      0,
-      0,
-      0,
-      0xff,
-      0xff,
-      0xff,
-    ];
-    expect(imageSize(of(...bmp))).toEqual({ width: 512, height: 256 });
-    const [small, large] = [
-      [0, 0, 0, 16, 0, 0, 0, 16],
-      [0, 0, 2, 0, 0, 0, 1, 0],
-    ].map((size) => [...letters('ispe'), 0, 0, 0, 0, ...size]);
-    const avif = [0, 0, 0, 20, ...letters('ftypavif'), 0, 0, 0, 0, ...small, ...large];
-    expect(imageSize(of(...avif))).toEqual({ width: 512, height: 256 });
-    const ktx2 = of(
-      0xab,
-      ...letters('KTX 20'),
-      0xbb,
-      13,
-      10,
-      26,
-      10,
-      ...Array.from({ length: 8 }, () => 0),
-      0,
-      2,
-      0,
-      0,
-      0,
-      1,
-    );
-    expect(imageSize(ktx2)).toEqual({ width: 512, height: 256 });
-    expect(imageSize(of(0xff, 0xd8, 0, 0))).toBeNull();
-  });
 
   test('of absurd size are not decoded, in a model either', async () => {
     expect(() => checkImageSize(png(8192, 8192))).not.toThrow();
@@ -390,69 +326,17 @@ describe('pictures', () => {
   });
 });
 
-describe('large models', () => {
-  afterEach(() => {
-    vi.restoreAllMocks();
-  });
-
-  /** A mesh of many vertices and triangles. */
-  const large = (count: number): Mesh => {
-    const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(count * 3), 3));
-    geometry.setIndex(
-      new BufferAttribute(
-        Uint32Array.from({ length: count }, (_, i) => i),
-        1,
-      ),
-    );
-    return new Mesh(geometry);
-  };
-
-  /** A clock that goes on by 1 ms each time that it is looked at. */
-  const clock = (): void => {
-    let now = 0;
-    vi.spyOn(performance, 'now').mockImplementation(() => now++);
-  };
-
-  test('an index beyond the vertices is named', async () => {
-    const mesh = large(9);
-    mesh.name = 'Wall';
-    mesh.geometry.index!.setX(4, 9);
-    await expect(checkModel(mesh)).rejects.toThrow(/^the mesh 'Wall' has the index 9, and 9 vertices/);
-  });
-
-  test('are checked in slices, and the page has its turn between them', async () => {
-    clock();
-    const next = vi.spyOn(Slices.prototype, 'next');
-    let hasTurn = false;
-    setImmediate(() => (hasTurn = true));
-    await checkModel(large(2_000_000));
-    expect(hasTurn).toBe(true);
-    // 123 looks at the clock for the vertices, 123 for the index, a turn at each 20th
-    expect(next.mock.calls.length).toBeGreaterThanOrEqual(10);
-  });
-
-  test('a check that is cancelled ends', async () => {
-    clock();
-    const control = new AbortController();
-    setImmediate(() => control.abort());
-    const mesh = large(2_000_000);
-    const read = vi.spyOn(mesh.geometry.getAttribute('position'), 'getComponent');
-    await expect(checkModel(mesh, control.signal)).rejects.toMatchObject({ name: 'AbortError' });
-    expect(read).not.toHaveBeenCalled();
-  });
-
-  test('a load that is cancelled ends at once; what comes after it is given back, and the asset can be loaded again', async () => {
-    const assets = new AssetLibrary();
-    assets.registerFile('wall.glb', new Blob([glb(plain())]));
-    const before = assets.list();
-    const told: string[] = [];
-    assets.onChange(({ kind }) => told.push(kind));
-    const control = new AbortController();
-    const loading = assets.load('wall.glb', control.signal);
-    control.abort();
-    await expect(loading).rejects.toMatchObject({ name: 'AbortError' });
-    expect([assets.list(), assets.isReady('model', 'wall.glb'), told]).toEqual([before, false, []]);
-    await assets.load('wall.glb');
-    expect(told).toEqual(['loaded']);
-  });
+test('a load that is cancelled ends at once; what comes after it is given back, and the asset can be loaded again', async () => {
+  const assets = new AssetLibrary();
+  assets.registerFile('wall.glb', new Blob([glb(plain())]));
+  const before = assets.list();
+  const told: string[] = [];
+  assets.onChange(({ kind }) => told.push(kind));
+  const control = new AbortController();
+  const loading = assets.load('wall.glb', control.signal);
+  control.abort();
+  await expect(loading).rejects.toMatchObject({ name: 'AbortError' });
+  expect([assets.list(), assets.isReady('model', 'wall.glb'), told]).toEqual([before, false, []]);
+  await assets.load('wall.glb');
+  expect(told).toEqual(['loaded']);
 });
