@@ -1,4 +1,4 @@
-/** The scenes that the apps offer, and what another one is made with. */
+/** Demo scenes, and `defineScene` with its types for adding another. */
 export { preloadSceneCode, scenes } from './scenes';
 
 export { benchmarkLights } from './benchmark/benchmarkLights';

@@ -7,7 +7,7 @@ const isolated: readonly string[] = ['three-webgpu', 'playcanvas', 'babylon'] sa
 /** Time until `stage.html` must offer its stage (ms). */
 const LONGEST_LOAD = 30_000;
 
-/** Frames of `stage.html`, each made with its first competitor. */
+/** Iframes of `stage.html`, each created when a competitor that it runs is first asked for. */
 export interface StageFrames {
   /**
    * Stage of a competitor.

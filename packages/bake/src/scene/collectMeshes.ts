@@ -23,8 +23,8 @@ export interface CollectOptions {
 /**
  * Visible static meshes of a scene. World matrices must be up to date.
  *
- * Left out with a warning: meshes without positions or triangles, with positions that are no numbers, or whose vertices
- * a batch moves. Instanced and skinned meshes throw shadows and reflect light as they stand, and get no lightmap.
+ * Left out with a warning: BatchedMesh, and meshes without positions or triangles or with positions that are not finite.
+ * Instanced and skinned meshes throw shadows and reflect light in their current pose, and get no lightmap.
  */
 export function collectMeshes(scene: Object3D, options: CollectOptions): StaticMesh[] {
   const found: StaticMesh[] = [];

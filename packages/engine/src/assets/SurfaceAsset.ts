@@ -52,9 +52,8 @@ export class SurfaceAsset extends DataAsset {
   }
 
   /**
-   * Fields of what wears it, by name, one for each number, colour, vector or texture: see `uniformFieldsOf`. None while
-   * its text is not in use: what can be edited follows from the text alone, so that steps of history find what they
-   * found.
+   * Fields of objects with this surface, by uniform name: numbers, colours, vectors and textures, see `uniformFieldsOf`.
+   * Empty while the text does not compile, so that the fields depend on the text alone and undo finds those it recorded.
    */
   get uniformFields(): FieldTable {
     return this.problem ? none : this.table;

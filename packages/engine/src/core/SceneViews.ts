@@ -12,7 +12,7 @@ export interface SceneView {
   readonly orthographic: boolean;
 }
 
-/** Greatest place number of a view; places begin at 1. */
+/** Number of camera bookmarks of a scene: their slots are 1 to this. */
 export const MOST_VIEWS = 9;
 
 const isFinite3 = (value: unknown): boolean =>

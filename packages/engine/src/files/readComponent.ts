@@ -93,7 +93,7 @@ function readVersion(version: unknown, path: PathLike, problems: ProblemList): n
 
 const componentKeys = ['type', 'version', 'id', 'enabled', 'values'];
 
-/** Reads a component; null, and the problems, when it cannot be read. */
+/** Reads a component of a scene file. Returns null and adds to `problems` if it cannot be read. */
 export function readComponent(
   value: unknown,
   path: PathLike,

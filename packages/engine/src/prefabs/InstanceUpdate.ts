@@ -76,7 +76,11 @@ export class InstanceUpdate {
   private mergeObject(object: GameObject, base: FileObject, next: FileObject): void {
     const link = object.prefabLink!;
     const pinned = new Set<string>();
-    /** Whether the instance takes the prefab's value. */
+    /**
+     * Whether the instance takes the prefab's new value of a property.
+     * @param isBase - whether the instance has the prefab's former value
+     * @param isNext - whether it has the new one already
+     */
     const takes = (path: string, isBase: boolean, isNext: boolean): boolean => {
       if (isOwnOfInstance(link.source, link.prefab, path)) return false;
       if (this.force) return !isNext;

@@ -6,8 +6,7 @@
 #include "storedDistance"
 #include "surfaceFlags"
 #include "unproject"
-// x: distances along the view are stored, 1 in perspective, 2 orthographic; y: 1 where flags tell empty pixels from
-// surfaces at the same depth
+// x: 0 no distances are stored, 1 they are, perspective, 2 orthographic; y: 1 if flags, not depth, tell empty pixels
 uniform highp ivec2 farol_gStored;
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
@@ -16,9 +15,9 @@ struct FarolSurface {
   vec3 positionVS; // m
   vec3 normalVS;
   vec3 albedo; // linear
-  vec4 material; // as stored
+  vec4 material; // as stored, see gbufferLayout.ts
   vec4 accumulation; // linear radiance; a: Phong shininess
-  int flags; // surfaceFlags
+  int flags; // see surfaceFlags.glsl
 };
 
 bool farol_isEmptyPixel(const in ivec2 pixel, const in float depth) {

@@ -2,10 +2,10 @@
 // Farol; uniforms by gpu/unprojectUniforms.ts; perspective, orthographic and off-centre projections
 #include "depthMode"
 uniform highp vec4 farol_unprojectZ; // view z = (x + y e) / (z + w e), e = 1 - depth, or reversed depth itself
-uniform highp vec4 farol_unprojectXY; // scale of x and y, then offset
+uniform highp vec4 farol_unprojectXY; // view xy = (ndc + zw) * xy, times -z in perspective
 uniform highp float farol_perspective; // 1 perspective, 0 orthographic
 
-// m, negative before the camera
+// view-space z (m), negative before the camera
 float farol_viewZ(const in float depth) {
   if (farol_depthMode.y > 0.0) return 1.0 - exp2(depth * farol_depthMode.y);
   float e = farol_depthMode.x > 0.0 ? depth : 1.0 - depth;

@@ -1,3 +1,3 @@
-// Offset of the picture in the target.
+// First pixel of the picture in the target.
 // Farol
-uniform vec2 farol_offset; // pixels
+uniform vec2 farol_offset;

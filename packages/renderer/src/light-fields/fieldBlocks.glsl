@@ -1,5 +1,5 @@
-// Which of 128 lights touch a block of 4 × 4 tiles: boxes of 32 lights first, then the lights of boxes that do. With
-// FAROL_BLOCK_DEPTH within the depths of the block.
+// Bits of the lights, of 128, that touch a block of 4 × 4 tiles: boxes of 32 lights are tested first, then the lights
+// in boxes that touch it; with FAROL_BLOCK_DEPTH within the depths of the block.
 // Farol; Olsson and Assarsson 2011, Tiled Shading
 #include "tileMask"
 uniform highp sampler2D farol_boxLows;
@@ -38,7 +38,7 @@ bool farol_reaches(const in FarolTile tile, const in vec2 range, const in vec4 s
 uint farol_inBlock(const in FarolTile tile, const in vec2 range, const in int start) {
   uint touching = 0u;
   int end = min(32, farol_tileRun.y - start);
-  // two at once: reads of both are under way together
+  // two lights a step, so that their reads overlap
   for (int i = 0; i < end; i += 2) {
     int other = min(i + 1, end - 1);
     vec4 sphere = farol_lightSphere(farol_tileRun.x + start + i);

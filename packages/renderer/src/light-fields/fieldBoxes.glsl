@@ -2,8 +2,8 @@
 // Farol
 #include "lightTable"
 #include "lightTiles"
-layout(location = 0) out highp vec4 farol_boxLow; // low corner; high z
-layout(location = 1) out highp vec4 farol_boxHigh; // high corner
+layout(location = 0) out highp vec4 farol_boxLow; // xyz: low corner (m), w: z of the high corner
+layout(location = 1) out highp vec4 farol_boxHigh; // xyz: high corner (m)
 //# main
 int start = int(gl_FragCoord.y) * 128 + int(gl_FragCoord.x) * 32;
 int end = min(start + 32, farol_tileRun.y);
@@ -11,9 +11,9 @@ vec3 low = vec3(1e30);
 vec3 high = vec3(-1e30);
 for (int light = start; light < end; light++) {
   vec4 sphere = farol_lightSphere(farol_tileRun.x + light);
-  // lights that are put out lie beyond this
+  // lights without effect lie beyond this (fieldLight.glsl)
   if (sphere.x < 1e14) {
-    // a little wider, as tests of single lights are
+    // widened for rounding, as in the tests of single lights
     low = min(low, sphere.xyz - sphere.w * 1.001);
     high = max(high, sphere.xyz + sphere.w * 1.001);
   }

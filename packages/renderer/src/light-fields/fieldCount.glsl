@@ -1,4 +1,4 @@
-// Counts the lights of each row (128) of a cell: a point a light, added up.
+// Counts the lights of each cell in each row of 128 lights: one point a light, blended additively.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldCells;
 uniform highp vec2 farol_fieldCountSize;

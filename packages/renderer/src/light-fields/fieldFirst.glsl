@@ -1,4 +1,4 @@
-// The place of the first light of each cell.
+// Index of the first light of each cell in the sorted order.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldBefores;
 uniform highp int farol_fieldRows;

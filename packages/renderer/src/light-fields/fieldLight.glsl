@@ -1,21 +1,23 @@
-// Brings the lights of a field into view space, a texel a light: what lights nothing, or nothing in view, is put out.
+// Brings the lights of a field into view space, a texel a light; lights without effect or out of view get range 0.
 // Farol
 uniform highp sampler2D farol_fieldSpheres;
 uniform highp sampler2D farol_fieldEmissions;
 uniform highp sampler2D farol_fieldCones;
-uniform highp ivec4 farol_fieldRun; // lights; first row of the target; texels a row of the textures; 1: there are cones
+// x: lights; y: first row of the target; z: lights a row of the textures; w: 1 if cones are set
+uniform highp ivec4 farol_fieldRun;
 uniform highp mat4 farol_fieldMatrix; // transform from the field's space to view space
 uniform highp vec3 farol_fieldColor;
-uniform highp vec4 farol_fieldPlanes[6]; // planes of the view, normals inward
+uniform highp vec4 farol_fieldPlanes[6]; // planes of the view frustum (view space), normals inward
 uniform highp mat4 farol_fieldProjection;
-uniform highp vec3 farol_fieldDepths; // least depth that cells tell; cells a depth; 1: depths are logarithms (m)
+uniform highp vec3 farol_fieldDepths; // x: depth at which cells begin (m, or its log2); y: cells a unit; z: 1 if log2
 layout(location = 0) out highp vec4 farol_fieldSphere;
-layout(location = 1) out highp vec4 farol_fieldEmission; // decay as a light record has it
-// axis to the light, times 2 + the cosine where the penumbra begins; cosine of the cutoff; zeros for a point light
+// rgb: linear colour times intensity (cd); a: decay, coded as in lights/lightRecord.ts
+layout(location = 1) out highp vec4 farol_fieldEmission;
+// xyz: axis to the light, its length 2 + cosine where the penumbra begins; w: cosine of the cutoff; 0 for a point light
 layout(location = 2) out highp vec4 farol_fieldCone;
 layout(location = 3) out highp vec4 farol_fieldCell;
 
-// whether all are numbers below a limit; false for NaN
+// whether all components are within ± limit; false for NaN
 bool farol_isWithin(const in vec3 v, const in float limit) {
   return abs(v.x) <= limit && abs(v.y) <= limit && abs(v.z) <= limit;
 }
@@ -31,7 +33,7 @@ float farol_cellOf(const in vec3 positionVS) {
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);
 int light = ((texel.y - farol_fieldRun.y) << 7) + texel.x;
-// far from everything
+// a light without effect: far from everything
 farol_fieldSphere = vec4(1e15, 0.0, 0.0, 1.0);
 farol_fieldEmission = vec4(0.0, 0.0, 0.0, 2.0);
 farol_fieldCone = vec4(0.0);

@@ -1,4 +1,4 @@
-// Puts each light where it belongs when lights are sorted by cells: a point a light, whose colour is its number.
+// Sorts lights by cells: one point a light, drawn at its sorted place, its colour the light's number.
 // Knuth 1998, The Art of Computer Programming 3, 5.2: sorting by counting
 uniform highp sampler2D farol_fieldCells;
 uniform highp sampler2D farol_fieldBefores;

@@ -1,4 +1,4 @@
-// Which quads of 128 lights reach into each of 256 slices of depth: a bit a quad, 32 quads a texel.
+// Bits of the quads of 128 lights that reach into each of 256 slices of depth, 32 quads a texel.
 // Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
 #include "lightTiles"
 #include "lightSlice"
@@ -6,7 +6,7 @@ uniform highp sampler2D farol_boxLows;
 layout(location = 0) out highp uvec4 farol_slice;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy);
-// of this slice, a little wider; the outer ones reach to infinity
+// range of this slice, widened for rounding; the outer slices reach to infinity
 float from = at.x == 0 ? -1e30 : float(at.x) - 0.05;
 float to = at.x == 255 ? 1e30 : float(at.x) + 1.05;
 uint bits = 0u;

@@ -1,6 +1,6 @@
-// Where a distance lies in the slices of depth that light lists of fields have.
+// Slice of depth (with fraction) at a distance (m), in the light lists of fields.
 // Farol
-uniform highp vec3 farol_fieldSlices; // least depth; slices a depth; 1: depths are logarithms (m)
+uniform highp vec3 farol_fieldSlices; // x: depth of the first slice (m, or its log2); y: slices a unit; z: 1 if log2
 float farol_slicePlace(const in float distanceVS) {
   float depth = farol_fieldSlices.z > 0.0 ? log2(max(distanceVS, 1e-6)) : distanceVS;
   return (depth - farol_fieldSlices.x) * farol_fieldSlices.y;

@@ -3,7 +3,7 @@
 uniform vec3 farol_ambient[4];
 
 vec3 farol_ambientIrradiance(const in vec3 normalVS) {
-  // zero normals of a geometry are NaN here
+  // a zero normal is NaN here
   vec3 normal = abs(normalVS.x) <= 2.0 ? normalVS : vec3(0.0);
   return farol_ambient[0] + farol_ambient[1] * normal.x + farol_ambient[2] * normal.y + farol_ambient[3] * normal.z;
 }

@@ -13,7 +13,7 @@ struct FarolLight {
   int mask; // record of the mask (shadow map, cookie, layers), 0 when there is none
 };
 
-// exponent: of the thesis's spot light, -1 for three's penumbra
+// exponent: falloff exponent of the thesis's spot light, -1 for three's penumbra
 float farol_angularAttenuation(const in float angleCosine, const in float cutoff, const in float penumbra,
   const in float exponent) {
   if (exponent >= 0.0) return angleCosine > cutoff ? pow(max(angleCosine, 0.0), exponent) : 0.0;

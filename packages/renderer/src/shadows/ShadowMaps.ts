@@ -127,7 +127,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     return this.atlasBytes + this.bounds.bytes + this.tiles.bytes;
   }
 
-  /** True when the frame has maps, images or bounds to draw. */
+  /** Whether the frame has shadow maps, cookies or depth bounds of maps to draw. */
   get hasWork(): boolean {
     return this.planned.hasWork;
   }

@@ -1,4 +1,4 @@
-// Noise for surfaces: the same on every device, without a texture.
+// Noise for surfaces without a texture, equal on every device.
 // Jarzynski and Olano 2020, Hash Functions for GPU Rendering (pcg3d); Perlin 1985 (value noise, octaves)
 uvec3 farol_hash(uvec3 v) {
   v = v * 1664525u + 1013904223u;

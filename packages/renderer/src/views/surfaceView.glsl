@@ -1,9 +1,9 @@
-// Shows one thing of the G-buffer.
+// Shows one property of the G-buffer.
 // Thesis 4.1, figure of the G-buffer
 #include "gbufferRead"
 #include "viewport"
 uniform vec2 farol_size;
-uniform vec3 farol_depthRange; // nearest, farthest (m), 1 if logarithmic
+uniform vec3 farol_depthRange; // x, y: distances shown black and white (m); z: 1 for a logarithmic scale
 uniform mat4 farol_viewInverse;
 uniform int farol_view; // 0 albedo, 1 normal, 2 depth, 3 position, 4 roughness, 5 metalness, 6 emissive
 //# main

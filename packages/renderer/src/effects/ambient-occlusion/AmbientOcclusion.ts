@@ -38,8 +38,8 @@ type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
 
 /**
  * Ambient occlusion (GTAO): how much of the sky over each pixel is closed by what lies near it, from depth and normals, takes
- * down ambient, hemisphere, environment and light map light; direct and emissive light stay as they are. Of environment
- * reflections the rougher ones are taken down more.
+ * down ambient, hemisphere, environment and light map light; direct and emissive light stay as they are. Rougher
+ * environment reflections are taken down more.
  *
  * With `deferred`, `tiled-deferred` and `clustered-deferred` it reads the G-buffer, which then has a fifth attachment for
  * indirect light (materials that the G-buffer cannot hold get none); with `light-prepass` the thin G-buffer; with

@@ -4,9 +4,9 @@
 #include "octahedralNormal"
 uniform highp sampler2D farol_surfaceDepth;
 #ifdef FAROL_NORMALS
-uniform highp sampler2D farol_surfaceNormal; // octahedral
+uniform highp sampler2D farol_surfaceNormal; // view space, octahedral
 #endif
-uniform highp vec4 farol_reach; // radius (m); the same in pixels at 1 m; pixels a texel; largest radius (pixels)
+uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
 layout(location = 0) out highp vec4 farol_open;
 
 const int FAROL_SLICES = 3;
@@ -22,7 +22,7 @@ bool farol_isInside(const in ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(farol_surfaceDepth, 0)));
 }
 
-// change of the position over one pixel, by the neighbour nearer in depth
+// change of the view-space position (m) to the next pixel, by the neighbour nearer in depth
 vec3 farol_change(const in ivec2 pixel, const in vec3 position, const in ivec2 to) {
   vec3 after = farol_positionAt(pixel + to) - position;
   vec3 before = position - farol_positionAt(pixel - to);

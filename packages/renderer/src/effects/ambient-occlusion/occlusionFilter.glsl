@@ -3,10 +3,10 @@
 #include "unproject"
 uniform highp sampler2D farol_openMap;
 uniform highp sampler2D farol_surfaceDepth;
-uniform highp vec4 farol_reach; // radius (m); the same in pixels at 1 m; pixels a texel; largest radius (pixels)
-uniform highp float farol_strength; // exponent of the result
+uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
+uniform highp float farol_strength; // exponent of the open share of the sky
 #ifdef FAROL_ACCUMULATION
-uniform highp sampler2D farol_lit; // emissive and indirect light
+uniform highp sampler2D farol_lit; // sum of emissive and indirect light
 uniform highp sampler2D farol_indirect; // indirect light alone
 #endif
 layout(location = 0) out highp vec4 farol_result;

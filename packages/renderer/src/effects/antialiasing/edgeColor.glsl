@@ -6,16 +6,17 @@ uniform highp sampler2D farol_pictureDepth;
 
 /** Greatest rounding error of depth. */
 const float FAROL_ROUNDING = 2e-7;
-/** Added to the alpha of what its pixel shows: the mean of 4 samples still tells it, and has alpha besides. */
+/** Added to the alpha of a sample whose surface the picture shows; the mean of 4 samples keeps mark and alpha. */
 const float FAROL_SHOWN = 8.0;
 
 /**
  * Whether the picture shows the surface.
- * @param slope - of its depth from pixel to pixel
- * @param fit - how far off it may be: part of the slope
- * @param nearby - whether to look at the pixels round its own too
- * @param color - the picture's; of its own pixel, where it does not show the surface
- * @param shown - FAROL_SHOWN if it is what its own pixel shows, else 0
+ * @param depth - stored depth of the surface at the pixel
+ * @param slope - change of that depth to the next pixel in x, y
+ * @param fit - greatest difference of depth, as a share of the slope
+ * @param nearby - whether the eight neighbours count too
+ * @param color - colour of the picture where it shows the surface, else at the pixel itself
+ * @param shown - FAROL_SHOWN if the pixel itself shows the surface, else 0
  */
 bool farol_edgeColor(
   const in ivec2 pixel, const in float depth, const in vec2 slope, const in float fit, const in bool nearby,

@@ -18,7 +18,7 @@ bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_sl
 farol_keeps = farol_found || !farol_shades;
 farol_kept = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
 if (!farol_keeps) {
-  // nearer surfaces in the pixels all round hide it, so that its colour does not matter
+  // nearer surfaces in all neighbouring pixels hide it: its colour does not matter
   farol_keeps = true;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
     ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
@@ -31,7 +31,7 @@ if (!farol_keeps) {
   }
   farol_kept = farol_seen;
 }
-// what is shaded takes derivatives, which are known while all four pixels of a quad go the same way; twice, for the
+// shading takes derivatives, which are defined only while all four pixels of a quad branch alike; twice, for the
 // pixel across
 float farol_quadShades = farol_keeps ? 0.0 : 1.0;
 farol_quadShades += fwidth(farol_quadShades);

@@ -1,7 +1,8 @@
 // Where a vertex was in the last frame: last matrices of the object, its bones, morphs and instances.
 // Karis 2014, High Quality Temporal Supersampling; three's vertex chunks
-uniform highp mat4 farol_clipBefore; // last frame's projection, view and world, and of a skinned mesh its bind inverse
-uniform highp vec2 farol_jitter; // jitter of this frame (normalised device coordinates)
+// last frame's projection × view × world matrix, for a skinned mesh × inverse bind matrix
+uniform highp mat4 farol_clipBefore;
+uniform highp vec2 farol_jitter; // this frame's subpixel offset of the projection (normalised device coordinates)
 
 mat4 farol_matrixOf(highp sampler2D matrices, const in int i) {
   int size = textureSize(matrices, 0).x;

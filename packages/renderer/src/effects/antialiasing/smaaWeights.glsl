@@ -2,11 +2,11 @@
 // it stands for.
 // Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
 uniform highp sampler2D farol_edgeMap;
-layout(location = 0) out highp vec4 farol_weights; // below edge: own, neighbour's; left edge: own, neighbour's
+layout(location = 0) out highp vec4 farol_weights; // x, y: lower edge: own, neighbour; z, w: left edge
 
-const int FAROL_REACH = 32; // pixels an edge is followed to either side
+const int FAROL_REACH = 32; // distance that an edge is followed to either side (pixels)
 
-// what a line from a to b (along the edge, off it) cuts off the pixel from x to x + 1: on the own side, on the other
+// areas that a line from a to b (x along the edge, y off it) cuts off the pixel x to x + 1: own side, other side
 vec2 farol_areaUnder(const in vec2 a, const in vec2 b, const in float x) {
   if (x + 1.0 <= a.x || x >= b.x) return vec2(0.0);
   float slope = (b.y - a.y) / (b.x - a.x);

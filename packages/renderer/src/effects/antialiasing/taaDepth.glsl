@@ -1,19 +1,19 @@
-// Depth for temporal anti-aliasing: distances of samples (m along the view), and their ways since the last frame.
+// Depth for temporal anti-aliasing: distances of samples (m along the view), and their motion since the last frame.
 // Karis 2014, High Quality Temporal Supersampling
 uniform highp sampler2D farol_pictureDepth;
-// x, y: way in pictures; z: change of distance (m); w: 1 where something moves by itself
+// xy: motion (1: picture width, height); z: change of distance (m); w: 1 where objects move
 uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
-uniform highp vec2 farol_jitter; // normalised device coordinates
-uniform highp vec2 farol_depthKind; // 1 if depth is reversed; log2(far + 1) if it is logarithmic, else 0
-uniform highp vec4 farol_projectZ; // of a view z: factor and sum of clip z, factor and sum of clip w
+uniform highp vec2 farol_jitter; // this frame's subpixel offset of the projection (normalised device coordinates)
+uniform highp vec2 farol_depthKind; // x: 1 if depth is reversed, else 0; y: log2(far + 1) if it is logarithmic, else 0
+uniform highp vec4 farol_projectZ; // clip z = x z + y and clip w = z z + w of a view-space z
 uniform bool farol_hasMotion; // whether the motion map holds any motion
 
 ivec2 farol_inPicture(const in ivec2 pixel) {
   return clamp(pixel, ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
 }
 
-// normalised device z from a stored depth: three's reversed depth is that itself, its logarithmic one comes from clip w
+// normalised device z of a stored depth; reversed depth is that z itself, logarithmic depth gives clip w
 float farol_deviceZ(const in float depth) {
   if (farol_depthKind.y > 0.0) {
     float z = 1.0 - exp2(depth * farol_depthKind.y);
@@ -34,7 +34,7 @@ float farol_distanceAt(const in ivec2 pixel) {
   return farol_distanceOf(farol_deviceZ(depth));
 }
 
-// how far what a sample shows has come since the last frame (pictures), and its distance then (m)
+// xy: motion since the last frame of the surface in a sample (1: picture width, height); z: its distance then (m)
 vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
   if (farol_hasMotion) {
     vec4 motion = texelFetch(farol_motionMap, pixel, 0);
@@ -45,7 +45,7 @@ vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
   return vec3(0.5 * (now - before.xy / before.w), farol_distanceOf(before.z / before.w));
 }
 
-// how far what stands still would have come at a place (pictures) and distance (m)
+// motion that the camera alone gives a place (0 to 1) at a distance (m); 1: picture width, height
 vec2 farol_wayAt(const in vec2 place, const in float away) {
   float deviceZ = (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
   vec2 now = place * 2.0 - 1.0;

@@ -1,7 +1,7 @@
-// The picture from a history of cells: one read between those of a pixel is their mean.
+// The picture from a history of several cells a pixel: one bilinear read between a pixel's cells is their mean.
 // Yang et al. 2009, Amortized Supersampling
-uniform highp sampler2D farol_history; // read linearly
-uniform int farol_cells; // along a pixel's side: 1 or 2
+uniform highp sampler2D farol_history; // linear filtering
+uniform int farol_cells; // history cells along a pixel's side: 1 or 2
 layout(location = 0) out highp vec4 farol_color;
 //# main
 farol_color = texture(farol_history, gl_FragCoord.xy * float(farol_cells) / vec2(textureSize(farol_history, 0)));

@@ -1,5 +1,5 @@
-// Temporal anti-aliasing: what earlier frames showed of a cell of a pixel, mixed with this frame's sample by how near
-// that lies.
+// Temporal anti-aliasing: the history of each cell of a pixel, mixed with this frame's sample by its distance to the
+// cell.
 // Yang et al. 2009, Amortized Supersampling (cells); Karis 2014, High Quality Temporal Supersampling; Salvi 2016, An
 // Excursion in Temporal Supersampling (variance clipping)
 #include "displayTransfer"
@@ -13,24 +13,25 @@ uniform int farol_cells; // history cells along a pixel's side
 uniform highp vec4 farol_weights; // weight of this frame's sample in each cell of a pixel, 0 to 1
 uniform bool farol_encoded;
 uniform bool farol_hasPast;
-uniform highp vec2 farol_share; // share of a sample of weight 1 in moving pixels, in others
-uniform float farol_gamma; // standard deviations to which the past is clipped; 0: nothing has changed, it is not
-// 0: the light has changed; 1: it may have; 2: it has not; 3: nor has what stands still gone, nor the camera; 4: the
-// camera has
+uniform highp vec2 farol_share; // share of a new sample of weight 1: x in moving pixels, y in still ones
+uniform float farol_gamma; // standard deviations to which history is clipped; 0: not at all, nothing has changed
+// 0: light has changed; 1: it may have; 2: it has not; 3: nor has the camera, nor was a still object taken away;
+// 4: as 3, but the camera has moved
 uniform int farol_belief;
-uniform highp sampler2D farol_reactive; // share of pixels whose past is not looked for, in this frame and the last
+// least share of the new sample, 0 to 1, where history is unreliable: in this frame, in the last
+uniform highp sampler2D farol_reactive;
 uniform highp sampler2D farol_reactiveBefore;
-uniform highp ivec2 farol_isReactive; // 1 where there is such a mask
+uniform highp ivec2 farol_isReactive; // x, y: 1 if farol_reactive, farol_reactiveBefore are set
 layout(location = 0) out highp vec4 farol_color;
 
 /** Distances this much apart (ratio) belong to different surfaces. */
 const float FAROL_APART = 1.08;
-/** From this much motion of the foreground over the background on (pixels a frame), what lay beside it is doubted. */
+/** Motion of foreground over background (pixels a frame) from which on history beside the edge is doubted. */
 const float FAROL_PASSES = 0.3;
-/** Up to this much of it (pixels a frame), what was there is still there, if nothing moves but the camera. */
+/** Parallax (pixels a frame) up to which a thin foreground that no sample hit is taken to be there still. */
 const float FAROL_ALONG = 0.2;
 
-// the greatest of a pixel and the eight round it: by the jitter one of them may have been shown in its place
+// maximum over 3 × 3 pixels: the jitter may have put a neighbour in this place
 float farol_reactiveAt(const in highp sampler2D mask, const in ivec2 pixel) {
   float most = 0.0;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++)
@@ -52,7 +53,7 @@ vec4 farol_fromYCoCg(const in vec4 c) {
   return vec4(t + c.y, c.x + c.z, t - c.y, c.a);
 }
 
-// clipped to so many standard deviations of a sample and the four beside it
+// history clipped to gamma standard deviations of a sample and its four neighbours, in YCoCg (variance clipping)
 vec4 farol_likeNow(const in vec4 past, const in ivec2 pixel, const in float gamma) {
   vec4 sum = vec4(0.0);
   vec4 squares = vec4(0.0);
@@ -69,13 +70,13 @@ vec4 farol_likeNow(const in vec4 past, const in ivec2 pixel, const in float gamm
   return farol_fromYCoCg(mean + off / max(max(max(ratio.x, ratio.y), max(ratio.z, ratio.w)), 1.0));
 }
 
-// nearer to the mixtures of two colours, which are all that an edge between them can show
+// history moved half way to the nearest mixture of two colours, since an edge between them shows only mixtures
 vec4 farol_between(const in vec4 past, const in vec4 one, const in vec4 other) {
   vec4 way = other - one;
   return mix(past, one + way * clamp(dot(past - one, way) / max(dot(way, way), 1e-6), 0.0, 1.0), 0.5);
 }
 
-// of the samples round a pixel that are nearer than a distance (m), the one nearest to a place (in samples)
+// the sample nearest to a place (in samples), of 3 × 3 round a pixel, whose distance is up to `farthest` (m)
 ivec2 farol_foreground(const in ivec2 pixel, const in vec2 place, const in float farthest, const in ivec2 otherwise) {
   ivec2 found = otherwise;
   float least = 1e9;
@@ -115,12 +116,12 @@ else if (farol_hasPast) {
   bool still = all(lessThan(abs(way.xy * size), vec2(1e-3)));
   if (uv == clamp(uv, 0.0, 1.0)) {
     vec4 past = still ? texelFetch(farol_history, cell, 0) : max(farol_lanczosCross(farol_history, uv), 0.0);
-    // the past is believed if what is nearest was nearest there, and if all of it stands still
+    // history is believed if the nearest surface was nearest there too, or if nothing moves
     float before = texelFetch(farol_reachBefore, farol_inPicture(ivec2(uv * size)), 0).x;
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;
     bool stays = farol_belief == 3 && still && reach.x > 0.0 && (same || before > 0.0);
-    // what is thinner than the way between two samples may have been missed
+    // samples may have missed what is thinner than their spacing
     bool missed = farol_belief > 2 && !same && reach.x > 0.0 && before > 0.0 && before < expected
       && length((farol_wayAt(place / size, before) - way.xy) * size) < FAROL_ALONG;
     bool believed = stays || missed || (farol_belief > 0 && edge && same);
@@ -129,7 +130,7 @@ else if (farol_hasPast) {
     float reactive = farol_isReactive.x > 0 ? farol_reactiveAt(farol_reactive, own) : 0.0;
     if (farol_isReactive.y > 0) reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * size)));
     float share = weight * (still ? farol_share.y : farol_share.x);
-    // where the past is of less worth, samples count in a wider reach
+    // doubted history: samples farther from the cell count more
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));
     if (beside) {
       float passes = length((way.xy - ownWay.xy) * size);

@@ -1,14 +1,14 @@
-// Takes the indirect light that the surface gave off to what it gives off with the decal on it, by multiplication.
+// Multiplies a surface's indirect light by the ratio of its albedo with the decal to that without.
 // Farol
 #include "decalSurface"
-uniform lowp sampler2D farol_surfaceMaterial; // y: metalness, of standard surfaces
-uniform bool farol_environment; // what is metal reflects an environment in place of scattering ambient light
+uniform lowp sampler2D farol_surfaceMaterial; // G-buffer; y: metalness, where the surface is a MeshStandardMaterial
+uniform bool farol_environment; // whether the scene has an environment; metal reflects it and scatters no ambient light
 layout(location = 0) out highp vec4 farol_accumulation;
 layout(location = 1) out highp vec4 farol_indirect;
 //# main
 FarolDecal decal;
 if (!farol_findDecal(ivec2(gl_FragCoord.xy), decal)) discard;
-// a square root in 8 bits ends at this albedo: below it, black
+// smallest albedo above 0 that the 8-bit square root holds; below it, black
 vec3 before = decal.albedo;
 vec3 after = decal.blended;
 if (farol_decalBlending == 1 && !farol_environment && farol_shadingModel(decal.flags) == FAROL_STANDARD) {

@@ -1,31 +1,31 @@
-// Where a decal meets the surface of a pixel: its colour there, with the opacity, and the surface as it was.
+// A decal at the surface of a pixel: its colour and opacity there, and the surface without it.
 // Krishnan 2012 / Persson, Volume Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
 #include "unproject"
 #include "octahedralNormal"
 #include "storedDistance"
 #include "surfaceFlags"
 uniform highp sampler2D farol_surfaceDepth;
-uniform highp sampler2D farol_surfaceNormal; // octahedral; stored distances
-uniform highp int farol_surfaceStored; // 0; distances are stored: 1 in perspective, 2 orthographic
-uniform lowp sampler2D farol_surfaceAlbedo; // square root of the albedo, flags
+uniform highp sampler2D farol_surfaceNormal; // xy: octahedral, view space; zw: stored distance
+uniform highp int farol_surfaceStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
+uniform lowp sampler2D farol_surfaceAlbedo; // rgb: square root of the albedo; a: flags / 255
 uniform sampler2D farol_decalMap;
 uniform sampler2D farol_decalNormalMap;
-uniform highp mat4 farol_decalInverse; // view space (m) to the unit box
+uniform highp mat4 farol_decalInverse; // view space (m) to the decal's unit box
 uniform highp mat4 modelViewMatrix;
-uniform vec4 farol_decalColor; // linear, opacity
+uniform vec4 farol_decalColor; // linear colour, opacity 0 to 1
 uniform mat3 farol_decalMapTransform;
 uniform mat3 farol_decalNormalMapTransform;
 uniform vec4 farol_decalValues; // roughness, metalness, normal scale x, y; scale x above 1e8: no normal map
-uniform int farol_decalBlending; // three's constant, 1 to 4: normal, additive, subtractive, multiply
-uniform float farol_decalFacing; // cosine of the largest angle to the decal's axis
+uniform int farol_decalBlending; // three's blending constant: 1 normal, 2 additive, 3 subtractive, 4 multiply
+uniform float farol_decalFacing; // cosine of the largest angle between surface normal and decal axis
 
 struct FarolDecal {
   vec3 color; // linear
   float opacity; // above 0
-  vec3 blended; // what comes of the surface's albedo, linear, 0 to 1
-  vec3 normal; // of the surface, view space
-  vec3 albedo; // of the surface and what lies on it already, linear
-  int flags; // of the surface: surfaceFlags
+  vec3 blended; // albedo of the surface under the decal, linear, 0 to 1
+  vec3 normal; // normal of the surface, view space
+  vec3 albedo; // albedo of the surface and of decals already on it, linear
+  int flags; // flags of the surface, see surfaceFlags.glsl
   vec2 uv;
   vec2 across; // change of uv to the next pixel
   vec2 up;
@@ -45,7 +45,7 @@ vec2 farol_smaller(const in vec3 a, const in vec3 b) {
   return dot(a, a) < dot(b, b) ? a.xy : b.xy;
 }
 
-// as three blends what has premultiplied alpha
+// three's blending for premultiplied alpha
 vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacity) {
   if (farol_decalBlending == 2) return below + color;
   if (farol_decalBlending == 3) return below * (1.0 - color);

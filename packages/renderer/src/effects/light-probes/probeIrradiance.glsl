@@ -1,9 +1,9 @@
 // Irradiance of a surface from a grid of light probes: spherical harmonics of second order in cells of a box.
 // Ramamoorthi and Hanrahan, An Efficient Representation for Irradiance Environment Maps, 2001
 uniform highp sampler3D farol_probes; // layout in effects/light-probes/ProbeGrid.ts
-uniform vec3 farol_probesMin, farol_probesMax; // m, world space
+uniform vec3 farol_probesMin, farol_probesMax; // corners of the grid's box (m, world space)
 uniform vec3 farol_probeCounts;
-uniform float farol_environmentShare; // 0 where the environment is in the probes
+uniform float farol_environmentShare; // factor of environment light: 0 if the probes hold it, else 1
 
 vec3 farol_probeIrradiance(const in vec3 positionVS, const in vec3 normalVS) {
   vec3 position = ((vec4(positionVS, 1.0) - viewMatrix[3]) * viewMatrix).xyz;

@@ -10,12 +10,12 @@
 uniform sampler2D farol_particleMap;
 #endif
 #ifdef FAROL_SOFT
-uniform highp sampler2D farol_particleDepth; // of opaque surfaces
-uniform highp vec4 farol_softness; // 1 / distance of fading (1/m), distance of the near plane (m), size of the picture
+uniform highp sampler2D farol_particleDepth; // depth of opaque surfaces
+uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: size of the picture (pixels)
 #endif
 in highp vec4 farol_particleColor;
-in highp vec4 farol_particleUV; // of two pictures
-in highp vec3 farol_particleBall; // place on a ball of the particle's size; share of the second picture
+in highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
+in highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
 in highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_LIT
 #include "particleSurroundings"

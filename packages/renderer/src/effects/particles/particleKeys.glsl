@@ -1,10 +1,10 @@
-// What particles are sorted by: the distance of each along the view, in the order of the frame before.
+// Sort keys of particles: the distance of each along the view, in last frame's order.
 // Farol
-uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
-uniform highp sampler2D farol_particleVelocities; // m/s, life (s)
-uniform highp sampler2D farol_sorted; // distance (m), slot
-uniform highp vec4 farol_viewRow; // third row of the view matrix
-uniform highp ivec3 farol_sortSlots; // slots; columns; 1 to begin with them in their own order
+uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
+uniform highp sampler2D farol_sorted; // last frame's order: distance along the view (m), slot
+uniform highp vec4 farol_viewRow; // third row of the view matrix, gives view-space z
+uniform highp ivec3 farol_sortSlots; // slots; columns of the texture; 1 to start in the order of slots
 layout(location = 0) out highp vec2 farol_key;
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);

@@ -3,11 +3,11 @@
 // Farol; Ramamoorthi and Hanrahan 2001 (linear terms)
 #include "incidentLight"
 #include "lightMask"
-uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
-uniform highp sampler2D farol_particleVelocities; // m/s, life (s)
+uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp mat4 farol_particleView;
 uniform highp mat4 farol_particleProjection;
-uniform highp vec4 farol_listPicture; // first pixel of the picture, its size
+uniform highp vec4 farol_listPicture; // picture: xy: first pixel, zw: size (pixels)
 uniform bool farol_particlesShadowed;
 layout(location = 0) out highp vec4 farol_red;
 layout(location = 1) out highp vec4 farol_green;
@@ -71,7 +71,7 @@ if (farol_center.w < texelFetch(farol_particleVelocities, farol_texel, 0).w) {
   farol_positionVS = farol_viewed.xyz;
   vec4 farol_clip = farol_particleProjection * farol_viewed;
   vec2 farol_uv = farol_clip.xy / max(farol_clip.w, 1e-6) * 0.5 + 0.5;
-  // lights of particles beside the picture: those of its edge
+  // particles beside the picture take the lights of its edge
   vec2 farol_pixel = clamp(farol_uv * farol_listPicture.zw, vec2(0.5), farol_listPicture.zw - 0.5);
   gl_FragCoord.xy = farol_listPicture.xy + farol_pixel;
   FAROL_FOR_EACH_LIGHT(farol_positionVS)

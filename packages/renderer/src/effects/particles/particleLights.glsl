@@ -1,11 +1,11 @@
-// The lights of an emitter's particles as a LightField has them, a texel each.
+// The lights of an emitter's particles in a LightField's layout, a texel each.
 // Farol
 #include "particleCurves"
-uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
-uniform highp sampler2D farol_particleVelocities; // m/s, life (s)
-uniform highp ivec3 farol_lightOf; // each so many slots is a light, slots, lights
-uniform highp vec2 farol_lightValues; // intensity (cd), range (m)
-layout(location = 0) out highp vec4 farol_sphere; // world space (m), range (m), 0 for no light
+uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
+uniform highp ivec3 farol_lightOf; // x: slots a light (every x-th shines); y: slots; z: lights a row
+uniform highp vec2 farol_lightValues; // intensity (cd) and range (m) where the curves are 1
+layout(location = 0) out highp vec4 farol_sphere; // xyz: world space (m); w: range (m), 0 for no light
 layout(location = 1) out highp vec4 farol_emission; // linear colour times intensity (cd), decay
 //# main
 farol_sphere = vec4(0.0);

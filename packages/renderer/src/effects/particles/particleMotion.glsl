@@ -2,15 +2,15 @@
 // and spheres that it bounces off.
 // Farol; dv/dt = a - k v; exponential integrator: Hochbruck and Ostermann 2010
 #include "particleNoise"
-uniform highp vec4 farol_acceleration; // m/s², drag (1/s)
-uniform highp vec4 farol_noise; // strength (m/s²), waves a metre, sunk so far (m)
+uniform highp vec4 farol_acceleration; // xyz: m/s²; w: drag (1/s)
+uniform highp vec4 farol_noise; // x: strength (m/s²); y: waves a metre; z: how far the noise has sunk (m)
 const int FAROL_COLLIDERS = 4;
 uniform int farol_colliderCount;
 // plane: unit normal, height (m); sphere: centre, radius (m)
 uniform highp vec4 farol_colliders[FAROL_COLLIDERS];
-uniform highp vec3 farol_bounces[FAROL_COLLIDERS]; // share of the speed kept, share lost along the surface, 1: a sphere
+uniform highp vec3 farol_bounces[FAROL_COLLIDERS]; // x: bounce, 0 to 1; y: friction, 0 to 1; z: 1 sphere, 0 plane
 
-// where a way comes to a sphere from outside, as a share of it; above 1 where it does not
+// where a path enters a sphere, as a share of the path; above 1 if it does not
 float farol_meetsSphere(const in vec4 sphere, const in vec3 start, const in vec3 way) {
   vec3 from = start - sphere.xyz;
   float outside = dot(from, from) - sphere.w * sphere.w;
@@ -21,7 +21,7 @@ float farol_meetsSphere(const in vec4 sphere, const in vec3 start, const in vec3
   return root < 0.0 ? 2.0 : outside / (sqrt(root) - towards);
 }
 
-// seconds: of the step, of which the last `left` are made from `start` on
+// seconds: length of the step; left: seconds of it after `start`
 void farol_bounceParticle(const in vec4 collider, const in vec3 bounce, const in float seconds, inout float left,
   inout vec3 start, inout vec3 position, inout vec3 velocity, const in vec3 acceleration) {
   bool isSphere = bounce.z > 0.0;
@@ -38,7 +38,7 @@ void farol_bounceParticle(const in vec4 collider, const in vec3 bounce, const in
   // speed at the surface: less than at the end of the step, by what gravity adds after it
   float speed = min(0.0, towards - dot(normal, acceleration) * left);
   float kept = -speed * bounce.x;
-  // what would rise by less than gravity takes in a step lies still
+  // a bounce that gravity ends within the step is none: the particle lies still
   if (kept < -dot(normal, acceleration) * seconds) kept = 0.0;
   velocity = (velocity - normal * towards) * (1.0 - bounce.y) + normal * kept;
   start = met;
@@ -53,7 +53,7 @@ void farol_moveParticle(const in float seconds, inout vec3 position, inout vec3 
   if (farol_noise.x != 0.0)
     acceleration += farol_noise.x * farol_curlNoise((position + vec3(0.0, farol_noise.z, 0.0)) * farol_noise.y);
   float x = farol_acceleration.w * seconds;
-  // (1 - e^-x) / x and (1 - that) / x
+  // first: (1 - e^-x) / x; second: (1 - first) / x
   float first = x < 0.02 ? 1.0 - x * (0.5 - x * (0.16666667 - x * 0.04166667)) : (1.0 - exp(-x)) / x;
   float second = x < 0.02 ? 0.5 - x * (0.16666667 - x * 0.04166667) : (1.0 - first) / x;
   vec3 start = position;

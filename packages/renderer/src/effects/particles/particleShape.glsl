@@ -1,4 +1,4 @@
-// Where a particle begins, and in which direction, by random numbers.
+// Start position and direction of a particle, by random numbers.
 // Farol; uniform points: Pharr, Jakob and Humphreys 2023, 4th edition, A.5; choice by area: Vose 1991
 #include "particleRandom"
 const int FAROL_POINT = 0;
@@ -6,9 +6,11 @@ const int FAROL_SPHERE = 1;
 const int FAROL_CONE = 2;
 const int FAROL_BOX = 3;
 const int FAROL_MESH = 4;
-uniform highp ivec2 farol_emitterShape; // one of the above; triangles of the surface
-uniform highp vec3 farol_emitterSize; // sphere: radius, thickness; cone: radius, angle; box: sides
-uniform highp sampler2D farol_emitterSurface; // six texels a triangle: corners, the share and the alias; normals
+uniform highp ivec2 farol_emitterShape; // x: a shape constant above; y: triangles of the surface
+// sphere: radius (m), thickness (0 to 1); cone: radius (m), angle (rad); box: sides (m)
+uniform highp vec3 farol_emitterSize;
+// six texels a triangle: three corners, in their w share and alias (Walker's alias method); three normals
+uniform highp sampler2D farol_emitterSurface;
 
 vec3 farol_onSphere(const in vec2 random) {
   float z = 1.0 - 2.0 * random.x;
@@ -34,7 +36,7 @@ void farol_onSurface(const in vec3 random, const in float choice, out vec3 posit
   }
 }
 
-// in the emitter's space; of a surface in its mesh's
+// position and direction in the emitter's space (shape surface: in the space of its mesh)
 void farol_beginParticle(const in highp uint number, out vec3 position, out vec3 direction) {
   vec3 random = farol_particleRandom(number, 2u);
   float turn = 6.28318530718 * random.y;

@@ -2,20 +2,20 @@
 // Farol
 #include "particleShape"
 #include "particleMotion"
-uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
-uniform highp sampler2D farol_particleVelocities; // m/s, life (s); an age of at least the life: none
-uniform highp ivec4 farol_beginning; // slot of the first that begins, how many at the start, how many after, slots
-uniform highp uint farol_firstNumber; // number of the first particle that begins
-uniform highp vec3 farol_stepTimes; // length of the step, start of the first after it, time between these (s)
-uniform highp mat4 farol_emitterStart; // world matrix of what particles begin on, at the start of the step, and its end
+uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s), none lives from that age on
+uniform highp ivec4 farol_beginning; // x: slot of the first new particle; y: new at the start; z: new later; w: slots
+uniform highp uint farol_firstNumber; // number of the first new particle, counted over all time
+uniform highp vec3 farol_stepTimes; // s; x: length of the step; y: start of the first later one; z: time between these
+uniform highp mat4 farol_emitterStart; // world matrix of the emitter at the start of the step and at its end
 uniform highp mat4 farol_emitterEnd;
-uniform highp mat4 farol_carried; // what living particles are moved by with the emitter in the step
+uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move along
 uniform highp vec4 farol_lifeAndSpeed; // least, most life (s); least, most speed (m/s)
 uniform highp vec3 farol_inherited; // inherited velocity (m/s)
 layout(location = 0) out highp vec4 farol_position;
 layout(location = 1) out highp vec4 farol_velocity;
 
-// order: among those that begin in the step
+// order: index among the particles that begin in the step
 void farol_begin(const in int order) {
   highp uint number = farol_firstNumber + uint(order);
   vec3 random = farol_particleRandom(number, 0u);

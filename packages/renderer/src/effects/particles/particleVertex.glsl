@@ -6,25 +6,26 @@
 #include <fog_pars_vertex>
 #include <clipping_planes_pars_vertex>
 #include <logdepthbuf_pars_vertex>
-uniform highp sampler2D farol_particlePositions; // world space (m), age (s)
-uniform highp sampler2D farol_particleVelocities; // m/s, life (s)
+uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
+uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
 uniform highp ivec2 farol_particleSlots; // slot of the oldest particle, slots
 uniform highp uint farol_oldestNumber;
-uniform highp vec4 farol_sizeAndRotation; // least, most diameter (m); least, most turn at the beginning (rad)
-uniform highp int farol_orientation; // of meshes: 0 random, 1 the emitter's, 2 along the velocity
+uniform highp vec4 farol_sizeAndRotation; // x, y: least, most diameter (m); z, w: least, most turn at birth (rad)
+uniform highp int farol_orientation; // turn of meshes: 0 random, 1 as the emitter, 2 along the velocity
 uniform highp mat3 farol_emitterTurn;
-uniform highp vec4 farol_spinAndStretch; // least, most spin (rad/s); stretch (s), brightness
-uniform highp vec3 farol_flipBook; // columns, rows, cycles
+uniform highp vec4 farol_spinAndStretch; // x, y: least, most spin (rad/s); z: stretch (s); w: brightness
+uniform highp vec3 farol_flipBook; // columns and rows of pictures; cycles a life
 out highp vec4 farol_particleColor;
-out highp vec4 farol_particleUV; // of two pictures
-out highp vec3 farol_particleBall; // place on a ball of the particle's size; share of the second picture
-out highp float farol_particleDistance; // along the view (m)
+out highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
+out highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
+out highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_SORTED
-uniform highp sampler2D farol_particleOrder; // distance (m), slot, from far to near
+uniform highp sampler2D farol_particleOrder; // far to near: distance along the view (m), slot
 #endif
 #ifdef FAROL_LIT
 #include "particleSurroundings"
-uniform highp sampler2D farol_particleRed; // light of each slot: sum times direction (view space), sum
+// light of each slot by colour; xyz: sum times direction (view space); w: sum
+uniform highp sampler2D farol_particleRed;
 uniform highp sampler2D farol_particleGreen;
 uniform highp sampler2D farol_particleBlue;
 flat out highp mat3x4 farol_particleLit;
@@ -35,7 +36,7 @@ vec3 farol_turn(const in vec3 v, const in vec3 axis, const in float angle) {
   return mix(axis * dot(axis, v), v, cos(angle)) + cross(axis, v) * sin(angle);
 }
 
-// axes of a mesh whose +Y points in a direction; of none, in that of the world
+// axes that turn a mesh's +Y to a direction; identity for a zero direction
 mat3 farol_axesAlong(const in vec3 direction) {
   float size = length(direction);
   if (size < 1e-6) return mat3(1.0);
@@ -130,7 +131,7 @@ if (farol_center.w < farol_life) {
     vec3 farol_along = farol_points ? farol_velocityVS / farol_speed : vec3(0.0, 1.0, 0.0);
     farol_side = farol_points ? farol_side / farol_sideLength : vec3(1.0, 0.0, 0.0);
     float farol_length = farol_speed * farol_spinAndStretch.z;
-    // its head is where it is
+    // the streak's head is at the particle's position
     mvPosition.xyz += farol_side * (0.5 * farol_size * farol_offset.x)
       + farol_along * (0.5 * farol_size * farol_offset.y - farol_length * (1.0 - farol_place.y));
   #else

@@ -1,4 +1,4 @@
-// A quad a texel of a row, by the number of the vertex, and the normal of the world that it stands for.
+// Places a quad over each texel of a row, by gl_VertexID, and gives the texel's world-space normal.
 int farol_texelIndex = gl_VertexID / 6;
 int farol_texelCorner = gl_VertexID % 6;
 bool farol_isRightCorner = farol_texelCorner == 1 || farol_texelCorner == 2 || farol_texelCorner == 4;

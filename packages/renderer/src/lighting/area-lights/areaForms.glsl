@@ -1,4 +1,4 @@
-// Which share of a lobe an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular one is
+// Share of a lobe that an area light fills. The diffuse lobe is a cosine about z of tangent space, the specular one is
 // a cosine after a linear transform of that space.
 // Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, as three.js r187 has it
 #include "areaFeatures"
@@ -6,11 +6,11 @@
 #include "discForm"
 #include "rectangleForm"
 #include "tubeForm"
-// 64 × 128 texels, by roughness and sqrt(1 - N·V): four numbers of the inverse transform; above
-// Fresnel's two weights, and (w) what of a sphere is above the horizon
+// 64 × 128 texels, by roughness and sqrt(1 - N·V); lower half: four numbers of the inverse transform; upper half:
+// x: weight of F0, y: weight of F90 - F0, w: share of a sphere above the horizon
 uniform highp sampler2D farol_ltc;
 
-// An area light as a surface sees it, from the surface (m).
+// An area light relative to a surface point (m).
 struct FarolArea {
   int shape;
   vec3 centre;
@@ -22,17 +22,17 @@ struct FarolArea {
 // The lobes of a surface.
 struct FarolAreaLobe {
   mat3 tangents; // transform from view space to tangent space
-  vec4 ltc; // the specular lobe's inverse transform: of farol_ltcAt, table 0
+  vec4 ltc; // inverse transform of the specular lobe, from farol_ltcAt(…, 0)
 };
 
-// table: 0 for the transform, 1 for Fresnel's weights; not in a loop that differs from pixel to pixel: it is filtered
-// by its derivatives, as three's is
+// table: 0 for the transform, 1 for Fresnel's weights; not to be called in a loop whose length differs by pixel, since
+// the lookup takes derivatives, as three's does
 vec4 farol_ltcAt(const in float roughness, const in float dotNV, const in float table) {
   vec2 place = vec2(roughness, sqrt(1.0 - clamp(dotNV, 0.0, 1.0))) * (63.0 / 64.0) + 0.5 / 64.0;
   return texture(farol_ltc, vec2(place.x, 0.5 * (place.y + table)));
 }
 
-// tangent space: x along the view, y as three has it: left-handed
+// tangent space with x along the view; left-handed, as three's
 FarolAreaLobe farol_areaLobe(const in vec3 normalVS, const in vec3 viewDirVS, const in vec4 ltc) {
   vec3 across = viewDirVS - normalVS * dot(viewDirVS, normalVS);
   // seen from straight above, any tangent will do

@@ -2,7 +2,7 @@
 // Heitz et al. 2016, Real-Time Polygonal-Light Shading with Linearly Transformed Cosines, as three.js r187 has it
 #include "areaForms"
 #define FAROL_AREA_LIGHTS
-// lights with a range: x: plain point lights; y: area lights
+// numbers of lights with a range: x: plain point lights; y: area lights
 uniform highp ivec2 farol_areaCounts;
 
 // gives a FarolLight the extension of an area light
@@ -21,7 +21,7 @@ uniform highp ivec2 farol_areaCounts;
 #define FAROL_AREA_SUM vec4 ltc; vec3 area;
 #define FAROL_BEGIN_AREA_SUM s.ltc = farol_ltcAt(roughness, dotNV, 0.0); s.area = vec3(0.0);
 #define FAROL_LOBE_OF(s) farol_areaLobe(s.normalVS, s.viewDirVS, s.ltc)
-// extension: of the light; materials other than three's physical ones take nothing of it, as in three
+// extension: record of the area light; only three's physical materials are lit by it, as in three
 #define FAROL_AREA_SHADING \
   void farol_addArea(inout FarolShading s, const in FarolAreaLobe lobe, const in int extension, const in vec3 toLight, \
     const in vec3 color, const in int mask) { \
@@ -52,7 +52,7 @@ uniform highp ivec2 farol_areaCounts;
   if (farol_areaCounts.y > 0 && farol_isPhysical(s)) farol_addListedArea(s, FAROL_LOBE_OF(s), record);
 #define FAROL_AREA_SPECULAR(s, f0, f90, roughness) + s.area * farol_areaFresnel(f0, f90, roughness, s.dotNV)
 
-// three's RE_Direct_RectArea_Physical in the loops of three's materials; others take nothing
+// three's RE_Direct_RectArea_Physical, for physical materials alone
 #ifdef STANDARD
   #define FAROL_BEGIN_AREAS \
     FarolAreaLobe farol_lobe = farol_areaLobe(geometryNormal, geometryViewDir, \

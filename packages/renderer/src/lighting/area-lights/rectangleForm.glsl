@@ -7,7 +7,7 @@
 //? farol_isBelowHorizon(vec3(0.0, 0.0, -3.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.5, 0.0)) == false
 //? farol_isBelowHorizon(vec3(9.0, 0.0, -4.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.5, 0.0)) == true
 
-// angle by its sine by 2 pi, of each angle's cosine, by a rational polynomial: three's
+// angle / (sin(angle) 2π) for each cosine, by three's rational polynomial
 vec4 farol_edgeWeights(const in vec4 cosines) {
   vec4 y = abs(cosines);
   vec4 weights = (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
@@ -16,7 +16,7 @@ vec4 farol_edgeWeights(const in vec4 cosines) {
   return mix(0.5 * inversesqrt(max(1.0 - cosines * cosines, 1e-7)) - weights, weights, isAcute);
 }
 
-// centre, and half its edges; +: to the side to which cross(u, v) does not point
+// u, v: half edges; positive on the side that cross(u, v) points away from
 vec3 farol_rectangleForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec3 right = centre + u;
   vec3 left = centre - u;
@@ -32,7 +32,7 @@ vec3 farol_rectangleForm(const in vec3 centre, const in vec3 u, const in vec3 v)
     - (weights.x + weights.y + weights.z + weights.w) * cross(u, v));
 }
 
-// form factor of what is above the horizon (z = 0), nearly: Hill and Heitz 2016, Real-Time Area Lighting: a Journey
+// approximate form factor above the horizon (z = 0): Hill and Heitz 2016, Real-Time Area Lighting: a Journey
 // from Research to Production, p. 102
 float farol_aboveHorizon(const in vec3 form) {
   float size = length(form);

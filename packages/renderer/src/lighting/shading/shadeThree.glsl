@@ -25,7 +25,7 @@
   #define FAROL_SAVE_SHEEN
   #define FAROL_SCALE_SHEEN
 #endif
-// surfaces that a light gives nothing are not shaded, but by three's toon shading: all pixels must take its derivatives
+// unlit surfaces are skipped, except by three's toon shading, whose derivatives need all pixels
 #if defined( TOON ) && ! defined( FAROL_TOON )
   #define FAROL_IS_LIT(light) true
 #else
@@ -38,7 +38,7 @@
   #define FAROL_DIRECT(light) RE_Direct(directLight, geometryPosition, geometryNormal, geometryViewDir, \
     geometryClearcoatNormal, material, reflectedLight);
 #endif
-// shadow maps are looked up some way off along this normal: the geometry's, which three has from the vertices
+// normal along which shadow lookups are offset: the geometry's, from vertices as in three
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
   #define FAROL_SHADOW_NORMAL vNormal
 #else

@@ -2,9 +2,9 @@
 // three.js r187's gradientmap_pars_fragment; derivatives: OpenGL ES Shading Language 3.00, 8.9
 #include "incidentLight"
 #define FAROL_TOON
-// normals of the pixels whose differences are dFdx (left, right) and dFdy (below, above)
+// normals of the four pixels that dFdx (left, right) and dFdy (below, above) subtract
 vec3 farol_toonNormals[4];
-vec3 farol_toonSteps[4]; // to their positions, from this one's
+vec3 farol_toonSteps[4]; // offsets from this pixel's position to those of the four pixels (m)
 
 void farol_startToon(const in vec3 positionVS, const in vec3 normalVS) {
   // 1 in the second column or row of the quad: the difference of a product with it is the value of that pixel alone,

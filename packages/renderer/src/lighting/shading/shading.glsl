@@ -14,14 +14,14 @@ struct FarolShading {
   float dotNV; // cosine of view and normal, not clamped
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
   float lambdaV; // view's part of the height-correlated Smith term
-  float diffuse0; // 1 - F at normal incidence, of the layer over the diffuse one
-  float diffuse90; // of diffuse0, lost at grazing angles: times Schlick's fifth power
+  float diffuse0; // 1 - F at normal incidence, F: Fresnel reflectance of the specular layer
+  float diffuse90; // part of diffuse0 lost at grazing angles: factor of Schlick's fifth power
   vec3 diffuse; // sum of c N·L (1 - F)
   vec3 specular; // sum of c N·L V D
   vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
   FAROL_AREA_SUM
 #ifdef FAROL_VERTEX_NORMAL
-  vec3 shadowNormalVS; // shadow maps are looked up some way off along it
+  vec3 shadowNormalVS; // normal along which shadow lookups are offset (normalBias)
 #endif
 };
 
@@ -36,7 +36,7 @@ bool farol_isPhysical(const in FarolShading s) {
   return farol_shadingModel(s.flags) == FAROL_STANDARD;
 }
 
-// roughness: at least 0.045; f0, f90: of the layer over the diffuse one, grey
+// roughness: at least 0.045; f0, f90: grey reflectance of the specular layer
 void farol_setPhysical(inout FarolShading s, const in float roughness, const in float f0, const in float f90) {
   float alpha = roughness * roughness;
   float dotNV = clamp(s.dotNV, 0.0, 1.0);
@@ -51,7 +51,7 @@ void farol_setPhysical(inout FarolShading s, const in float roughness, const in 
 void farol_addLight(inout FarolShading s, const in vec3 direction, const in vec3 diffuseColor,
   const in vec3 specularColor) {
   float dotNLRaw = dot(s.normalVS, direction);
-  if (!(dotNLRaw > 0.0)) return; // also for NaN, of a surface without a normal
+  if (!(dotNLRaw > 0.0)) return; // also true for NaN, the normal of a surface without one
   float dotNL = min(dotNLRaw, 1.0);
 #ifdef STANDARD
   // in three's order of operations: narrow lobes magnify differences in the last bits
@@ -86,7 +86,7 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
     specularScale = farol_extensionSpecular(light.extension);
     s.diffuse += farol_extensionAmbient(light.extension) * light.attenuation;
   }
-  if (dot(s.normalVS, light.direction) <= 0.0) return; // before the mask, which costs more than the light
+  if (dot(s.normalVS, light.direction) <= 0.0) return; // tested before the mask, which costs more than the light
 #ifdef FAROL_UNBOUNDED_MASKS
   // farol_addLight is called twice in the text, so that lights without a mask do not wait for a shadow
   if (light.mask > 0) {
@@ -98,7 +98,7 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// a point light as three has it, of which no mask takes anything; sphere: texel of its record
+// adds one of three's point lights, without a mask or with all of it let through; sphere: texel of its record
 void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 color, const in float decay) {
   vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
   float range = farol_lightRange(sphere);
@@ -139,7 +139,7 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
     if (extension > 0) {
       attenuation = farol_extendedAttenuation(extension, sqrt(distanceSquared), range, decay);
       vec3 diffuseScale = farol_extensionDiffuse(extension);
-      // the sums take one colour; the specular one may have another scale
+      // diffuse and specular sums share one colour, but may be scaled differently
       specularScale = farol_extensionSpecular(extension) / max(diffuseScale, 1e-6);
       color *= max(diffuseScale, 1e-6);
       ambient = farol_extensionAmbient(extension);

@@ -1,7 +1,7 @@
 // Gouraud shading, in place of a light loop: all lights of the table at the vertices, their sums interpolated.
 // Gouraud 1971, Continuous Shading of Curved Surfaces; thesis 2.2.1.2
 #include "shading"
-// sums of a FarolShading: diffuse, specular, grazing, and that of area lights, where there are any
+// sums of FarolShading: diffuse, specular, grazing, area (if there are area lights)
 varying highp vec3 farol_frontSums[4];
 #ifdef DOUBLE_SIDED
 varying highp vec3 farol_backSums[4];

@@ -1,4 +1,4 @@
-// The colour behind everything, as the target would have been cleared to it.
+// Clear colour of the target, for passes that write every pixel.
 // Farol
 uniform vec4 farol_background;
 layout(location = 0) out highp vec4 farol_color;

@@ -1,3 +1,3 @@
-// Scale of the heat map views: one over the count that is drawn hottest.
+// Scale of heat map views: 1 / count of the hottest colour.
 // Farol
 uniform float farol_heatScale;

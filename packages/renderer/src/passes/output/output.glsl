@@ -1,7 +1,7 @@
 // Writes linear radiance and depth to the host's target as three would: tone mapped, encoded, fogged, then dithered.
 // three's opaque_fragment, tonemapping_fragment, colorspace_fragment, fog_fragment, dithering_fragment
 #include "viewport"
-uniform vec4 farol_background; // clear colour of the target; a below 0: it was cleared, or is to be kept
+uniform vec4 farol_background; // colour of empty pixels; a below 0: leave them as they are
 #ifdef USE_FOG
 uniform vec3 fogColor;
 #ifdef FOG_EXP2
@@ -14,7 +14,7 @@ uniform float fogFar;
 
 vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged,
   const in bool dithered) {
-  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinity, beyond half floats, would become NaN
+  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinity would become NaN
 #ifdef TONE_MAPPING
   if (toneMapped) color.rgb = toneMapping(color.rgb);
 #endif

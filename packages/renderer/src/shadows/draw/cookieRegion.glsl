@@ -7,9 +7,9 @@ uniform highp samplerCube farol_cookieImage;
 #else
 uniform highp sampler2D farol_cookieImage;
 #endif
-// corner without border, size (texels); for a cube: corner, side of a face, distance of faces
+// texels; xy: corner, border left out; zw: size; for a cube: z side of a face, w spacing of faces
 uniform highp vec4 farol_cookieRegion;
-uniform highp float farol_cookieFlip; // direction of x
+uniform highp float farol_cookieFlip; // 1, or -1 to mirror x
 uniform highp float farol_cookieLevel; // mipmap level of the image
 layout(location = 0) out highp vec4 farol_cookie;
 //# main

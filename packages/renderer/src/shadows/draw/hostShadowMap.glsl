@@ -1,8 +1,8 @@
 // Copies a light's region of the shadow atlas into `shadow.map`: depths, and colours as of three's MeshDepthMaterial.
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
-uniform highp vec4 farol_hostMapRegion; // corner (texels), texels of the region for one of the map
-uniform highp float farol_hostMapFar; // depth where no caster is
+uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: texels of the region for one of the map
+uniform highp float farol_hostMapFar; // depth written where there is no caster
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy);

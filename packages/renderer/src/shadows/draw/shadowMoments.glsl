@@ -1,8 +1,8 @@
 // Mean and standard deviation of the depths of a shadow map, blurred down its columns, or (FAROL_ACROSS) its rows.
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
-uniform highp vec4 farol_momentRegion; // corner of what is drawn, size of the map (texels)
-uniform highp vec3 farol_momentBlur; // radius (texels), samples
+uniform highp vec4 farol_momentRegion; // texels; xy: corner of the region that is drawn; zw: size of the map
+uniform highp vec3 farol_momentBlur; // x: blur radius (texels); y: samples
 layout(location = 0) out highp vec4 farol_moments;
 //# main
 vec2 at = gl_FragCoord.xy - farol_momentRegion.xy;

@@ -5,11 +5,11 @@
 #include "maskFeatures"
 #include "maskRecord"
 #include "readPixel"
-uniform highp sampler2D farol_lightAtlas; // linear colours, or mean and deviation of depths
-uniform highp vec2 farol_atlasTexel; // side of a texel of either atlas, as part of the atlas's side
+uniform highp sampler2D farol_lightAtlas; // cookies: linear colours; VSM: mean and standard deviation of depths
+uniform highp vec2 farol_atlasTexel; // 1 / side (texels): x of the shadow atlas, y of the colour atlas
 
-// the plane in which a surface lies in a pixel (normal, view space); 0: not known, the surface's own normal is taken.
-// Set before the loop over lights, in which derivatives mean nothing
+// normal (view space) of the surface's plane in this pixel; 0: unknown, the shading normal is taken. Set before the
+// loop over lights, where derivatives are undefined
 vec3 farol_planeVS = vec3(0.0);
 #ifdef FAROL_LIGHT_COOKIES
 #define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
@@ -109,7 +109,7 @@ vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 posit
     return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
   }
   region.xy += 1.0;
-  // the same filter for magnified and minified images
+  // filter codes that do not differ between magnified and minified images
   if ((filtering & 255) == 0 || (filtering & 255) == 3)
     return farol_imageLevel(region, across.xy, 0, (filtering & 1) != 0);
   FarolQuad quad = farol_quadOf(record, coord, positionVS, normalVS);

@@ -1,13 +1,13 @@
-// As lightMaskOn, for lights that reach only objects of their layers; replaces lightMaskOn once a light does.
+// lightMaskOn for lights that light only objects of their layers; replaces it once a light has layers.
 // Farol
 #define FAROL_LAYERS
 #ifdef FAROL_PER_VERTEX
 #define FAROL_OBJECT_LAYERS farol_layersAttribute
 #elif defined( FAROL_LAYERS_OF_OBJECT )
-flat in highp vec2 farol_objectLayers; // layers of the drawn object, as two numbers of 16 bits
+flat in highp vec2 farol_objectLayers; // layers of the drawn object: x low, y high 16 bits
 #define FAROL_OBJECT_LAYERS farol_objectLayers
 #else
-uniform highp vec2 farol_layers; // layers of all objects in the G-buffer
+uniform highp vec2 farol_layers; // layers of every object in the G-buffer: x low, y high 16 bits
 #define FAROL_OBJECT_LAYERS farol_layers
 #endif
 #include "lightShadow"

@@ -1,4 +1,4 @@
-// The part of a light's colour that its shadow map and cookie let through; replaces lightMask once a light has them.
+// Share of a light's colour that passes its shadow map and cookie; replaces lightMask once a light has either.
 // Farol
 #include "lightShadow"
 #define FAROL_HAS_MASKS

@@ -6,7 +6,7 @@
 #include "maskFeatures"
 #include "maskRecord"
 #include "lightImage"
-uniform highp mat3 farol_worldAxes; // view space to the world's axes
+uniform highp mat3 farol_worldAxes; // view space to world space, rotation only
 uniform highp sampler2DShadow farol_shadowAtlas;
 
 // the five sample offsets of three's PCF disk, before the disk is turned
@@ -46,7 +46,7 @@ vec2 farol_diskTurn() {
 }
 
 #ifdef FAROL_ONE_TURN
-vec2 farol_turn; // the turn of the disk is found once a pixel
+vec2 farol_turn; // farol_diskTurn(), found once a pixel
 #define FAROL_TURN farol_turn
 #else
 #define FAROL_TURN farol_diskTurn()
@@ -55,7 +55,7 @@ vec2 farol_turn; // the turn of the disk is found once a pixel
 // The samples of a disk: places in the atlas (0..1) and the depths compared there.
 struct FarolDisk {
   vec3 middle;
-  vec3 alongX; // change along the disk's axes
+  vec3 alongX; // change along the disk's axes: place in the atlas (0 to 1) and depth
   vec3 alongY;
   vec4 bounds; // least and most x and y of samples
 };
@@ -151,7 +151,7 @@ FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in v
     vec4(0.0, 0.0, 1.0, 1.0));
 }
 
-// The values of a mask that every pixel reads for every light, see maskLayout.ts.
+// Values of a mask that every pixel reads, see maskLayout.ts.
 struct FarolMask {
   int lookup; // FAROL_LOOKUP_…
   int cookie; // FAROL_COOKIE_…

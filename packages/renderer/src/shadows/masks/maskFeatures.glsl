@@ -1,5 +1,5 @@
-// What shaders have code for: of shadow maps, cookies, profiles and lights. Here all; once lights have masks, what
-// has been met.
+// Kinds of shadow maps, cookies, profiles and lights that shaders have code for: all here; scenes whose lights have
+// masks replace it by those met so far.
 // Farol
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES

@@ -1,7 +1,7 @@
 // Farol's part of three's getShadowMask(), for materials that show only shadows: the product of all lights' shadows.
 // three.js r187 shadowmask_pars_fragment
 #include "lightMask"
-uniform highp ivec2 farol_masks; // record of the first mask, number of masks
+uniform highp ivec2 farol_masks; // x: light table record of the first mask; y: number of masks
 varying highp vec3 farol_maskPositionVS;
 varying highp vec3 farol_maskNormalVS;
 

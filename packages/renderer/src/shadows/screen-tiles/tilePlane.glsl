@@ -8,7 +8,7 @@ uniform highp vec2 farol_size;
 // across, a pixel up
 layout(location = 0) out highp uvec4 farol_plane;
 
-// depth as unproject.glsl takes it, which keeps digits that depths near 1 lose
+// 1 - depth, or reversed depth: keeps digits that depths near 1 lose
 float farol_preciseDepth(const in float depth) {
   return farol_depthMode.x > 0.0 ? depth : 1.0 - depth;
 }

@@ -1,5 +1,5 @@
-// Which lights light all surfaces of a screen tile, and which none, by the depth bounds of their shadow maps: no pixel
-// has to sample a map that is beyond, or before, everything in the tile.
+// Marks lights that light all surfaces of a screen tile, or none, by the depth bounds of their shadow maps: pixels then
+// need no sample of these maps.
 // Farol; Olsson et al. 2014, Efficient Virtual Shadow Maps for Many Lights, for culling lights by shadow maps
 #include "lightShadow"
 #include "lightTiles"
@@ -14,11 +14,11 @@ uniform highp int farol_tileShadowWords;
 // lightLoopClustered.glsl
 layout(location = 0) out highp uvec4 farol_marks;
 
-const int FAROL_MOST_BLOCKS = 6; // a side of what a tile covers of a map
+const int FAROL_MOST_BLOCKS = 6; // largest side of the region of a map that a tile covers (blocks)
 
-vec3 farol_corners[8]; // of a box round the tile's surfaces (view space, m)
+vec3 farol_corners[8]; // corners of a box round the tile's surfaces (view space, m)
 #ifdef FAROL_SHADOW_CUBES
-vec3 farol_worldCorners[8]; // farol_corners along the world's axes (m)
+vec3 farol_worldCorners[8]; // farol_corners, turned to world axes (m)
 #endif
 
 // finds the corners; false where they are not known
@@ -57,7 +57,7 @@ vec2 farol_ratio(const in float a, const in float shift, const in float c, const
   return vec2(low * (low < 0.0 ? scale.x : scale.y), high * (high < 0.0 ? scale.y : scale.x));
 }
 
-// What a map says of the tile's surfaces.
+// Result of comparing a shadow map with the tile's surfaces.
 struct FarolComparison {
   bool isLit; // nothing casts a shadow on them
   bool isDark; // something casts a shadow on all of them
@@ -71,7 +71,7 @@ bool farol_compare(const in vec2 low, const in vec2 high, const in vec2 depths, 
   ivec2 last = ivec2(high) >> 3;
   if (max(last.x - first.x, last.y - first.y) >= FAROL_MOST_BLOCKS) return false;
   uvec2 bounds = uvec2(65535u, 0u);
-  // two by two, so that fetches need not wait for each other
+  // two by two blocks a step, so that fetches overlap
   for (int y = first.y; y <= last.y; y += 2) {
     for (int x = first.x; x <= last.x; x += 2) {
       ivec2 next = min(ivec2(x, y) + 1, last);
@@ -168,7 +168,7 @@ int farol_tileShadow(const in int record) {
 #ifdef FAROL_SHADOW_MAPS
   if (!isCube && !farol_compareMap(record, mask, comparison)) return 0;
 #endif
-  // nothing else may be in the way of a light: neither an image, a profile nor layers
+  // only lights without an image, a profile or layers
 #ifdef FAROL_LIGHT_PROFILES
   if (comparison.isLit && mask.hasProfile) return 0;
 #endif

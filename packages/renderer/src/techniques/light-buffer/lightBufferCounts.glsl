@@ -1,11 +1,11 @@
-// What a technique with a light buffer shades at each pixel: its materials, and a share of the light buffer's texel.
+// Count of a technique with a light buffer at each pixel: shaded materials, and a share of its texel's lights.
 // Farol
 #include "heatMap"
 #include "heatScale"
 #include "viewport"
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_overdrawMap;
-uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); pixels to take off first (x, y)
+uniform highp vec4 farol_lightGrid; // xy: light buffer texels a pixel; zw: offset of the picture (pixels)
 //# main
 ivec2 texel = ivec2((gl_FragCoord.xy - farol_lightGrid.zw) * farol_lightGrid.xy);
 float counted = texelFetch(farol_sums0, min(texel, textureSize(farol_sums0, 0) - 1), 0).r

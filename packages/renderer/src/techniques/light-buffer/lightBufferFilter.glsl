@@ -2,24 +2,24 @@
 // Kircher and Lawrance 2009, Inferred Lighting: Fast dynamic lighting and shadows for opaque and translucent objects
 #include "thinGBufferRead"
 #include "lightSums"
-varying highp vec2 farol_object; // number of the object; corner of the stipple that it takes, 0: all texels
+varying highp vec2 farol_object; // x: number of the object; y: corner of the stipple that it takes, 0: all texels
 uniform highp sampler2D farol_sums0;
 uniform highp sampler2D farol_sums1;
 uniform highp sampler2D farol_sums2;
 #ifdef FAROL_AREA_LIGHTS
 uniform highp sampler2D farol_sums3;
 #endif
-uniform highp vec4 farol_lightGrid; // texels a pixel (x, y); pixels to take off first (x, y)
+uniform highp vec4 farol_lightGrid; // xy: light buffer texels a pixel; zw: offset of the picture (pixels)
 
 struct FarolReader {
   vec3 positionVS;
   vec3 normalVS;
   float object;
   vec2 size; // size of the light buffer (texels)
-  float reach; // how far off the tangent plane a texel may lie: the width of two texels there (m)
+  float reach; // greatest distance of a texel from the tangent plane: the width of two texels there (m)
   int stride; // 2 for a stippled layer: every second texel
   ivec2 corner; // corner of the stipple
-  ivec2 last; // last place of the stride
+  ivec2 last; // last texel in steps of the stride
   vec4 sums0;
   vec4 sums1;
   vec4 sums2;
@@ -33,7 +33,7 @@ ivec2 farol_texelAt(const in FarolReader reader, const in ivec2 place) {
   return clamp(place, ivec2(0), reader.last) * reader.stride + reader.corner;
 }
 
-// x: how well a texel stands for the surface, 0 (another object or depth) to 1; y: its badness, to choose a fallback by
+// x: agreement of a texel with the surface, 0 (another object or depth) to 1; y: disagreement, to choose a fallback by
 vec2 farol_agreement(const in FarolReader reader, const in ivec2 texel) {
   vec4 thin = texelFetch(farol_thinSurface, texel, 0);
   vec3 there = farol_thinPosition(texel, reader.size);

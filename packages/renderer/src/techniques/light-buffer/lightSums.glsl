@@ -1,5 +1,5 @@
-// Sums of light without a surface's colours; three texels hold the first four: the last of them lies in the alphas. A
-// fourth texel holds that of area lights, where there are any.
+// Sums of light without a surface's colours: three texels hold the first four, the fourth in their alphas; another
+// texel holds the sum of area lights, if there are any.
 // Engel 2009, The Light Pre-Pass Renderer (ShaderX7 8.5); three.js r187's RE_Direct, apart by Fresnel's weight
 #include "areaLight"
 struct FarolLightSums {

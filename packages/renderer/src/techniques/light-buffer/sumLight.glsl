@@ -8,13 +8,13 @@
 struct FarolLobe {
   bool physical;
   bool specular;
-  bool splitsDiffuse; // F90 below 1
+  bool splitsDiffuse; // whether F90 is below 1
   bool receivesShadows;
   vec3 normalVS;
   vec3 viewDirVS;
   float dotNV;
   float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
-  float lambdaV; // of the height-correlated Smith term
+  float lambdaV; // the view's part of the height-correlated Smith term
 #ifdef FAROL_AREA_LIGHTS
   vec4 ltc; // the specular lobe's linear transform
 #endif

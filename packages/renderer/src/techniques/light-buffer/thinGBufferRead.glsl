@@ -5,8 +5,8 @@
 #include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
-uniform highp sampler2D farol_thinDepth; // depths, or stored distances (farol_thinStored)
-uniform highp int farol_thinStored; // 0; distances are stored: 1 in perspective, 2 orthographic
+uniform highp sampler2D farol_thinDepth; // depths, or distances if farol_thinStored is not 0
+uniform highp int farol_thinStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
 
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)

@@ -4,7 +4,7 @@
 #include "roundToHalf"
 #include "storedDistance"
 layout(location = 1) out highp vec2 farol_outDistance;
-varying highp vec2 farol_object; // number of the object; corner of the stipple that it takes, 0: all
+varying highp vec2 farol_object; // x: number of the object; y: corner of the stipple that it takes, 0: all
 #if defined( STANDARD )
   #define FAROL_LOBE (material.specularF90 < 1.0 ? 2.0 + material.roughness : material.roughness)
 #elif defined( PHONG )

@@ -41,7 +41,7 @@ FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
   return lit;
 }
 
-// record: of a light with a range
+// record: a light with a range
 void farol_addToPixel(inout FarolPixel lit, const in int record) {
   farol_sumLight(lit.sums, lit.lobe, lit.positionVS, farol_localLight(record, lit.positionVS));
 }

@@ -3,11 +3,11 @@
 #include "shadePlain"
 #include "lightTiles"
 #include "viewport"
-uniform highp usampler2D farol_gridMasks; // a row of texels for a row of tiles, quad by quad
-uniform highp usampler2D farol_gridBins; // first rank, last rank << 16
-// pixels a side, as a power of two; tiles in y; words of lights that count for every depth; first record
+uniform highp usampler2D farol_gridMasks; // bit a light; a row of texels for a row of tiles, four words a texel
+uniform highp usampler2D farol_gridBins; // ranks of the lights in each bin of depth: first | last << 16
+// x: log2 of the side of a tile (pixels); y: tiles in y; z: words of lights of every depth; w: first record
 uniform highp ivec4 farol_grid;
-uniform highp vec3 farol_gridDepth; // shift (m), start, scale
+uniform highp vec3 farol_gridDepth; // bin of a distance d (m): (float bits of (d + x) - float bits of y) * z
 
 uvec2 farol_depthBin(const in float depth) {
   if (farol_lightCounts.z == 0) return uvec2(1u, 0u);
@@ -29,7 +29,7 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 // marks of tiles of 8 pixels, for two words of lights a texel: bits of lights that light all of the tile, and bits of
 // lights that light none of it; both bits: a masked point light that lights all of it
 uniform highp usampler2D farol_tileShadows;
-uniform highp int farol_tileShadowWords; // of a tile; 0 while nothing is known
+uniform highp int farol_tileShadowWords; // words of farol_tileShadows a tile; 0 while none are known
 
 uvec2 farol_tileMarks(const in int word) {
   if (word >= farol_tileShadowWords) return uvec2(0u);
@@ -58,7 +58,7 @@ uvec2 farol_tileMarks(const in int word) {
 #define FAROL_FOR_EACH_LISTED(positionVS) FAROL_FOR_EACH_UNMARKED(positionVS, false)
 #define FAROL_END_LISTED }}
 
-// where lights have masks, or areas, there may be no plain one; elsewhere the question costs more than it saves (0.3 ms
+// lists without plain lights occur only with masked or area lights; else the test costs more than it saves (0.3 ms
 // in docs/attempts/shadow-lookups.md: "no loop over plain lights where there are none")
 bool farol_mayHavePlain() {
 #if defined( FAROL_HAS_MASKS ) || defined( FAROL_AREA_LIGHTS )

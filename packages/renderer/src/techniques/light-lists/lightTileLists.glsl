@@ -1,4 +1,4 @@
-// What the loops over the lists of tiles have in common: the tile's list, the lights of its quads.
+// Shared by loops over the light lists of tiles: the tile's list, and the lights of its quads.
 // Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
 #include "shadePlain"
 #include "lightTiles"
@@ -38,7 +38,7 @@ uvec4 farol_summaryOf(const in ivec2 tile, const in int page) {
     FarolLight farol_light = farol_localLight(farol_record, positionVS); \
     FAROL_SHADE(farol_light) \
   FAROL_END_LISTED
-// the lights that are in no list, too
+// shades by the lights of the list and by those in no list
 #define FAROL_SHADE_ALL(positionVS) \
   for (int farol_i = 0; farol_i < farol_tileRun.x; farol_i++) { \
     FarolLight farol_light = farol_lightAt(farol_i, positionVS); \

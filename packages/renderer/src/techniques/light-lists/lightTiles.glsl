@@ -1,4 +1,4 @@
-// Where the light lists of the screen's tiles lie, and single bits of them.
+// Texels of the light lists of the screen's tiles, and functions on their bits.
 // Farol; a list is a bit a light, 128 lights a texel (a quad of words). The texels of one quad lie as the tiles do, so
 // that neighbours in a texture are neighbours on the screen, with the same candidates; such grids lie side by side.
 //? farol_lowestBit(1u) == 0
@@ -9,7 +9,7 @@
 //? farol_bitsFrom(32, 0, 20) == 0u
 // grids side by side in a row of a list texture, as a power of two; tiles in x; tiles in y; quads a tile
 uniform highp ivec4 farol_tiles;
-// first record of the listed lights; their number; summary texels a tile; quads of plain point lights
+// x: first record of the listed lights; y: their number; z: summary texels a tile; w: quads of plain point lights
 uniform highp ivec4 farol_tileRun;
 
 const int FAROL_TILE_SHIFT = 4; // pixels a side, as a power of two
@@ -23,7 +23,7 @@ int farol_lowestBit(const in uint bits) {
   return (floatBitsToInt(float(bits & (~bits + 1u))) >> 23) - 127;
 }
 
-// of a word that stands for lights start to start + 31: the bits of lights first to last
+// bits of lights first to last in the word of lights start to start + 31
 uint farol_bitsFrom(const in int start, const in int first, const in int last) {
   int low = max(first - start, 0);
   int high = min(last - start, 31);

@@ -1,13 +1,13 @@
-// Nearest and farthest distance of the surfaces in each tile, and which of 32 slices between them hold any.
+// Nearest and farthest distance of the surfaces in each tile, and bits of the 32 slices between them that hold any.
 // Harada 2012, A 2.5D Culling for Forward+
 #include "lightTiles"
 #include "unproject"
 uniform highp usampler2D farol_blocks;
 uniform vec2 farol_size;
-// bits of nearest and farthest (m), slices, 1 where a pixel is empty
+// x, y: float bits of nearest and farthest (m); z: slices; w: 1 if a pixel is empty
 layout(location = 0) out highp uvec4 farol_tileDepthOut;
 
-// depth: of a block, reversed depth negative; steps: of its rounding, added to it
+// depth: from farol_blocks, negative if reversed; steps: rounding steps added to it
 float farol_viewDistance(const in float depth, const in float steps) {
   if (farol_depthMode.x > 0.0) return -farol_viewZ(-depth);
   float distanceVS = -farol_viewZ(farol_depthMode.y > 0.0 ? depth : min(depth + steps * 6e-8, 1.0));

@@ -1,5 +1,5 @@
-// Which of 128 lights touch one tile: the sphere of a light's range (and its cone) against the tile's frustum, and the
-// box and slices of the depths in the tile where these are known. FAROL_COARSE: all lights against blocks of 4 × 4
+// Bits of 128 lights that touch one tile: the sphere of a light's range (and its cone) against the tile's frustum, and
+// the box and slices of the depths in the tile where these are known. FAROL_COARSE: all lights against blocks of 4 × 4
 // tiles, which the fine tiles follow.
 // Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
 #include "lightTiles"
@@ -8,18 +8,18 @@
 uniform highp usampler2D farol_coarseMask;
 uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
-// distance (m) from which on surfaces may have the depth of empty pixels; -1e30: depths tell no distances
+// distance (m) from which on depth is that of empty pixels; -1e30: depth gives no distances
 uniform highp float farol_beyond;
 layout(location = 0) out highp uvec4 farol_mask;
 
 struct FarolTile {
-  vec4 slopes; // x and y of the low sides, then of the high sides, at distance 1 (or everywhere: orthographic)
+  vec4 slopes; // xy: low sides, zw: high sides of the tile at distance 1 m (orthographic: at any distance)
   vec4 scales; // one over the length of each side's normal
   vec2 range; // nearest and farthest distance (m)
-  vec3 low; // box round the surfaces, view space; to high
+  vec3 low; // corners low and high of the box round the surfaces (view space, m)
   vec3 high;
   uint slices;
-  float beyond; // from here on (m) there may be surfaces that depths do not tell
+  float beyond; // distance (m) from which on surfaces may be missing in depth
 };
 
 FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
@@ -34,7 +34,7 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   t.beyond = 1e38;
 #ifdef FAROL_DEPTH
   uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
-  // a little wider: positions are rounded
+  // widened, since positions are rounded
   t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
   t.slices = depths.z;
   if (depths.w != 0u || farol_beyond < -1e29) t.beyond = farol_beyond;
@@ -84,7 +84,7 @@ uint farol_touching(const in FarolTile tile, const in uint candidates, const in 
   uint touching = 0u;
   for (uint bits = candidates; bits != 0u; bits &= bits - 1u) {
     int bit = farol_lowestBit(bits);
-    // two at once: reads of both are under way together
+    // two lights a step, so that their reads overlap
     bits &= bits - 1u;
     int other = bits == 0u ? bit : farol_lowestBit(bits);
     vec4 sphere = farol_lightSphere(farol_tileRun.x + start + bit);

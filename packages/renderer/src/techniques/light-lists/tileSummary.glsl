@@ -1,4 +1,4 @@
-// Which quads of a tile's list hold any light: a bit a quad, 128 quads a texel.
+// Bits of the quads of a tile's list that hold any light, 128 quads a texel.
 // Farol
 #include "lightTiles"
 uniform highp usampler2D farol_tileMask;

@@ -3,7 +3,7 @@
 #include "lightTable"
 #include "lightVolumeWide"
 uniform highp int farol_firstRecord;
-uniform highp vec4 farol_fit; // of the buffer to the picture: scale, shift (normalised device coordinates)
+uniform highp vec4 farol_fit; // from picture to buffer, normalised device coordinates: xy scale, zw shift
 flat out highp int farol_record;
 //# main
 const int SEGMENTS = 12;

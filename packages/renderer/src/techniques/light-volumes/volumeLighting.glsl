@@ -26,7 +26,7 @@ void farol_addUnboundedToPixel(inout FarolPixel lit) {
   farol_addUnbounded(lit);
 }
 
-// record: of a light with a range
+// record: a light with a range
 void farol_addToPixel(inout FarolPixel lit, const in int record) {
   farol_addLocal(lit, record);
   FAROL_ADD_BOUNDED_AREA(lit, record)

@@ -1,4 +1,4 @@
-// Writes what the passes of multipass lighting summed, where they drew anything (alpha above 0), with its depth.
+// Writes the sum of the passes of multipass lighting, and its depth, to pixels that they drew to (alpha above 0).
 // Farol
 #include "output"
 #include "unproject"
@@ -8,7 +8,7 @@ uniform highp sampler2D farol_accumulated;
 uniform highp sampler2D farol_accumulatedDepth;
 uniform highp sampler2D farol_overdrawMap;
 uniform vec2 farol_size;
-uniform int farol_view; // 0 final, 1 lighting, 2 counts
+uniform int farol_view; // 0 final picture, 1 direct light alone, 2 heat map of counts
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = texelFetch(farol_accumulatedDepth, pixel, 0).r;

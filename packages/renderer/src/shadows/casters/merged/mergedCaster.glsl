@@ -1,8 +1,8 @@
 // Corners of many casters' triangles, each moved by the matrix of its caster.
 // Farol
 layout(std140) uniform FarolCasters { vec4 farol_casterRows[FAROL_CASTERS * 3]; }; // first three rows of each matrix
-uniform mat4 farol_clipFromOrigin; // to clip space from the origin that the matrices count from
-in vec4 position; // own space of the caster (m), number of the caster
+uniform mat4 farol_clipFromOrigin; // to clip space from world axes round the origin of the casters' matrices
+in vec4 position; // xyz: local space of the caster (m); w: the caster's index
 //# main
 int farol_row = int(position.w) * 3;
 vec4 farol_corner = vec4(position.xyz, 1.0);
