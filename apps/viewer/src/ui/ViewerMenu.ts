@@ -160,7 +160,7 @@ export class ViewerMenu {
     const { parameterValues: values } = this;
     values[name] = this.viewer.state.parameters[name] ?? field.default;
     const controller = this.addField(this.parameters, values, name, field);
-    if (controller === null) delete values[name]; // no scene has one; its address parameter works all the same
+    if (controller === null) delete values[name]; // no control for this type: set by the address alone
     controller?.onFinishChange((value: number | string | boolean) => {
       void this.viewer.setParameters({ [name]: value }).catch(ignore);
     });

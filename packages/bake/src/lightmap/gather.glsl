@@ -1,5 +1,5 @@
-// Light at each texel of a lightmap, from what rays into the hemisphere meet: sums over samples of irradiance by pi and
-// of the square of its luminance; and of the part of it that lights have not given
+// Light at each texel of a lightmap, from surfaces hit by rays into the hemisphere. Sums over samples: irradiance / pi
+// with its squared luminance, and the luminance of the part that does not come from lights (sky, emissive surfaces).
 // Kajiya 1986, The Rendering Equation
 #include "tables"
 #include "random"

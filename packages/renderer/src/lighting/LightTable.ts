@@ -59,7 +59,7 @@ export class LightTable extends VisibleLights {
    * shaders read. 0 without fields: shaders then read `table` itself.
    */
   slots = 0;
-  /** Whether the lights of fields are plain point lights. */
+  /** Whether all lights of LightFields are plain point lights: without cones. */
   plainSlots = true;
   firstSlot = 0;
   /** Number of records of `table`. */

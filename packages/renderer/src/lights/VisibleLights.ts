@@ -47,7 +47,7 @@ export class VisibleLights {
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly ambient = new Float32Array(12);
-  /** Mask settings of the last frame collected. */
+  /** Shadows, light layers and area lights of the last frame whose lights were collected. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
   private readonly facts = new LightFacts();

@@ -13,7 +13,7 @@ export interface WornSurfaces {
   key(registry: MicroShaderRegistry): string;
   /** Adds the surfaces to a shader of three's, before any other patch. */
   rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void;
-  /** Numbers that change with the look of the pixels, and with the shape: by texts, values and times. */
+  /** Number that changes when a GLSL text, uniform value or time changes pixels' colours; `shape`: the vertices. */
   look(): number;
   shape(): number;
   /** Writes the times (s) of the surfaces to a list. */
