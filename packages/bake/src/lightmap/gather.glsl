@@ -1,5 +1,5 @@
 // Light at each texel of a lightmap, from surfaces hit by rays into the hemisphere. Sums over samples: irradiance / pi
-// with its squared luminance, and the luminance of the part that does not come from lights (sky, emissive surfaces).
+// with its squared luminance, and the luminance of the part, from the surfaces hit, that no light of the scene gave.
 // Kajiya 1986, The Rendering Equation
 #include "tables"
 #include "random"
@@ -8,7 +8,7 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_faces;
-uniform highp sampler2DArray farol_radiance; // with the luminance of what lights have not given
+uniform highp sampler2DArray farol_radiance; // a: luminance of the part that no light of the scene gave
 uniform int farol_firstSample;
 uniform float farol_offset;
 #include "emitters"
