@@ -150,7 +150,7 @@ export class LightFields implements FieldDraws {
 
   private drawTable(): void {
     const { frame, lights, order, records, table, uniforms } = this;
-    const { slots, firstSlot, recordCount, fields, order: lightOrder } = frame.lights;
+    const { slots, firstSlot, recordCount, fields, lightOrder } = frame.lights;
     const rows = slots / 128;
     lights.begin(frame, rows, this.depths);
     let row = 0;

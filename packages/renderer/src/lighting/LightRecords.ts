@@ -10,6 +10,7 @@ import {
   Vector3,
 } from 'three';
 import type { DataTable } from '../gpu/DataTable';
+import type { AreaLightTable } from './area-lights/AreaLightTable';
 import { isAreaLight, mayBeMasked, type MaskSettings } from '../lights/classifyLight';
 import type { FarolAttenuation, FarolLightData } from '../lights/lightData';
 import { lightAxis } from '../lights/spheres';
@@ -42,6 +43,12 @@ export interface LightMasks {
   write(table: DataTable, first: number, camera: Camera): void;
 }
 
+/** Settings of masks, with the area lights that write records. */
+export interface RecordSettings extends MaskSettings {
+  /** Area lights; null until their code is loaded. Default null. */
+  readonly areas?: AreaLightTable | null;
+}
+
 /** Writes lights as records of the light table, with the extension records that lights of the thesis have. */
 export class LightRecords {
   /** Number of extension records written since `begin`. */
@@ -50,7 +57,7 @@ export class LightRecords {
   private firstExtension = 0;
   private slots = 0;
   private masks: LightMasks | null = null;
-  private settings: MaskSettings | null = null;
+  private settings: RecordSettings | null = null;
 
   constructor(private readonly table: DataTable) {}
 
@@ -60,7 +67,7 @@ export class LightRecords {
    * @param settings - settings that tell which lights may have a mask
    * @param slots - records that shaders see before the masks, beside those of the table
    */
-  begin(masks: LightMasks | null, firstMask: number, settings: MaskSettings | null, slots = 0): void {
+  begin(masks: LightMasks | null, firstMask: number, settings: RecordSettings | null, slots = 0): void {
     this.masks = masks;
     this.settings = settings;
     this.slots = slots;

@@ -1,6 +1,5 @@
 import { type Camera, type Light, type Matrix4, Vector3, type WebGLRenderer } from 'three';
 import { DataTable } from '../gpu/DataTable';
-import type { MaskSettings } from '../lights/classifyLight';
 import type { LightGrid } from '../lights/LightGrid';
 import {
   emissionDecay,
@@ -12,7 +11,7 @@ import {
 } from '../lights/lightRecord';
 import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
-import { type LightMasks, LightRecords } from './LightRecords';
+import { type LightMasks, LightRecords, type RecordSettings } from './LightRecords';
 
 /** Lights of a quad, four 32-bit words, in tile lists. */
 export const QUAD = 128;
@@ -25,7 +24,7 @@ const position = new Vector3();
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 
-/** Sets `rank` and `bounded` of a table for an order other than 'by-volume'. */
+/** Sets `order` and `bounded` of a table for an order other than 'by-volume'. */
 export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize) => void;
 
 /**
@@ -33,7 +32,7 @@ export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize)
  * range, local with a range, the last in a `LightOrder`. No limit but the texture's size (RECORDS_PER_ROW ×
  * MAX_TEXTURE_SIZE records).
  *
- * A light has three names: the `Light` of three's, its place in `boundeds`, and its record; `rank` leads from the
+ * A light has three names: the `Light` of three's, its place in `boundeds`, and its record; `order` leads from the
  * record of a light with a range to its place.
  */
 export class LightTable extends VisibleLights {
@@ -41,7 +40,7 @@ export class LightTable extends VisibleLights {
   /**
    * Index in `boundeds` of the light of each record, counted from `firstBounded`. Only the first `bounded` are valid.
    */
-  rank: Uint32Array = new Uint32Array(64);
+  order: Uint32Array = new Uint32Array(64);
   /** Number of lights with a range that are not plain point lights. */
   others = 0;
   /** Number of records of lights with a range; a grid may leave some empty. */
@@ -65,8 +64,9 @@ export class LightTable extends VisibleLights {
   /** Number of records of `table`. */
   recordCount = 0;
   /** Order of the lights with a range, as last written. */
-  order: LightOrder = 'by-volume';
-  private ranks: Uint32Array = new Uint32Array(64);
+  lightOrder: LightOrder = 'by-volume';
+  declare protected settings: RecordSettings | null;
+  private orders: Uint32Array = new Uint32Array(64);
   private readonly records = new LightRecords(this.table);
 
   /** Number of directional lights. */
@@ -89,8 +89,8 @@ export class LightTable extends VisibleLights {
     return this.bounded + this.slots;
   }
 
-  override collect(lights: readonly Light[], camera: Camera, masks: MaskSettings): void {
-    super.collect(lights, camera, masks);
+  override collect(lights: readonly Light[], camera: Camera, settings: RecordSettings): void {
+    super.collect(lights, camera, settings);
     this.bounded = this.boundeds.length;
   }
 
@@ -101,16 +101,16 @@ export class LightTable extends VisibleLights {
    */
   write(
     camera: Camera,
-    order: LightOrder,
+    lightOrder: LightOrder,
     size: PictureSize,
     masks: LightMasks | null = null,
     rank: RankLights | null = null,
   ): void {
     const view = camera.matrixWorldInverse;
-    this.order = order;
+    this.lightOrder = lightOrder;
     if (rank === null) this.rankByVolume();
     else rank(this, camera, size);
-    this.placeSlots(order);
+    this.placeSlots(lightOrder);
     this.firstMask = this.firstBounded + this.bounded;
     const firstExtension = this.firstMask + (masks?.records ?? 0);
     const { records, table } = this;
@@ -124,7 +124,7 @@ export class LightTable extends VisibleLights {
       records.writeLocal(record++, light, x, y, z, 0, view);
     }
     this.others = this.plainSlots ? 0 : this.slots;
-    for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, this.rank[k], view);
+    for (let k = 0; k < this.bounded; k++) this.writeBounded(record++, this.order[k], view);
     masks?.write(table, this.firstMask, camera);
     this.recordCount = firstExtension + records.extensions;
     table.used(this.recordCount * FLOATS_PER_RECORD);
@@ -149,29 +149,29 @@ export class LightTable extends VisibleLights {
     this.table.dispose();
   }
 
-  /** Makes `rank` an array of at least `count` numbers, if it is shorter. @returns `rank` */
-  makeRanks(count: number): Uint32Array {
-    if (this.ranks.length < count) this.ranks = new Uint32Array(count * 2);
-    return (this.rank = this.ranks);
+  /** Makes `order` an array of at least `count` numbers, if it is shorter. @returns `order` */
+  makeOrder(count: number): Uint32Array {
+    if (this.orders.length < count) this.orders = new Uint32Array(count * 2);
+    return (this.order = this.orders);
   }
 
   private rankByVolume(): void {
-    const { axes } = this;
+    const { cones } = this;
     const count = (this.bounded = this.boundeds.length);
-    const ranks = this.makeRanks(count);
+    const order = this.makeOrder(count);
     let sphere = 0;
-    let cone = this.spheres;
-    for (let i = 0; i < count; i++) ranks[axes[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
+    let cone = this.sphereCount;
+    for (let i = 0; i < count; i++) order[cones[i * 4 + 3] > -1 ? cone++ : sphere++] = i;
   }
 
   /**
    * Finds the first record for lights of fields: plain ones follow the quads of plain point lights, others the last
    * light.
    */
-  private placeSlots(order: LightOrder): void {
+  private placeSlots(lightOrder: LightOrder): void {
     const { slots, plainQuads, bounded } = this;
     let before = bounded;
-    if (slots > 0 && order === 'by-depth') {
+    if (slots > 0 && lightOrder === 'by-depth') {
       if (this.plainSlots) {
         before = Math.min(bounded, plainQuads * QUAD);
         this.plainQuads = Math.ceil((before + slots) / QUAD);
@@ -182,21 +182,21 @@ export class LightTable extends VisibleLights {
 
   /** @param i - index of a light in `boundeds`, or NO_LIGHT */
   private writeBounded(record: number, i: number, view: Matrix4): void {
-    const { bounds, plain, table } = this;
+    const { spheres, emissions, table } = this;
     const to = record * FLOATS_PER_RECORD;
     const at = i * 4;
     if (i === NO_LIGHT) {
       // lights nothing, for loops that know no lists
       table.set4(to + LIGHT.sphere, 0, 0, 0, 1);
       table.set4(to + LIGHT.emission, 0, 0, 0, emissionDecay(2, true));
-    } else if (plain[at + 3] >= 0) {
-      table.set4(to + LIGHT.sphere, bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3]);
-      table.set4(to + LIGHT.emission, plain[at], plain[at + 1], plain[at + 2], plain[at + 3]);
+    } else if (emissions[at + 3] >= 0) {
+      table.set4(to + LIGHT.sphere, spheres[at], spheres[at + 1], spheres[at + 2], spheres[at + 3]);
+      table.set4(to + LIGHT.emission, emissions[at], emissions[at + 1], emissions[at + 2], emissions[at + 3]);
     } else {
-      const x = bounds[at];
-      const y = bounds[at + 1];
-      const z = bounds[at + 2];
-      if (!this.records.writeLocal(record, this.boundeds[i], x, y, z, bounds[at + 3], view)) this.others++;
+      const x = spheres[at];
+      const y = spheres[at + 1];
+      const z = spheres[at + 2];
+      if (!this.records.writeLocal(record, this.boundeds[i], x, y, z, spheres[at + 3], view)) this.others++;
     }
   }
 }

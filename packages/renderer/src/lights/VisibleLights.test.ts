@@ -139,8 +139,8 @@ describe.each(
     visible.collect(lights, camera, settings);
     const point = new Vector3();
     visible.boundeds.forEach((light, k) => {
-      const [x, y, z, radius] = visible.bounds.subarray(k * 4, k * 4 + 4);
-      const [ax, ay, az, cutoff] = visible.axes.subarray(k * 4, k * 4 + 4);
+      const [x, y, z, radius] = visible.spheres.subarray(k * 4, k * 4 + 4);
+      const [ax, ay, az, cutoff] = visible.cones.subarray(k * 4, k * 4 + 4);
       expect(radius).toBe(lightRange(light as PointLight));
       for (let sample = 0; sample < 30; sample++) {
         reachedPoint(light, random, point).applyMatrix4(camera.matrixWorldInverse);
@@ -150,8 +150,8 @@ describe.each(
         expect(cosine).toBeGreaterThanOrEqual(cutoff - 1e-9);
       }
     });
-    expect(visible.cones).toBeGreaterThan(10);
-    expect(visible.spheres).toBeGreaterThan(10);
-    expect(visible.cones + visible.spheres).toBe(visible.boundeds.length);
+    expect(visible.coneCount).toBeGreaterThan(10);
+    expect(visible.sphereCount).toBeGreaterThan(10);
+    expect(visible.coneCount + visible.sphereCount).toBe(visible.boundeds.length);
   });
 });

@@ -26,14 +26,14 @@ export class VisibleLights {
   /** Light fields, whose records the GPU writes. */
   readonly fields: LightFieldData[] = [];
   /** View-space sphere of each of `boundeds`: [x, y, z, r] (m), r its range. */
-  bounds = new Float64Array(64);
+  spheres = new Float64Array(64);
   /** View-space cone of each of `boundeds`: [axis to the light, cosine of the cutoff]; cosine -1 for a sphere. */
-  axes = new Float64Array(64);
+  cones = new Float64Array(64);
   /** Light of each of `boundeds`: colour times intensity, and decay if it is a plain point light, else -1. */
-  plain = new Float64Array(64);
+  emissions = new Float64Array(64);
   /** Number of `boundeds` drawn as spheres, and as cones. */
-  spheres = 0;
-  cones = 0;
+  sphereCount = 0;
+  coneCount = 0;
   /** Number of `boundeds` that are area lights. */
   areas = 0;
   /** Whether there are area lights, with a range or without. */
@@ -58,15 +58,15 @@ export class VisibleLights {
    * @param lights - managed ones that are visible to the camera's layers
    * @param camera - gives view space and the frustum
    */
-  collect(lights: readonly Light[], camera: Camera, masks: MaskSettings): void {
+  collect(lights: readonly Light[], camera: Camera, settings: MaskSettings): void {
     const { facts, space } = this;
     space.view = camera.matrixWorldInverse;
     space.projection = camera.projectionMatrix.elements;
     viewFrustumPlanes(space.projection, space.planes);
-    this.settings = masks;
+    this.settings = settings;
     this.clear(lights.length);
     for (const light of lights) {
-      if (!facts.classify(light, masks)) continue;
+      if (!facts.classify(light, settings)) continue;
       const { kind } = facts;
       if (facts.range > 0) {
         if (!this.addBounded(light)) continue;
@@ -81,14 +81,14 @@ export class VisibleLights {
 
   private clear(count: number): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
-    this.kept = this.spheres = this.cones = this.areas = this.visible = this.coverage = 0;
+    this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
     this.hasAreas = false;
     this.ambient.fill(0);
     this.total = count;
-    if (this.bounds.length >= count * 4) return;
-    this.bounds = new Float64Array(count * 8);
-    this.axes = new Float64Array(count * 8);
-    this.plain = new Float64Array(count * 8);
+    if (this.spheres.length >= count * 4) return;
+    this.spheres = new Float64Array(count * 8);
+    this.cones = new Float64Array(count * 8);
+    this.emissions = new Float64Array(count * 8);
   }
 
   private addField(field: LightFieldData): void {
@@ -128,22 +128,22 @@ export class VisibleLights {
 
   /** @returns false for a light that reaches nothing that is seen */
   private addBounded(light: Light): boolean {
-    const { axes, facts, plain } = this;
+    const { cones, emissions, facts } = this;
     const at = this.kept * 4;
-    const coverage = boundLight(light, facts.range, this.space, this.bounds, axes, at);
+    const coverage = boundLight(light, facts.range, this.space, this.spheres, cones, at);
     if (coverage < 0) return false;
     this.coverage += coverage;
-    if (axes[at + 3] > -1) this.cones++;
-    else this.spheres++;
+    if (cones[at + 3] > -1) this.coneCount++;
+    else this.sphereCount++;
     if (facts.kind === 'area') this.areas++;
     if (facts.isMasked) this.masked.push(light);
     const isPlain = facts.kind === 'point' && !facts.isMasked && (light as PointLight).decay >= 0;
     if (isPlain) {
-      plain[at] = light.color.r * light.intensity;
-      plain[at + 1] = light.color.g * light.intensity;
-      plain[at + 2] = light.color.b * light.intensity;
+      emissions[at] = light.color.r * light.intensity;
+      emissions[at + 1] = light.color.g * light.intensity;
+      emissions[at + 2] = light.color.b * light.intensity;
     }
-    plain[at + 3] = isPlain ? (light as PointLight).decay : -1;
+    emissions[at + 3] = isPlain ? (light as PointLight).decay : -1;
     this.boundeds[this.kept++] = light;
     return true;
   }

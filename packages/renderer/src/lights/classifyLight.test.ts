@@ -99,10 +99,10 @@ describe('the visible lights of a frame', () => {
     for (let i = 0; i < 2; i++) lights.collect(all, camera, { shadows: 'all', layers: null });
     expect(lights.boundeds).toEqual([point, extended, spot, shadowed]);
     expect([lights.directionals, lights.unboundeds, lights.masked]).toEqual([[sun], [endless], [shadowed]]);
-    expect([lights.spheres, lights.cones, lights.total, lights.visible]).toEqual([3, 1, 9, 7]);
-    expect([...lights.plain.slice(0, 4)]).toEqual([2, 2, 2, 2]);
-    expect([7, 11, 15].map((w) => lights.plain[w])).toEqual([-1, -1, -1]);
-    expect([...lights.bounds.slice(0, 4)]).toEqual([0, 0, -10, 5]);
+    expect([lights.sphereCount, lights.coneCount, lights.total, lights.visible]).toEqual([3, 1, 9, 7]);
+    expect([...lights.emissions.slice(0, 4)]).toEqual([2, 2, 2, 2]);
+    expect([7, 11, 15].map((w) => lights.emissions[w])).toEqual([-1, -1, -1]);
+    expect([...lights.spheres.slice(0, 4)]).toEqual([0, 0, -10, 5]);
     expect(lights.coverage).toBeGreaterThan(0);
   });
 });

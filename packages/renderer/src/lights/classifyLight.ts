@@ -1,5 +1,5 @@
-import type { DirectionalLight, HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } from 'three';
-import { type AreaLights, type FarolLightData, lightRange } from './lightData';
+import type { DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, RectAreaLight, SpotLight } from 'three';
+import { type AreaRadii, type FarolLightData, lightRange } from './lightData';
 
 type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   Partial<Pick<SpotLight, 'isSpotLight'>> &
@@ -116,7 +116,7 @@ export interface MaskSettings {
   /** Finds lights that do not reach all objects; null if all lights do. */
   readonly layers: { separates(light: Light): boolean } | null;
   /** Area lights; null until their code is loaded: three lights them. Default null. */
-  readonly areas?: AreaLights | null;
+  readonly areas?: AreaRadii | null;
 }
 
 /** True for a directional, point or spot light of which a shadow map, an image, a profile or layers may take something. */
@@ -181,14 +181,21 @@ export class LightFacts {
 
 /** True if all values of a light are finite: another one would make every pixel NaN. */
 function hasFiniteValues(light: Light): boolean {
-  const e = light.matrixWorld.elements;
-  const l = light as PointLight & SpotLight & RectAreaLight & HemisphereLight;
-  let sum = e[12] + e[13] + e[14] + light.color.r + light.color.g + light.color.b + light.intensity;
-  if (l.decay !== undefined) sum += l.decay;
-  if (l.angle !== undefined) sum += l.angle + l.penumbra;
-  if (l.width !== undefined) sum += l.width + l.height + e[1] + e[4];
-  if (l.groundColor !== undefined) sum += l.groundColor.r + l.groundColor.g + l.groundColor.b;
-  const target = l.target?.matrixWorld.elements;
-  if (target !== undefined) sum += target[12] + target[13] + target[14];
+  const { elements } = light.matrixWorld;
+  const { r, g, b } = light.color;
+  const { decay, angle, penumbra, width, height, groundColor, target } = light as PointLight &
+    SpotLight &
+    RectAreaLight &
+    HemisphereLight;
+  let sum = elements[12] + elements[13] + elements[14] + r + g + b + light.intensity;
+  if (decay !== undefined) sum += decay;
+  if (angle !== undefined) sum += angle + penumbra;
+  if (width !== undefined) sum += width + height + elements[1] + elements[4];
+  if (groundColor !== undefined) sum += groundColor.r + groundColor.g + groundColor.b;
+  if (target !== undefined) sum += placeSum(target.matrixWorld);
   return Number.isFinite(sum);
+}
+
+function placeSum({ elements }: Matrix4): number {
+  return elements[12] + elements[13] + elements[14];
 }

@@ -1,4 +1,4 @@
-import type { Light, Matrix4, PointLight, RectAreaLight } from 'three';
+import type { Light, PointLight, RectAreaLight } from 'three';
 
 /** A linear RGB triple, each at least 0. */
 export type LinearRGB = readonly [number, number, number];
@@ -74,20 +74,10 @@ export function fieldCount({ capacity, count }: LightFieldData): number {
   return Math.max(0, Math.min(capacity, Math.floor(count) || 0));
 }
 
-/** Writes texels of the light table. */
-interface TexelTable {
-  set4(at: number, x: number, y: number, z: number, w: number): void;
-}
-
-/** Part of the light table for area lights, in late code that is fetched when a scene has one. */
-export interface AreaLights {
-  /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
-  threshold: number;
+/** Measures area lights; late code that is fetched when a scene has one. */
+export interface AreaRadii {
   /** Radius (m) of a sphere round a light's centre that holds all it lights; 0 without an end, NaN if it gives nothing. */
   radiusOf(light: RectAreaLight): number;
-  /** Writes the extension record of a light. @param at - float of the table at which it begins */
-  write(table: TexelTable, at: number, light: RectAreaLight, view: Matrix4): void;
-  dispose(): void;
 }
 
 /** From here on (m) a range counts as none: its end shows nowhere, and its square exceeds 32-bit floats soon after. */

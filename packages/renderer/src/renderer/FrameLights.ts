@@ -6,7 +6,7 @@ import { gridCode, tileCode } from '../techniques/techniqueCode';
 import { lightFieldCode } from './lazyCode';
 import type { LightFields } from '../light-fields/LightFields';
 import type { LightLayers } from '../shadows/LightLayers';
-import type { AreaLights } from '../lights/lightData';
+import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import type { ShadowedLights } from '../lights/classifyLight';
 import { type LightOrder, LightTable, type RankLights } from '../lighting/LightTable';
 import { shadowedLights } from '../lighting/shadowedLights';
@@ -34,7 +34,7 @@ export class FrameLights {
   private readonly masks = {
     shadows: 'none' as ShadowedLights,
     layers: null as LightLayers | null,
-    areas: null as AreaLights | null,
+    areas: null as AreaLightTable | null,
   };
 
   /**

@@ -1,7 +1,7 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
 import { collectLights, type FoundLights } from './collectLights';
 import { areaCode, shadowCode } from './lazyCode';
-import type { AreaLights } from '../lights/lightData';
+import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
 
@@ -32,7 +32,7 @@ export class LightFinder {
   /** Kinds of lights that three still lights: with shadows, with cookies, area lights, or all. */
   readonly left = { shadows: false, cookies: true, areas: true, all: false };
   /** Area lights; null until a scene has one and their code is loaded. */
-  areas: AreaLights | null = null;
+  areas: AreaLightTable | null = null;
   /** Shadow maps; null until a scene needs maps, cookies or light layers, and their code is loaded. */
   shadows: ShadowMaps | null = null;
   private warned = false;
@@ -40,7 +40,7 @@ export class LightFinder {
   constructor(
     private readonly webgl: WebGLRenderer,
     private readonly makeShadows: (code: ShadowCode) => ShadowMaps,
-    private readonly makeAreas: (code: AreaCode) => AreaLights,
+    private readonly makeAreas: (code: AreaCode) => AreaLightTable,
   ) {}
 
   /**

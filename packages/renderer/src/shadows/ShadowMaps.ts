@@ -23,7 +23,7 @@ import { LightLayers } from './LightLayers';
 import { MaskRecords } from './masks/MaskRecords';
 import { MaskShaders } from './masks/MaskShaders';
 import { type ShadowBounds, ShadowTiles } from './screen-tiles';
-import type { AreaLights } from '../lights/lightData';
+import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
 import { atlasLimit } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
@@ -53,7 +53,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
   /** Gives the range of area lights; null while no scene has had such a light. */
-  areas: AreaLights | null = null;
+  areas: AreaLightTable | null = null;
   /** Layers of casters, as bits, for shadows whose camera names none: the layers of the frame's camera. */
   layersSeen = 1;
   /** Number of maps that the frame draws (a point light has one, of six faces). */

@@ -1,7 +1,7 @@
 import type { IUniform, Matrix4, RectAreaLight, Texture, WebGLRenderer } from 'three';
 import { Vector3 } from 'three';
 import type { DataTable } from '../../gpu/DataTable';
-import type { AreaLights, FarolLightData } from '../../lights/lightData';
+import type { AreaRadii, FarolLightData } from '../../lights/lightData';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { needShape } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';
@@ -13,7 +13,8 @@ const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 
 /** Measures area lights and writes their extension records. */
-export class AreaLightTable implements AreaLights {
+export class AreaLightTable implements AreaRadii {
+  /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
   threshold = 0;
   private readonly transforms;
 
@@ -38,6 +39,7 @@ export class AreaLightTable implements AreaLights {
     return reach === 0 ? 0 : reach + 0.5 * Math.hypot(width, height);
   }
 
+  /** Writes the extension record of a light. @param at - float of the table at which it begins */
   write(table: DataTable, at: number, light: RectAreaLight, view: Matrix4): void {
     const shape = shapeOf(light);
     const world = light.matrixWorld;

@@ -6,20 +6,20 @@ const depthOrder = new DepthOrder();
 
 /** Gives the lights with a range their records near to far, plain point lights first, and the others from a new quad on. */
 export function rankByDepth(lights: LightTable): void {
-  const { plain, bounds } = lights;
+  const { emissions, spheres } = lights;
   const count = lights.boundeds.length;
-  const order = depthOrder.sort(count, bounds, 4, 2);
+  const byDepth = depthOrder.sort(count, spheres, 4, 2);
   let plains = 0;
-  for (let i = 0; i < count; i++) if (plain[i * 4 + 3] >= 0) plains++;
+  for (let i = 0; i < count; i++) if (emissions[i * 4 + 3] >= 0) plains++;
   lights.plainQuads = Math.ceil(plains / QUAD);
   lights.bounded = plains === count ? count : lights.plainQuads * QUAD + count - plains;
-  const ranks = lights.makeRanks(lights.bounded);
-  ranks.fill(NO_LIGHT, plains, lights.bounded);
+  const order = lights.makeOrder(lights.bounded);
+  order.fill(NO_LIGHT, plains, lights.bounded);
   let a = 0;
   let b = lights.plainQuads * QUAD;
   for (let k = 0; k < count; k++) {
-    const i = order[k];
-    if (plain[i * 4 + 3] >= 0) ranks[a++] = i;
-    else ranks[b++] = i;
+    const i = byDepth[k];
+    if (emissions[i * 4 + 3] >= 0) order[a++] = i;
+    else order[b++] = i;
   }
 }

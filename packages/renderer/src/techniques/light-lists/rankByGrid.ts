@@ -8,9 +8,9 @@ import type { LightTable } from '../../lighting/LightTable';
 export function rankByGrid(lights: LightTable, camera: Camera, { width, height }: PictureSize): void {
   const grid = (lights.grid ??= new LightGrid());
   const { elements } = camera.projectionMatrix;
-  const cones = lights.cones > 0 ? lights.axes : null;
+  const cones = lights.coneCount > 0 ? lights.cones : null;
   const near = projectionNear(elements);
-  grid.update(lights.boundeds.length, lights.bounds, elements, near, projectionFar(elements), width, height, cones);
-  lights.rank = grid.order;
+  grid.update(lights.boundeds.length, lights.spheres, elements, near, projectionFar(elements), width, height, cones);
+  lights.order = grid.order;
   lights.bounded = grid.count;
 }

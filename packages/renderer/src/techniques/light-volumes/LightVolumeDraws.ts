@@ -90,9 +90,9 @@ export class LightVolumeDraws {
     const side = p[0] * p[5] < 0 ? FrontSide : BackSide;
     materials.sphere.side = materials.cone.side = side;
     if (lights.directional + lights.unbounded > 0) materials.global.draw(frame);
-    if (lights.spheres > 0) {
+    if (lights.sphereCount > 0) {
       this.firstRecord.value = lights.firstBounded;
-      this.spheres.geometry.instanceCount = lights.spheres;
+      this.spheres.geometry.instanceCount = lights.sphereCount;
       frame.drawMesh(this.spheres, materials.sphere);
     }
     if (lights.slots > 0) {
@@ -103,9 +103,9 @@ export class LightVolumeDraws {
       this.fields.geometry.instanceCount = lights.slots;
       frame.drawMesh(this.fields, field);
     }
-    if (lights.cones > 0) {
-      this.firstRecord.value = lights.firstBounded + lights.spheres;
-      this.cones.geometry.instanceCount = lights.cones;
+    if (lights.coneCount > 0) {
+      this.firstRecord.value = lights.firstBounded + lights.sphereCount;
+      this.cones.geometry.instanceCount = lights.coneCount;
       frame.drawMesh(this.cones, materials.cone);
     }
   }

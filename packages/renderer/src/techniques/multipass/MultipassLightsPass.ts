@@ -110,10 +110,10 @@ export class MultipassLightsPass implements Pass {
     for (let i = first === 0 ? 1 : 0; i < lights.directional + lights.unbounded; i++) this.drawLight(frame, i, -1);
     const { webgl } = frame;
     for (let k = 0; k < lights.bounded; k++) {
-      if (lights.firstBounded + k === first || !this.cutTo(frame, lights.rank[k])) continue;
+      if (lights.firstBounded + k === first || !this.cutTo(frame, lights.order[k])) continue;
       setScissor(webgl, scissor);
       testScissor(webgl, true);
-      this.drawLight(frame, lights.firstBounded + k, lights.rank[k]);
+      this.drawLight(frame, lights.firstBounded + k, lights.order[k]);
     }
     testScissor(webgl, false);
     if (frame.fields !== null) this.drawFields(frame, frame.fields);
@@ -130,7 +130,7 @@ export class MultipassLightsPass implements Pass {
     let first = -1;
     let largest = FIRST_SHARE * frame.width * frame.height;
     for (let k = 0; k < lights.bounded; k++) {
-      if (!this.cutTo(frame, lights.rank[k]) || scissor.z * scissor.w < largest) continue;
+      if (!this.cutTo(frame, lights.order[k]) || scissor.z * scissor.w < largest) continue;
       first = lights.firstBounded + k;
       largest = scissor.z * scissor.w;
     }
@@ -223,19 +223,19 @@ export class MultipassLightsPass implements Pass {
     else lightMark.value++;
     const kind = additiveTwin(frame.view, this.slot, this.fogged);
     let drawn = false;
-    const { spheres, items } = this;
+    const { items, spheres: itemSpheres } = this;
     const b = bounded * 4;
     // last object first: of surfaces at one depth the last shows, and the light's mark keeps it from the others
     for (let i = items.length - 1; i >= 0; i--) {
-      if (bounded >= 0 && spheres[i * 4 + 3] !== Infinity) {
-        const { bounds, axes } = lights;
+      if (bounded >= 0 && itemSpheres[i * 4 + 3] !== Infinity) {
+        const { spheres, cones } = lights;
         const at = i * 4;
-        const dx = spheres[at] - bounds[b];
-        const dy = spheres[at + 1] - bounds[b + 1];
-        const dz = spheres[at + 2] - bounds[b + 2];
-        const reach = spheres[at + 3] + bounds[b + 3];
+        const dx = itemSpheres[at] - spheres[b];
+        const dy = itemSpheres[at + 1] - spheres[b + 1];
+        const dz = itemSpheres[at + 2] - spheres[b + 2];
+        const reach = itemSpheres[at + 3] + spheres[b + 3];
         if (dx * dx + dy * dy + dz * dz > reach * reach) continue;
-        if (axes[b + 3] > -1 && !coneIntersectsSphere(bounds, axes, b, spheres, at)) continue;
+        if (cones[b + 3] > -1 && !coneIntersectsSphere(spheres, cones, b, itemSpheres, at)) continue;
       }
       frame.drawTwin(items[i], kind);
       drawn = true;
@@ -246,9 +246,9 @@ export class MultipassLightsPass implements Pass {
 
   /** Sets `scissor` to the rectangle of a light. @returns false if it covers no pixel */
   private cutTo(frame: Frame, k: number): boolean {
-    const { bounds } = frame.lights;
+    const { spheres } = frame.lights;
     const { camera, width, height } = frame;
-    if (!projectedSphereBounds(bounds, k * 4, camera.projectionMatrix.elements, rectangle)) return false;
+    if (!projectedSphereBounds(spheres, k * 4, camera.projectionMatrix.elements, rectangle)) return false;
     const x0 = Math.max(0, Math.floor((rectangle[0] * 0.5 + 0.5) * width));
     const y0 = Math.max(0, Math.floor((rectangle[1] * 0.5 + 0.5) * height));
     const x1 = Math.min(width, Math.ceil((rectangle[2] * 0.5 + 0.5) * width));
