@@ -64,7 +64,7 @@ export class VisibleLights {
     space.projection = camera.projectionMatrix.elements;
     viewFrustumPlanes(space.projection, space.planes);
     this.settings = settings;
-    this.clear(lights.length);
+    this.clear(lights);
     for (const light of lights) {
       if (!facts.classify(light, settings)) continue;
       const { kind } = facts;
@@ -79,22 +79,22 @@ export class VisibleLights {
     if (this.boundeds.length > this.kept) this.boundeds.length = this.kept;
   }
 
-  private clear(count: number): void {
+  private clear(lights: readonly Light[]): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
     this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
     this.hasAreas = false;
     this.ambient.fill(0);
-    this.total = count;
-    if (this.spheres.length >= count * 4) return;
-    this.spheres = new Float64Array(count * 8);
-    this.cones = new Float64Array(count * 8);
-    this.emissions = new Float64Array(count * 8);
+    this.total = lights.length;
+    if (this.spheres.length >= lights.length * 4) return;
+    this.spheres = new Float64Array(lights.length * 8);
+    this.cones = new Float64Array(lights.length * 8);
+    this.emissions = new Float64Array(lights.length * 8);
   }
 
-  private addField(field: LightFieldData): void {
-    this.fields.push(field);
+  private addField(light: LightFieldData): void {
+    this.fields.push(light);
     // the field is counted with its lights, one of which the caller counts
-    const others = fieldCount(field) - 1;
+    const others = fieldCount(light) - 1;
     this.total += others;
     this.visible += others;
   }

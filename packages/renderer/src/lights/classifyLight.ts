@@ -1,6 +1,8 @@
 import type { DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, RectAreaLight, SpotLight } from 'three';
 import { type AreaRadii, type FarolLightData, lightRange } from './lightData';
 
+const NO_DATA: FarolLightData = {};
+
 type AnyLight = Partial<Pick<PointLight, 'isPointLight'>> &
   Partial<Pick<SpotLight, 'isSpotLight'>> &
   Partial<Pick<DirectionalLight, 'isDirectionalLight'>> &
@@ -65,8 +67,8 @@ export function isAreaLight(light: Light): light is RectAreaLight {
  * True for a light that throws an image: a spot light with a `map`, or a point light that `setLightOptions` gave one.
  */
 export function hasCookie(light: Light): boolean {
-  const spot = light as SpotLight;
-  return spot.isSpotLight === true ? spot.map !== null : (light.userData.farolMap ?? null) !== null;
+  const { isSpotLight, map } = light as SpotLight;
+  return isSpotLight === true ? map !== null : (light.userData.farolMap ?? null) !== null;
 }
 
 /** True for a light with a photometric profile, as `setLightOptions` gave it. */
@@ -132,11 +134,8 @@ export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
 /** True if a directional, point or spot light gives nothing to any surface. */
 function isBlackLight(light: Light): boolean {
   const { r, g, b } = light.color;
-  const data = light.userData.farol as FarolLightData | undefined;
-  return (
-    light.intensity === 0 ||
-    (r === 0 && g === 0 && b === 0 && data?.ambient === undefined && data?.specular === undefined)
-  );
+  const { ambient, specular } = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
+  return light.intensity === 0 || (r === 0 && g === 0 && b === 0 && ambient === undefined && specular === undefined);
 }
 
 /** A light as a frame has it; one object, for one light after another. */
