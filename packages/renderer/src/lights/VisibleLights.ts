@@ -139,9 +139,11 @@ export class VisibleLights {
     if (facts.isMasked) this.masked.push(light);
     const isPlain = facts.kind === 'point' && !facts.isMasked && (light as PointLight).decay >= 0;
     if (isPlain) {
-      emissions[at] = light.color.r * light.intensity;
-      emissions[at + 1] = light.color.g * light.intensity;
-      emissions[at + 2] = light.color.b * light.intensity;
+      const { r, g, b } = light.color;
+      const { intensity } = light;
+      emissions[at] = r * intensity;
+      emissions[at + 1] = g * intensity;
+      emissions[at + 2] = b * intensity;
     }
     emissions[at + 3] = isPlain ? (light as PointLight).decay : -1;
     this.boundeds[this.kept++] = light;

@@ -47,10 +47,9 @@ export function classifyLight(light: Light): LightClass {
 
 /** Class of a light, of a point or spot light as if it had a range. */
 function classWithRange(light: Light): LightClass {
-  const { isPointLight, isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight, isLightField } =
-    light as AnyLight;
+  if ((light as AnyLight).isPointLight === true) return light.userData.farol === undefined ? 'point' : 'extended-point';
+  const { isSpotLight, isDirectionalLight, isHemisphereLight, isAmbientLight, isLightField } = light as AnyLight;
   if (isSpotLight === true) return 'spot';
-  if (isPointLight === true) return light.userData.farol === undefined ? 'point' : 'extended-point';
   if (isDirectionalLight === true) return 'directional';
   if (isHemisphereLight === true) return 'hemisphere';
   if (isAreaLight(light)) return 'area';
@@ -67,8 +66,9 @@ export function isAreaLight(light: Light): light is RectAreaLight {
  * True for a light that throws an image: a spot light with a `map`, or a point light that `setLightOptions` gave one.
  */
 export function hasCookie(light: Light): boolean {
-  const { isSpotLight, map } = light as SpotLight;
-  return isSpotLight === true ? map !== null : (light.userData.farolMap ?? null) !== null;
+  return (light as AnyLight).isSpotLight === true
+    ? (light as SpotLight).map !== null
+    : (light.userData.farolMap ?? null) !== null;
 }
 
 /** True for a light with a photometric profile, as `setLightOptions` gave it. */
@@ -133,9 +133,11 @@ export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
 
 /** True if a directional, point or spot light gives nothing to any surface. */
 function isBlackLight(light: Light): boolean {
+  if (light.intensity === 0) return true;
   const { r, g, b } = light.color;
+  if (r !== 0 || g !== 0 || b !== 0) return false;
   const { ambient, specular } = (light.userData.farol as FarolLightData | undefined) ?? NO_DATA;
-  return light.intensity === 0 || (r === 0 && g === 0 && b === 0 && ambient === undefined && specular === undefined);
+  return ambient === undefined && specular === undefined;
 }
 
 /** A light as a frame has it; one object, for one light after another. */
@@ -182,11 +184,11 @@ export class LightFacts {
 function hasFiniteValues(light: Light): boolean {
   const { elements } = light.matrixWorld;
   const { r, g, b } = light.color;
-  const { decay, angle, penumbra, width, height, groundColor, target } = light as PointLight &
-    SpotLight &
+  let sum = elements[12] + elements[13] + elements[14] + r + g + b + light.intensity;
+  if ((light as AnyLight).isPointLight === true) return Number.isFinite(sum + ((light as PointLight).decay ?? 0));
+  const { decay, angle, penumbra, width, height, groundColor, target } = light as SpotLight &
     RectAreaLight &
     HemisphereLight;
-  let sum = elements[12] + elements[13] + elements[14] + r + g + b + light.intensity;
   if (decay !== undefined) sum += decay;
   if (angle !== undefined) sum += angle + penumbra;
   if (width !== undefined) sum += width + height + elements[1] + elements[4];

@@ -112,8 +112,8 @@ export function boundLight(
 ): number {
   const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
   if (sphereOutsidePlanes(planes, x, y, z, range)) return -1;
-  const { isSpotLight, angle } = light as SpotLight;
-  if (isSpotLight === true && angle < WIDEST_CONE) {
+  if ((light as SpotLight).isSpotLight === true && (light as SpotLight).angle < WIDEST_CONE) {
+    const { angle } = light as SpotLight;
     lightAxis(light as SpotLight, view, lightward);
     coneBoundingSphere(x, y, z, -lightward.x, -lightward.y, -lightward.z, range, angle, coneSphere);
     if (sphereOutsidePlanes(planes, coneSphere[0], coneSphere[1], coneSphere[2], coneSphere[3])) return -1;
