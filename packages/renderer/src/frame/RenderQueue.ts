@@ -1,4 +1,4 @@
-import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, Sphere } from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -36,8 +36,6 @@ export function hasOwnShader(material: Material): boolean {
   );
 }
 
-const reach = new Sphere();
-
 /** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
 export interface ShadowMaskMaterials {
   shows(material: Material): boolean;
@@ -69,6 +67,11 @@ export class RenderQueue {
   ordered = false;
   /** True if a lit object is transmissive or transparent. */
   hasLitTransparents = false;
+  /** Material of the last item of this frame, and what it was seen to be; null before the first. */
+  private material: Material | null = null;
+  private ownShader = false;
+  private shading: ItemShading = 'unlit';
+  private isPlainMaterial = false;
   private used = 0;
   private opaques = 0;
   private transmissives = 0;
@@ -76,6 +79,7 @@ export class RenderQueue {
 
   clear(): void {
     this.used = 0;
+    this.material = null;
     this.covers = true;
     this.ordered = false;
     this.early = 0;
@@ -120,17 +124,14 @@ export class RenderQueue {
     item.groupOrder = groupOrder;
     item.renderOrder = object.renderOrder;
     item.z = z;
-    const nodes = hasNodes(material);
-    const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
-    const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
+    if (material !== this.material) this.look(material);
+    const { ownShader, shading } = this;
     const lit = shading === 'lit';
     item.shading = shading;
     item.ownShader = ownShader;
-    if (ownShader && !lit && !nodes && (material as ShaderMaterial).lights === true)
-      this.refused.look(material as ShaderMaterial);
     const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
     if (list !== this.opaque) item.route = 'forward';
-    else if (!isStep && isPlainOpaque(material)) item.route = lit && !ownShader ? 'split' : 'plain';
+    else if (!isStep && this.isPlainMaterial) item.route = lit && !ownShader ? 'split' : 'plain';
     else item.route = isStep || isOrderSensitive(material) ? 'ordered' : 'forward';
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
@@ -148,6 +149,19 @@ export class RenderQueue {
     else list[this.transmissives++] = item;
   }
 
+  /** Looks at the material of the items that follow; none of the host's code runs between items. */
+  private look(material: Material): void {
+    const nodes = hasNodes(material);
+    const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
+    const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
+    if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
+      this.refused.look(material as ShaderMaterial);
+    this.material = material;
+    this.ownShader = ownShader;
+    this.shading = shading;
+    this.isPlainMaterial = isPlainOpaque(material);
+  }
+
   /** How an item without nodes is shaded. @param ownShader - whether its shader is not three's as it is */
   private shadingOf(material: Material, ownShader: boolean): ItemShading {
     const lit = !threeChunks.lights && isLit(material);
@@ -160,13 +174,25 @@ export class RenderQueue {
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
-    const { center, radius } = reach.copy(sphere).applyMatrix4(object.matrixWorld);
+    const { x, y, z } = sphere.center;
+    const m = object.matrixWorld.elements;
     const v = this.camera.matrixWorldInverse.elements;
-    return !(radius - (v[2] * center.x + v[6] * center.y + v[10] * center.z + v[14]) <= this.farthest);
+    const depth =
+      v[2] * (m[0] * x + m[4] * y + m[8] * z + m[12]) +
+      v[6] * (m[1] * x + m[5] * y + m[9] * z + m[13]) +
+      v[10] * (m[2] * x + m[6] * y + m[10] * z + m[14]) +
+      v[14];
+    const scale = Math.max(
+      m[0] * m[0] + m[1] * m[1] + m[2] * m[2],
+      m[4] * m[4] + m[5] * m[5] + m[6] * m[6],
+      m[8] * m[8] + m[9] * m[9] + m[10] * m[10],
+    );
+    return !(sphere.radius * Math.sqrt(scale) - depth <= this.farthest);
   }
 
   /** Ends the lists, and drops references to objects of earlier, larger frames. */
   finish(): void {
+    this.material = null;
     this.opaque.length = this.opaques;
     this.transmissive.length = this.transmissives;
     this.transparent.length = this.transparents;

@@ -44,12 +44,15 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   const twin = standInOf(source, BaseMaterial.prototype);
   const chunks = kind.chunks(source);
   const registry = context.microshaders as MicroShaderRegistry;
-  const version = () =>
-    source.version +
+  /** Grows with each change of the twin that is none of its source. */
+  const changes = () =>
     registry.revision(chunks) +
     (surfacesOf(source)?.version(registry) ?? 0) +
     // a value between two versions of the source
     (shadingOf(source) === 'flat' ? 0.5 : 0);
+  const first = changes();
+  // equal to the source's while nothing else has changed: see SourceDraws
+  const version = () => source.version + changes() - first;
   const customProgramCacheKey = () =>
     `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
   const onBeforeCompile = (shader: TwinShader, webgl: WebGLRenderer) => {

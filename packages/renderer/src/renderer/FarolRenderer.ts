@@ -32,8 +32,10 @@ import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
 
-/** Draws and lights that cost less than having the GPU begin with them. */
+/** Up to this many draws or lights cost less than having the GPU begin with them. */
 const FEW = 16;
+/** Up to this many lights any number of draws is as light for the GPU as three's own frame, which is not flushed. */
+const FEW_LIGHTS = 4;
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -261,6 +263,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       shadows?.end();
       done = true;
     } finally {
+      frame.endDraws();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
       // three takes tone mapping off while it draws to its output buffer
       if (!done) webgl.toneMapping = toneMapping;
@@ -268,7 +271,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       this.recorder.endPass();
     }
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
-    if (this.info.drawCalls > FEW || frame.lights.total > FEW) frame.gl.flush();
+    const lights = frame.lights.total + (frame.fields?.count ?? 0);
+    if (lights > (this.info.drawCalls > FEW ? FEW_LIGHTS : FEW)) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);

@@ -54,8 +54,10 @@ export class ForwardPass implements Pass {
     const twins = (frame.fields?.twinsFor(this.loop) ?? this.twins)(frame.view);
     const outside = (frame.fields?.twinsFor(this.loopOutside) ?? this.outside)(frame.view);
     const onlyLit = frame.view !== 'final' && frame.view !== 'grid';
-    for (const item of items)
-      this.draw(frame, item, item.route === 'split' && hasDepthTwin(item.material) ? twins : outside, onlyLit);
+    for (const item of items) {
+      const isInside = twins === outside || (item.route === 'split' && hasDepthTwin(item.material));
+      this.draw(frame, item, isInside ? twins : outside, onlyLit);
+    }
     if (fills) this.background.draw(frame);
   }
 
