@@ -110,6 +110,21 @@ it('does not double what is equal, and gives what differs a name and a type of i
   expect(other.scene.find('Frame 3')!.getComponent(ObjectRenderer)!.material).toBe('Wood 2');
 });
 
+it('a material is not the one of its name that has one change more, or one less', async () => {
+  const plain = await doorScene();
+  const rich = await doorScene();
+  rich.document.assets.materialAsset('Wood')!.set('metalness', 0.5);
+  for (const [to, from] of [
+    [plain, rich],
+    [rich, plain],
+  ]) {
+    const other = newDocument();
+    await paste(other, copyObjects(to.document.scene, to.objects));
+    await paste(other, copyObjects(from.document.scene, from.objects));
+    expect(namesOf(other, 'material')).toEqual(['Wood', 'Wood 2']);
+  }
+});
+
 it('gives a declared type another name, too', async () => {
   const declared = doorText
     .replace("import { speed } from './tools/speed';\n", 'const speed = 1;')
