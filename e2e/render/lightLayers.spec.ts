@@ -5,19 +5,19 @@ test('with lightLayers a light reaches only what shares a layer with it, by ever
 }) => {
   const seen = await page.evaluate(() => {
     const { Bench, techniquesInTurn, three } = window.testPage;
-    const [width, height] = [96, 32];
+    const [width, height] = [128, 32];
     const bench = new Bench(width, height);
     bench.webgl.shadowMap.enabled = true;
     const scene = new three.Scene();
-    const camera = new three.OrthographicCamera(-6, 6, 2, -2, 0.1, 20);
+    const camera = new three.OrthographicCamera(-8, 8, 2, -2, 0.1, 20);
     camera.position.z = 8;
     camera.layers.enableAll();
     const material = new three.MeshStandardMaterial({ roughness: 0.6 });
-    // three walls side by side: layer 0 alone, layers 0 and 17, layer 17 alone
-    const masks = [1, 1 | (1 << 17), 1 << 17];
+    // walls side by side: layer 0 alone, layers 0 and 17, layer 17 alone, which most objects have
+    const masks = [1, 1 | (1 << 17), 1 << 17, 1 << 17];
     masks.forEach((mask, i) => {
       const wall = new three.Mesh(new three.PlaneGeometry(3.6, 3.6), material);
-      wall.position.x = (i - 1) * 4;
+      wall.position.x = (i - 1.5) * 4;
       wall.layers.mask = mask;
       wall.receiveShadow = true;
       scene.add(wall);

@@ -110,6 +110,21 @@ it('does not double what is equal, and gives what differs a name and a type of i
   expect(other.scene.find('Frame 3')!.getComponent(ObjectRenderer)!.material).toBe('Wood 2');
 });
 
+it('a material is not the one of its name that has one change more, or one less', async () => {
+  for (const opacities of [
+    [1, 0.5],
+    [0.5, 1],
+  ]) {
+    const { document, objects } = await doorScene();
+    const other = newDocument();
+    for (const opacity of opacities) {
+      document.assets.materialAsset('Wood')!.set('opacity', opacity);
+      await paste(other, copyObjects(document.scene, objects));
+    }
+    expect(namesOf(other, 'material')).toEqual(['Wood', 'Wood 2']);
+  }
+});
+
 it('gives a declared type another name, too', async () => {
   const declared = doorText
     .replace("import { speed } from './tools/speed';\n", 'const speed = 1;')

@@ -83,6 +83,15 @@ describe('MouseController', () => {
     expect(Math.asin(object.transform.front.y)).toBeCloseTo(-1.5, 6);
   });
 
+  test('an object that leans beyond the pitch limit may come back, and does not jump', () => {
+    const { scene, object } = walker('MouseController');
+    object.transform.rotation = [1.55, 0, 0];
+    scene.dispatchPointer(drag(0, -1));
+    expect(Math.asin(object.transform.front.y)).toBeCloseTo(1.55, 6);
+    scene.dispatchPointer(drag(0, 10));
+    expect(Math.asin(object.transform.front.y)).toBeCloseTo(1.51, 6);
+  });
+
   test('wants its button held', () => {
     const { scene, object } = walker('MouseController');
     scene.dispatchPointer(drag(100, 0, 0));

@@ -130,4 +130,20 @@ describe('collectLights', () => {
       }
     }
   });
+
+  it('counts the lights of each frame anew', () => {
+    const root = new Scene().add(new PointLight(), new RectAreaLight());
+    const byThree = { ...nothingLeft, all: true, areas: true };
+    const found = nothingFound();
+    for (let frame = 0; frame < 2; frame++) {
+      collectLights(root, new Camera(), byThree, found);
+      expect({ count: found.count, left: found.left, hasArea: found.hasArea }).toEqual({
+        count: 0,
+        left: 2,
+        hasArea: true,
+      });
+    }
+    collectLights(new Scene(), new Camera(), byThree, found);
+    expect({ left: found.left, hasArea: found.hasArea }).toEqual({ left: 0, hasArea: false });
+  });
 });

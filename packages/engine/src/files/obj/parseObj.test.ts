@@ -42,6 +42,11 @@ describe('parseObj', () => {
     expect(trianglesOf(`f 1 2 3\n${square}`)).toEqual([[0, 1, 2]]);
   });
 
+  it('counts negative texture coordinates and normals each from the end of their own list', () => {
+    const { corners } = read(`${square}vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nf -4/-3/-1 -3/-2/-1 -2/-1/-1`);
+    expect([...corners]).toEqual([0, 0, 0, 1, 1, 0, 2, 2, 0]);
+  });
+
   it('takes breaks of lines of all systems, comments, blanks, tabs and lines that go on', () => {
     const plain = trianglesOf(`${square}f 1 2 3 4\n`);
     expect(plain).toHaveLength(2);
