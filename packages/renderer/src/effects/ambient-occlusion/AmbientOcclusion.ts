@@ -29,14 +29,10 @@ import { indirectTwin, occludedTwin } from './occlusionTwins';
 /** Radius on the picture beyond which samples would lie too far apart (pixels at full resolution). */
 const LARGEST_RADIUS = 256;
 
-/**
- * Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness.
- */
+/** Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness. */
 const INDIRECT: GBufferAttachment = { name: 'indirect', format: RGBAFormat, type: HalfFloatType, bytes: 8 };
 
-/**
- * Destination of a frame's occlusion: the accumulation of the G-buffer, or the materials that are drawn after it.
- */
+/** Destination of a frame's occlusion: the accumulation of the G-buffer, or the materials that are drawn after it. */
 type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
 
 /**

@@ -69,9 +69,7 @@ export class TAA implements FarolEffect {
    * Share of a new sample in its quarter of a moving pixel; half of that in others. Above 0, at most 1. Default 0.65.
    */
   share = 0.65;
-  /**
-   * Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2.
-   */
+  /** Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2. */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
   private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {

@@ -4,9 +4,7 @@ import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 /** Ways in which a mask reads its shadow map. */
 export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/**
- * Ways in which a mask reads an image. `profile`: a photometric profile, and the image that `profileAcross` says.
- */
+/** Ways in which a mask reads an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
 export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
 /** First bit of each part of the whole number in `place`; the bits below `lookup` are a face's width. */

@@ -81,9 +81,7 @@ export class ShadowTiles {
     pass.drawTo(frame, target);
   }
 
-  /**
-   * Creates the texture of marks by three, also after a lost context: shaders bind it even when nothing is marked.
-   */
+  /** Creates the texture of marks by three, also after a lost context: shaders bind it even when nothing is marked. */
   private giveStorage(frame: Frame): void {
     if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
   }
