@@ -32,10 +32,8 @@ import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
 
-/** Up to this many draws or lights cost less than having the GPU begin with them. */
+/** Up to this many draws and lights cost less than having the GPU begin with them. */
 const FEW = 16;
-/** Up to this many lights any number of draws is as light for the GPU as three's own frame, which is not flushed. */
-const FEW_LIGHTS = 4;
 
 /**
  * Draws three.js scenes with any number of lights, in place of `WebGLRenderer.render`: the same scene, camera, materials,
@@ -272,7 +270,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     }
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
-    if (lights > (this.info.drawCalls > FEW ? FEW_LIGHTS : FEW)) frame.gl.flush();
+    if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
