@@ -1,5 +1,6 @@
 import { DepthBins } from './DepthBins';
 import { GridFrame } from './GridFrame';
+import { GridInputs } from './GridInputs';
 import { GridLights } from './GridLights';
 import { NO_LIGHT } from './lightRecord';
 import { TileMasks } from './TileMasks';
@@ -32,6 +33,9 @@ export class LightGrid {
   count = 0;
   /** Index of the light of each rank; NO_LIGHT for empty ranks. Only the first `count` are valid. */
   order = new Uint32Array(0);
+  /** Number of updates that found other inputs than the update before. */
+  changes = 0;
+  private readonly inputs = new GridInputs();
   private readonly frame = new GridFrame();
   private readonly lights = new GridLights();
   private readonly tileMasks = new TileMasks();
@@ -92,6 +96,7 @@ export class LightGrid {
   }
 
   /**
+   * Makes masks and bins, unless all inputs equal those of the last update.
    * @param count - lights, up to MOST_LIGHTS
    * @param spheres - [count, 4] centre in view space and radius (m), finite centres; radius 0 to Infinity
    * @param projection - 16 elements, column-major: perspective, off-centre perspective or orthographic
@@ -114,6 +119,8 @@ export class LightGrid {
     cones: ArrayLike<number> | null = null,
   ): void {
     if (count > MOST_LIGHTS) throw new RangeError(`LightGrid: ${count} lights; it takes up to ${MOST_LIGHTS}.`);
+    if (!this.inputs.replace(count, spheres, projection, near, far, width, height, cones)) return;
+    this.changes++;
     const { frame, lights, depthBins } = this;
     frame.set(projection, near, far, width, height, this.tileSize);
     lights.collect(count, spheres, cones, projection, frame);
