@@ -47,7 +47,7 @@ afterEach(() => vi.unstubAllGlobals());
 function open() {
   const document = new EditorDocument();
   const requests: WorkerRequest[] = [];
-  const commits: { id: string; objects: number; accept(): void; refuse(): void }[] = [];
+  const commits: { id: string; objects?: number; accept(): void; refuse(): void }[] = [];
   const store = {
     restarts: 0,
     send: (request: WorkerRequest) => {
