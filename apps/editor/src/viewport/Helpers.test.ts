@@ -16,7 +16,8 @@ afterEach(() => vi.unstubAllGlobals());
 /** Helpers over a scene of one box; `draw` draws them into nothing. */
 function open() {
   const document = new EditorDocument();
-  const box = document.scene.add(new GameObject('Box'));
+  const box = new GameObject('Box');
+  document.scene.add(box);
   const redraw = vi.fn<() => void>();
   const failed = vi.fn<(error: unknown) => void>();
   const helpers = new Helpers(document, redraw, failed);
