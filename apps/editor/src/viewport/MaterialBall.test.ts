@@ -2,7 +2,7 @@ import { Matrix4, type Mesh, MeshBasicMaterial, type Scene, SphereGeometry, Vect
 import { expect, it } from 'vitest';
 import { type BallTurn, MaterialBall } from './MaterialBall';
 
-/** Where a point of the ball is once it is turned, as it is drawn. */
+/** Place of a point of the ball in the picture that is drawn of it with a turn. */
 async function turned(point: readonly [number, number, number], turn: BallTurn): Promise<number[]> {
   const drawn = new Matrix4();
   let wasDrawn = false;
