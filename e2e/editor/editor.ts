@@ -76,6 +76,9 @@ export interface EditorHandle {
     renderNow(): void;
     focus(): void;
     drawMaterial(material: Material, canvas: HTMLCanvasElement): Promise<void>;
+    readonly addedEffects: {
+      add(effect: { id: string; label: string; help: string; make(): never }): () => void;
+    };
   };
   readonly worksOffline: boolean;
   readonly autosave: {

@@ -27,6 +27,20 @@ test('the frame: technique and why, passes, two techniques side by side, all vie
   await expect(frame.getByLabel('Why this technique')).toContainText('Forward, single pass: few lights');
   await expect(frame.getByRole('row', { name: /^opaque/ })).toBeVisible();
 
+  // effects that a plugin brings and takes while the panel is open
+  const haze = frame.getByText('Haze', { exact: true });
+  await expect(frame.getByRole('combobox', { name: 'Anti-aliasing' })).toBeVisible();
+  await expect(haze).toHaveCount(0);
+  const added = await page.evaluateHandle(() => {
+    const make = (): never => {
+      throw new Error('Nothing chose the effect.');
+    };
+    return { end: window.editor.viewport.addedEffects.add({ id: 'haze', label: 'Haze', help: 'For a test.', make }) };
+  });
+  await expect(haze).toBeVisible();
+  await added.evaluate(({ end }) => end());
+  await expect(haze).toHaveCount(0);
+
   // another technique, live
   await frame.getByRole('combobox', { name: 'Technique of the frame' }).click();
   await page.getByRole('option', { name: /^Deferred shading/ }).click();

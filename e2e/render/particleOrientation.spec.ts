@@ -26,7 +26,7 @@ test('meshes of particles stand as the emitter, along their way, or as the world
     const flag = new three.BoxGeometry(0.15, 1, 0.5).translate(0.05, 0.2, 0.2);
     const cone = new three.ConeGeometry(0.3, 1.2, 48);
 
-    /** A single particle, thrown and pulled aside. */
+    /** A single particle, thrown and pulled aside where `settings` do not let it rest. */
     const draw = (settings: Settings) => {
       const emitter = new effects.ParticleEmitter({
         ...{ capacity: 1, rate: 0, bursts: [{ time: 0, count: 1 }], life: [9, 9], speed: [1.5, 1.5], seed: 3 },
@@ -57,7 +57,8 @@ test('meshes of particles stand as the emitter, along their way, or as the world
       scene.remove(mesh);
       const geometry = emitter.particleGeometry!.clone().applyQuaternion(turn);
       const lit = draw({ ...settings, lit: true }).image;
-      const turnedFirst = draw({ particleGeometry: geometry, lit: true }).image;
+      const plain = { orientation: 'random', initialRotation: [0, 0], particleGeometry: geometry, lit: true } as const;
+      const turnedFirst = draw({ ...settings, ...plain }).image;
       return {
         flat: isFlat(stock),
         shape: compareImages(stock, image).share,
@@ -78,6 +79,7 @@ test('meshes of particles stand as the emitter, along their way, or as the world
       ),
       velocity: compare({ orientation: 'velocity', particleGeometry: cone }, along),
       'velocity, turned': compare({ orientation: 'velocity', particleGeometry: cone, ...turned }, along),
+      'velocity, at rest': compare({ orientation: 'velocity', speed: [0, 0], gravity: [0, 0, 0] }, still),
     };
     // turned about an axis that is its own: not the emitter's +Y, and another one for another particle
     const one = draw({ orientation: 'random', ...turned }).image;

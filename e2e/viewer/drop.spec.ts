@@ -117,7 +117,7 @@ for (const codec of ['draco', 'meshopt', 'ktx2']) {
   });
 }
 
-test('the number of lights round a model follows the menu', async ({ page }) => {
+test('the number of lights round a model follows the menu, and the camera stays', async ({ page }) => {
   await drop(page, { 'square.glb': glb() });
   await shown(page).toBe('square.glb');
   const points = () =>
@@ -128,11 +128,19 @@ test('the number of lights round a model follows the menu', async ({ page }) => 
     .locator('.lil-controller', { hasText: /^lights$/i })
     .locator('input[type=text]')
     .first();
+  const pose = () => page.evaluate(() => window.viewer.camera.matrixWorld.toArray());
+  await page.evaluate(() => {
+    window.viewer.engineScene.activeCamera!.gameObject.transform.position = [0.5, 1.5, 4];
+    window.viewer.renderAt(0);
+  });
+  const before = await pose();
+  expect(before.slice(12, 15)).toEqual([0.5, 1.5, 4]);
   for (const count of [5, 9]) {
     await input.fill(`${count}`);
     await input.press('Enter');
     await expect.poll(points).toBe(count);
   }
+  (await pose()).forEach((value, i) => expect(value, `element ${i} of the matrix`).toBeCloseTo(before[i], 6));
   expect(await page.evaluate(() => window.viewer.modelName)).toBe('square.glb');
 });
 

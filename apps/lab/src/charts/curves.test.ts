@@ -46,6 +46,22 @@ describe('curves', () => {
     expect(named).toEqual(['map', 'thesis', 'regret']);
   });
 
+  test('the band of percentiles runs along the upper ends and back along the lower ones', () => {
+    const spread = (low: number, high: number) => ({ low, median: (low + high) / 2, high, samples: 9 });
+    const run = madeUpRun([1, 10, 100], { stock: [spread(1, 2), spread(3, 5), spread(4, 8)] });
+    const { svg, points } = chartsOf([run], defaultSettings)
+      .find(({ key }) => key === 'curve-made-up')!
+      .draw({ width: 800, paint: paintOf('light') });
+    const [, path] = /<path d="M([^"]*)Z"[^>]*fill-opacity/.exec(svg)!;
+    const band = path.split('L').map((each) => each.split(',').map(Number));
+    const places = points.map(({ x }) => Number(x.toFixed(2)));
+    expect(band.map(([x]) => x)).toEqual([...places, ...places.toReversed()]);
+    points.forEach(({ y }, i) => {
+      expect(band[i][1]).toBeLessThan(y);
+      expect(band[5 - i][1]).toBeGreaterThan(y);
+    });
+  });
+
   test('a series of one case is a ranking, named by the case', () => {
     const run = madeUpRun([100], { forward: [3], deferred: [1], stock: ['Too many lights.'] });
     const [chart] = chartsOf([run], defaultSettings);

@@ -135,4 +135,16 @@ describe('the properties of three objects', () => {
     [0.25, 0.5].forEach((opacity, i) => section.owners[i].set('opacity', opacity));
     expect([a.opacity, b.opacity]).toEqual([0.25, 0.5]);
   });
+
+  it.each([
+    ['a mesh and a group', new THREE.Mesh(), new THREE.Group()],
+    ['a group and a mesh', new THREE.Group(), new THREE.Mesh()],
+    ['a light and a mesh', new THREE.PointLight(), new THREE.Mesh()],
+    ['a mesh and a light', new THREE.Mesh(), new THREE.PointLight()],
+    ['a camera and a light', new THREE.PerspectiveCamera(), new THREE.PointLight()],
+    ['a light and a camera', new THREE.PointLight(), new THREE.PerspectiveCamera()],
+    ['a mesh and one of no material', new THREE.Mesh(), new THREE.Mesh(undefined, [])],
+  ])('shows no section that only one of two objects has: %s', (_name, one, other) => {
+    expect(sectionsOf([one, other]).map(({ title }) => title)).toEqual(['Transform', 'Object']);
+  });
 });

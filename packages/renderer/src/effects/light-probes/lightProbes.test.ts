@@ -6,6 +6,7 @@ import type { TwinKind, TwinShader } from '../../materials/TwinKind';
 import { LightProbes, setBakedSurroundings } from './LightProbes';
 import { probePoints } from './ProbeBox';
 import { ProbeGrid } from './ProbeGrid';
+import probeIrradiance from './probeIrradiance.glsl?raw';
 
 const box = { min: [0, 0, 0], max: [4, 2, 6], counts: [2, 1, 3] } as const;
 const coefficients = Float32Array.from({ length: 27 * 6 }, (_, i) => ((i * 7) % 41) / 20 - 1);
@@ -42,23 +43,33 @@ describe('a grid of probes', () => {
     expect(() => new ProbeGrid(box, coefficients.slice(1))).toThrow('161 coefficients for 6 probes; give 162');
   });
 
-  test('is summed as three sums a LightProbe', () => {
-    // the sum of probeIrradiance.glsl, term by term
-    const sh = new SphericalHarmonics3().fromArray([...coefficients.slice(0, 27)]);
-    const n = new Vector3(0.48, -0.6, 0.64);
-    const c = sh.coefficients;
-    const sum = c[0].clone().multiplyScalar(0.886227);
-    for (const [k, axis] of [
-      [1, n.y],
-      [2, n.z],
-      [3, n.x],
-    ])
-      sum.addScaledVector(c[k], 1.023328 * axis);
-    sum.addScaledVector(c[4], 0.858086 * n.x * n.y).addScaledVector(c[5], 0.858086 * n.y * n.z);
-    sum.addScaledVector(c[7], 0.858086 * n.x * n.z).addScaledVector(c[6], 0.743125 * n.z * n.z - 0.247708);
-    sum.addScaledVector(c[8], 0.429043 * (n.x * n.x - n.y * n.y));
-    const wanted = sh.getIrradianceAt(n, new Vector3());
-    expect(sum.distanceTo(wanted)).toBeLessThan(1e-5);
+  test('is summed as three sums a LightProbe, by the shader', () => {
+    // the shader's statements that make `sum`, for one channel k; each texel s0 to s6 has four of the coefficients c
+    const place = (name: string): number => Number(name[1]);
+    const indices = (read: string): number[] =>
+      [...read.matchAll(/(s\d)\.(\w+)/g)].flatMap(([, name, parts]) =>
+        [...parts].map((part) => 4 * place(name) + 'xyzw'.indexOf(part)),
+      );
+    const statements = probeIrradiance.match(/^ *(vec3 )?sum \+?= .*;$/gm)!;
+    const body = statements
+      .map((line) => line.replace('vec3 sum', 'let sum'))
+      .map((line) => line.replaceAll(/vec3\(s[^()]*\)|s\d\.\w+/g, (read) => `c[[${indices(read).join()}][k]]`))
+      .join('\n');
+    expect(statements).toHaveLength(5);
+    const sum = new Function('c', 'k', 'n', `${body} return sum;`) as (c: number[], k: number, n: Vector3) => number;
+    const c = [...coefficients.slice(0, 27)];
+    const sh = new SphericalHarmonics3().fromArray(c);
+    for (const [x, y, z] of [
+      [0.48, -0.6, 0.64],
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, -1],
+      [-0.6, 0.48, 0.64],
+    ]) {
+      const n = new Vector3(x, y, z);
+      const wanted = sh.getIrradianceAt(n, new Vector3()).toArray();
+      for (const k of [0, 1, 2]) expect(sum(c, k, n), `channel ${k} of ${x}, ${y}, ${z}`).toBeCloseTo(wanted[k], 5);
+    }
   });
 });
 

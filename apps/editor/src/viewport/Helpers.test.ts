@@ -1,0 +1,52 @@
+import { GameObject } from '@farol/engine';
+import { PerspectiveCamera, type WebGLRenderer } from 'three';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { EditorDocument } from '../model/EditorDocument';
+import { Helpers } from './Helpers';
+// fetched already where the helpers fetch it
+import './SelectionLines';
+
+beforeEach(() => {
+  const context = new Proxy({}, { get: () => () => {}, set: () => true });
+  vi.stubGlobal('document', { createElement: () => ({ getContext: () => context }) });
+  vi.stubGlobal('Path2D', Object);
+});
+afterEach(() => vi.unstubAllGlobals());
+
+/** Helpers over a scene of one box; `draw` draws them into nothing. */
+function open() {
+  const document = new EditorDocument();
+  const box = new GameObject('Box');
+  document.scene.add(box);
+  const redraw = vi.fn<() => void>();
+  const failed = vi.fn<(error: unknown) => void>();
+  const helpers = new Helpers(document, redraw, failed);
+  const webgl = { autoClear: true, render: () => {}, getPixelRatio: () => 1 } as unknown as WebGLRenderer;
+  const draw = async (): Promise<void> => {
+    helpers.render(webgl, new PerspectiveCamera(), null, false);
+    for (let i = 0; i < 3; i++) await import('./SelectionLines');
+  };
+  return { document, box, helpers, redraw, failed, draw };
+}
+
+it('the picture is drawn anew once the lines of the first selection are fetched, and not before', async () => {
+  const { document, box, helpers, redraw, failed, draw } = open();
+  await draw();
+  expect(redraw).not.toHaveBeenCalled();
+  const before = helpers.scene.children.length;
+  document.selection.set([box.id]);
+  await draw();
+  expect(redraw).toHaveBeenCalledTimes(1);
+  expect(helpers.scene.children.length).toBeGreaterThan(before);
+  expect(failed).not.toHaveBeenCalled();
+  helpers.dispose();
+  expect(helpers.scene.children).toHaveLength(before);
+});
+
+it('the picture is drawn anew once the lines of ranges are fetched, with nothing selected', async () => {
+  const { helpers, redraw, draw } = open();
+  helpers.showRanges = true;
+  await draw();
+  expect(redraw).toHaveBeenCalledTimes(1);
+  helpers.dispose();
+});
