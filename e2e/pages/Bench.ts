@@ -68,11 +68,12 @@ export class Bench {
     for (const name of Object.keys(THREE.UniformsLib))
       if (name.startsWith('LTC_')) Reflect.deleteProperty(THREE.UniformsLib, name);
     for (const bench of made) bench.free();
-    made.clear();
     return contexts;
   }
 
-  private free(): void {
+  /** Disposes of it, and keeps its context for other Benches. */
+  free(): void {
+    made.delete(this);
     const { webgl, farol, target, key } = this;
     // three would delete objects of the context as it was
     if (this.wasLost) return;

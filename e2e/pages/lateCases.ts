@@ -176,12 +176,15 @@ export class LateCase {
 
   /** Draws two frames after `wait`. @returns largest difference of each from what another renderer draws, now that all code is there */
   async differences(): Promise<number[]> {
+    const pictures = [this.picture, this.draw(), this.draw()];
+    // in the same context, where the shaders are compiled
+    this.dispose();
     const there = await LateCase.of(this.name);
     const pending = there.drawFrames();
     if (pending.length > 0) throw new Error(`${pending.join(', ')} came no sooner for the picture to compare with`);
     const wanted = there.draw();
     there.dispose();
-    return [this.picture, this.draw(), this.draw()].map((picture) => largest(picture, wanted));
+    return pictures.map((picture) => largest(picture, wanted));
   }
 
   /** Shadow maps that light the picture. */
@@ -191,8 +194,7 @@ export class LateCase {
   }
 
   private dispose(): void {
-    this.bench.farol.dispose();
-    this.bench.webgl.dispose();
+    this.bench.free();
   }
 
   private draw(): Float32Array {
