@@ -2,7 +2,6 @@ import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
   type FieldOverride,
-  instanceRootOf,
   instantiatePrefab,
   isInstanceRoot,
   makePrefab,
@@ -196,10 +195,6 @@ export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly st
     { done: selected, undone: selected },
   );
 }
-
-/** Root of the instance that an object belongs to; null when it is in none. */
-export const instanceOf = (object: GameObject | undefined): GameObject | null =>
-  object ? instanceRootOf(object) : null;
 
 /** Whether an instance of a prefab can be added below a parent: not within an instance of the same prefab. */
 export function canPlacePrefab(scene: Scene, prefab: Prefab, parent: Container): boolean {
