@@ -128,7 +128,6 @@ export function applyField(scene: Scene, component: Component, field: string, se
   );
 }
 
-/** Removes all overrides of an instance. */
 export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(
     t('Reverted {name} to its prefab', { name: root.name }),
@@ -164,7 +163,6 @@ export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Comman
   ]);
 }
 
-/** Roots of all instances of a prefab in a scene. */
 export function instancesOf(scene: Scene, id: string): GameObject[] {
   const roots: GameObject[] = [];
   scene.traverse((object) => {
