@@ -1,6 +1,7 @@
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 
+/** One action for each recent file, which opens it. */
 export const recentActions = ({ recentFiles }: EditorApi): Action[] =>
   recentFiles.list.map((file) => ({
     id: `file.recent.${file.id}`,
