@@ -40,7 +40,6 @@ export interface TextFile {
 
 /** Interface of the page under `?headless`, its `window.lab`: the Lab without a user interface, for `npm run bench`. */
 export interface LabHandle {
-  /** Texts of the competitors by key. */
   readonly competitors: Readonly<Record<string, CompetitorWords>>;
   /**
    * Configuration of an address's fragment.

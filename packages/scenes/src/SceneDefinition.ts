@@ -16,7 +16,6 @@ export interface SceneBuildOptions {
 
 export type SceneParameters = Readonly<Record<string, FieldValue>>;
 
-/** A scene that the apps offer. */
 export interface SceneDefinition {
   /** Key in `scenes` and in URLs. */
   readonly name: string;

@@ -32,7 +32,6 @@ const assetNames = {
   bake: [],
 };
 
-/** Values of some fields, by their declarations. */
 function valuesOf(fields: FieldTable, random: FuzzRandom, ids: readonly string[]): Record<string, FieldValue> {
   const values: Record<string, FieldValue> = {};
   for (const [name, field] of Object.entries(fields)) {

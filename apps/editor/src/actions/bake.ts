@@ -20,7 +20,6 @@ export const toggleStatic: Action = {
   checked: (editor) => editor.document.selectedObjects.length > 0 && areStatic(editor),
 };
 
-/** Opens the panel for baking light. */
 export const bakeLight: Action = {
   id: 'object.bake-light',
   label: 'Bake light…',

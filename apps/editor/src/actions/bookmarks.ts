@@ -7,7 +7,6 @@ import { SetView } from '../model/commands/SetView';
 /** Numbers of the views that can be stored with a scene. */
 const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
 
-/** Display name of a stored view. */
 export const nameOfView = (place: number, { name }: SceneView): string =>
   name === '' ? t('View {place}', { place }) : name;
 
@@ -50,7 +49,6 @@ export function renameView({ commands, dialogs, document }: EditorApi, place: nu
   });
 }
 
-/** One action for each stored view, which shows it. */
 export const showViews: readonly Action[] = places.map((place) => ({
   id: `view.bookmark.${place}`,
   label({ document }) {

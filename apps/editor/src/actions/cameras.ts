@@ -62,7 +62,6 @@ export const lookThroughCamera: Action = {
   enabled: (editor) => editor.viewport.lookThrough !== null || hasCamera(editor),
 };
 
-/** Camera actions in the order of their menu. */
 export const cameraActions: readonly Action[] = [
   lookThroughCamera,
   alignCameraToView,

@@ -38,12 +38,19 @@ import { goToMenuBar, maximiseViewport, nextPanel, previousPanel, resetPanels } 
 import { lookFrom } from './sides';
 import { snap } from './snap';
 import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
-import { showStatistics } from './statistics';
 import { themes } from './themes';
 import { addKeys, record } from './timeline';
 import { undo } from './undo';
 import { startTour, welcome } from './welcome';
-import { continuous, showColliders, showGrid, showIcons, showPictureEffects, showRanges } from './viewportToggles';
+import {
+  continuous,
+  showColliders,
+  showGrid,
+  showIcons,
+  showPictureEffects,
+  showRanges,
+  showStatistics,
+} from './viewportToggles';
 
 /** All built-in actions. A new action is a file and a line here. */
 export const actions: readonly Action[] = [

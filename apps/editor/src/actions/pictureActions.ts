@@ -10,7 +10,6 @@ export const englishViewLabel = (view: View): string =>
 /** Name of a debug view, in the user's language. */
 export const viewLabel = (view: View): string => t(englishViewLabel(view));
 
-/** One action for each technique of the renderer, which switches to it. */
 export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =>
   Object.entries(farol.techniques).map(([name, { label }]) => ({
     id: `technique.${name}`,
@@ -23,7 +22,6 @@ export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =
     checked: ({ viewport }) => viewport.technique === name,
   }));
 
-/** One action for each debug view, which shows it. */
 export const viewActions: readonly Action[] = views.map((view) => ({
   id: `shown.${view}`,
   label: englishViewLabel(view),

@@ -2,7 +2,6 @@ import { t } from '@farol/editing';
 import { instanceRootOf } from '@farol/engine/prefabs';
 import type { Action } from '../api/Action';
 
-/** Makes a prefab of the selected object. */
 export const makePrefab: Action = {
   id: 'prefab.make',
   label: 'Make prefab',

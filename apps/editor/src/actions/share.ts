@@ -1,6 +1,5 @@
 import type { Action } from '../api/Action';
 
-/** Opens the export dialog. */
 export const exportScene: Action = {
   id: 'file.export',
   label: 'Export and share…',

@@ -77,7 +77,6 @@ export function useAsEnvironment(editor: EditorApi, name: string): void {
   );
 }
 
-/** Makes an object play a clip. */
 function animate(editor: EditorApi, clip: string, target: GameObject): void {
   const { document, commands } = editor;
   const owner = target.getComponent(Animation);

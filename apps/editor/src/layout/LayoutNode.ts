@@ -33,6 +33,5 @@ export function groupsOf(node: LayoutNode): PanelGroup[] {
   return node.kind === 'group' ? [node] : node.children.flatMap(groupsOf);
 }
 
-/** The group that contains a panel. */
 export const groupWith = (node: LayoutNode, panel: string): PanelGroup | undefined =>
   groupsOf(node).find(({ panels }) => panels.includes(panel));

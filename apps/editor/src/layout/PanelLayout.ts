@@ -150,7 +150,6 @@ export class PanelLayout {
     this.store.setState({ maximised: panel });
   }
 
-  /** Restores the default layout. */
   reset(): void {
     this.store.setState({ stored: null, known: [], maximised: null });
   }

@@ -6,7 +6,6 @@ export type PanelPlace = 'left' | 'middle' | 'right' | 'bottom';
 export interface PlacedPanel {
   readonly id: string;
   readonly place: PanelPlace;
-  /** Whether the panel is open by default. */
   readonly isOpen?: boolean;
 }
 

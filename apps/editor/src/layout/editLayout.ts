@@ -61,7 +61,6 @@ function freeId(layout: LayoutNode): string {
   return `g${n}`;
 }
 
-/** Target of a dropped panel. */
 export interface PanelDrop {
   /** Id of the group that the panel is put into, or beside. */
   readonly group: string;

@@ -74,11 +74,9 @@ export interface ExportDialog {
   readonly kind: 'export';
 }
 
-/** Asks for a line of text. */
 export interface TextDialog {
   readonly kind: 'text';
   readonly title: string;
-  /** Label of the text field. */
   readonly label: string;
   /** Text in the field when the dialog opens. */
   readonly value: string;

@@ -11,7 +11,6 @@ export class UniqueNames {
   /** Next number to try for each numbered name that is taken. */
   private readonly next = new Map<string, number>();
 
-  /** Collects the names that are taken. */
   constructor(scene: Named) {
     scene.traverse(({ name }) => this.taken.add(name));
   }

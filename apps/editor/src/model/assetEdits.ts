@@ -214,7 +214,6 @@ export function removeFolder(scene: Scene, path: string): Command {
   );
 }
 
-/** Assigns a library material to objects. */
 export function giveMaterial(renderers: readonly ObjectRenderer[], name: string, label: string): Command {
   return new SetFields(
     label,

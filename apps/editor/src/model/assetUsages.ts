@@ -8,7 +8,6 @@ import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
 import { componentTypeOf } from './scriptNames';
 
-/** A place that names an asset. */
 export interface AssetUsage {
   /** Owner: 'Robot', 'Scene', 'Lamp (prefab)'. */
   readonly place: string;

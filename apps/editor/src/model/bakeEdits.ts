@@ -41,7 +41,6 @@ export const bakeLights = (lights: readonly Light[]): Command =>
 const showing = (scene: Scene, name: string | null): Command =>
   new SetFields('Show baked light', [{ owner: scene.settings, name: 'bakedLight', value: name }]);
 
-/** Removes the baked light in use, if any. */
 function removing(scene: Scene): (() => Command)[] {
   const { bakedLight } = scene.settings;
   if (bakedLight === null) return [];

@@ -17,7 +17,6 @@ export interface NamingFields {
   readonly objects: readonly string[];
 }
 
-/** Assets that copied objects depend on. */
 export interface CopiedAssets {
   /** Each asset after those that it uses. File assets name entries of `files`. */
   readonly assets: readonly FileAsset[];

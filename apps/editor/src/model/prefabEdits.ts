@@ -2,7 +2,6 @@ import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
   type FieldOverride,
-  instanceRootOf,
   instantiatePrefab,
   isInstanceRoot,
   makePrefab,
@@ -129,7 +128,6 @@ export function applyField(scene: Scene, component: Component, field: string, se
   );
 }
 
-/** Removes all overrides of an instance. */
 export function revertInstance(scene: Scene, root: GameObject, selected: readonly string[]): Command {
   return planned(
     t('Reverted {name} to its prefab', { name: root.name }),
@@ -165,7 +163,6 @@ export function renamePrefab(scene: Scene, prefab: Prefab, name: string): Comman
   ]);
 }
 
-/** Roots of all instances of a prefab in a scene. */
 export function instancesOf(scene: Scene, id: string): GameObject[] {
   const roots: GameObject[] = [];
   scene.traverse((object) => {
@@ -196,10 +193,6 @@ export function deletePrefab(scene: Scene, prefab: Prefab, selected: readonly st
     { done: selected, undone: selected },
   );
 }
-
-/** Root of the instance that an object belongs to; null when it is in none. */
-export const instanceOf = (object: GameObject | undefined): GameObject | null =>
-  object ? instanceRootOf(object) : null;
 
 /** Whether an instance of a prefab can be added below a parent: not within an instance of the same prefab. */
 export function canPlacePrefab(scene: Scene, prefab: Prefab, parent: Container): boolean {

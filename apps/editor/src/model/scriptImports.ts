@@ -39,7 +39,6 @@ export function sourceWithImports(
   });
 }
 
-/** Names of existing scripts that a script imports. */
 export function importsOf(source: string, name: string, isScript: (name: string) => boolean): string[] {
   return [...source.matchAll(IMPORT)].flatMap(([, , , specifier]) => resolveScript(specifier, name, isScript) ?? []);
 }

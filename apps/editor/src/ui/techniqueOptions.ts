@@ -2,7 +2,6 @@ import { t } from '@farol/editing';
 import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { SelectOption } from './SelectBox';
 
-/** The techniques of a renderer, as options of a select box. */
 export const techniqueOptions = ({ techniques }: FarolRenderer): SelectOption<TechniqueName>[] =>
   Object.entries(techniques).map(([value, { label, help }]) => ({
     value: value as TechniqueName,

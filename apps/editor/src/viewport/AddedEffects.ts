@@ -2,7 +2,6 @@ import type { PictureRenderer } from '@farol/engine';
 import type { FarolEffect } from '@farol/renderer';
 import { Registry } from '../model/Registry';
 
-/** An effect of a plugin. */
 export interface AddedEffect {
   readonly id: string;
   readonly label: string;

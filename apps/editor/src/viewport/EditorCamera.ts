@@ -106,7 +106,6 @@ export class EditorCamera {
     canvas.addEventListener('keydown', this.keyDown);
   }
 
-  /** The camera to render with. */
   get camera(): PerspectiveCamera | OrthographicCamera {
     return this.isFlat ? this.flat.camera : this.perspective;
   }
@@ -116,7 +115,6 @@ export class EditorCamera {
     return this.isFlat ? this.flat.rays : this.perspective;
   }
 
-  /** Whether the view is orthographic. */
   get orthographic(): boolean {
     return this.isFlat;
   }

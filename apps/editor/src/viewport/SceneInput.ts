@@ -36,7 +36,6 @@ export class SceneInput {
     canvas.addEventListener('blur', this.left);
   }
 
-  /** Whether the pointer goes to the scene. */
   get hasPointer(): boolean {
     return this.document.simulation.isPlaying && this.isLookedThrough();
   }
@@ -46,7 +45,6 @@ export class SceneInput {
     return this.document.simulation.isPlaying && this.document.scene.takesKeys;
   }
 
-  /** Whether keys go to the scene. */
   get hasKeys(): boolean {
     return !this.isHeldBack && this.canvas.ownerDocument.activeElement === this.canvas && this.wantsKeys;
   }

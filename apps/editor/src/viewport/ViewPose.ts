@@ -6,6 +6,5 @@ export interface ViewPose {
   readonly target: readonly [number, number, number];
   /** Vertical field of view for a wide aspect ratio (rad); narrow viewports show more vertically. */
   readonly fov: number;
-  /** Whether the view is orthographic. */
   readonly orthographic: boolean;
 }

@@ -235,7 +235,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.invalidate();
   }
 
-  /** Shading of the active view. */
   get shading(): Shading {
     return this.panes.active.shading;
   }
@@ -266,7 +265,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.loop.ask(this.picture.effects.frames);
   }
 
-  /** Effects added by plugins. */
   get addedEffects(): Registry<AddedEffect> {
     return this.added.registry;
   }

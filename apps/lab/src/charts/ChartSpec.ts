@@ -46,7 +46,6 @@ export interface DrawOptions {
   readonly paint: ChartPaint;
 }
 
-/** Figures of a chart as a table of texts. */
 export interface ChartTable {
   readonly columns: readonly string[];
   readonly rows: readonly (readonly string[])[];

@@ -5,7 +5,6 @@ export interface ChartPaint {
   readonly text: string;
   /** Secondary text. */
   readonly dim: string;
-  /** Lines of the grid. */
   readonly grid: string;
   readonly background: string;
   /** Text over a filled bar or cell. */

@@ -1,7 +1,6 @@
 import { competitorNames } from '../competitors/competitorNames';
 import type { MarkSymbolName } from './competitorSymbol';
 
-/** Colours and symbol of a competitor in every chart. */
 export interface CompetitorMark {
   /** Colour on a light and on a dark background, 3:1 against it at least. */
   readonly light: string;

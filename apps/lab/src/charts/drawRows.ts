@@ -41,7 +41,6 @@ export interface ChartRow {
   readonly ticks?: readonly number[];
 }
 
-/** Rows along one axis. */
 export interface RowsChart {
   readonly rows: readonly ChartRow[];
   /** Bars one below the other in a row. */

@@ -42,7 +42,6 @@ export type SingleLightKind = Exclude<LightKind, 'field' | 'particles'>;
 
 export const isSingleLightKind = (kind: LightKind): kind is SingleLightKind => kind !== 'field' && kind !== 'particles';
 
-/** Shadings of materials by key. */
 export const shadings = {
   own: { label: 'As they are', word: 'the materials’ own shading', help: 'Materials as the scene has them.' },
   flat: { label: 'Flat', word: 'flat shading', help: 'One normal a triangle.' },

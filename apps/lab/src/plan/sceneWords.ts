@@ -1,6 +1,5 @@
 import type { Axis, LabSeries } from './LabPlan';
 
-/** A scene that the builder offers. */
 export interface SceneWords {
   readonly label: string;
   readonly help: string;

@@ -17,7 +17,6 @@ interface RunItemProps {
   onDelete?(): Promise<void>;
 }
 
-/** An entry of the library. */
 export function RunItem(props: RunItemProps) {
   const { info, isReference = false, chosen, current, onOpen, onChoose, onRename, onDelete } = props;
   const [isNaming, setNaming] = useState(false);

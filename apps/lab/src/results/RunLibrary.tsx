@@ -17,11 +17,9 @@ interface RunLibraryProps {
   current: string | null;
   onOpen(run: LabRun): void;
   onCompare(a: LabRun, b: LabRun): void;
-  /** Called after a run was renamed. */
   onRename?(id: string, name: string): void;
 }
 
-/** A deleted run that can be restored. */
 interface Deleted {
   readonly name: string;
   readonly undo: () => Promise<void>;

@@ -27,7 +27,6 @@ export interface ComparedCompetitor {
   readonly cases: number;
 }
 
-/** Two runs side by side. */
 export interface ComparedRuns {
   /** Compared time: by default that of the GPU if all rows with figures have it, otherwise that of frames. */
   readonly metric: Metric;

@@ -44,7 +44,6 @@ function chartsFormat(label: string, help: string, kind: 'svg' | 'png'): ExportF
   };
 }
 
-/** File formats by key. */
 export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   json: textFormat('JSON', 'Everything, pictures included: the Lab opens it again, on any machine.', {
     ...{ extension: 'json', type: 'application/json' },

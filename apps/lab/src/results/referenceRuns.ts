@@ -2,7 +2,6 @@ import type { LabRun } from './LabRun';
 import { parseRun } from './parseRun';
 import type { RunInfo } from './RunStore';
 
-/** A reference run of the repository. */
 export interface ReferenceRun {
   readonly info: RunInfo;
   /**

@@ -2,7 +2,6 @@ import { useCallback, useEffect, useState } from 'preact/hooks';
 import { messageOf } from '../run/messageOf';
 import type { RunInfo, RunStore } from './RunStore';
 
-/** Entries of the kept runs. */
 export interface KeptRuns {
   /** Newest first; null while they are read. */
   readonly runs: readonly RunInfo[] | null;

@@ -14,7 +14,6 @@ const references = ['stock', 'forward', 'multipass'];
 /** Factor by which a turn must exceed its length to be the competitor's last one in the case. */
 const OVERLONG = 8;
 
-/** The run as seen by one of its cases. */
 export interface CaseWorld {
   readonly plan: LabPlan;
   readonly series: LabSeries;
@@ -50,7 +49,6 @@ interface Open {
 /** One case: every competitor opened, measured in turns, compared, closed. */
 export class CaseRun {
   private readonly pictures = new Map<string, ImageData>();
-  /** Rows of this case. */
   private readonly caseRows: LabRow[] = [];
 
   constructor(private readonly world: CaseWorld) {}

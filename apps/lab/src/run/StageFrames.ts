@@ -21,7 +21,6 @@ export interface StageFrames {
    * @param file - a scene file of the engine with its assets
    */
   setOwnScene(file: Uint8Array): Promise<void>;
-  /** Removes all frames from the page. */
   close(): void;
 }
 

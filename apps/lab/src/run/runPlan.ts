@@ -7,7 +7,6 @@ import { Forecast } from './Forecast';
 import type { Progress } from './Progress';
 import { thumbnailOf } from '../measure/readPicture';
 
-/** Surroundings and handlers of a run. */
 export interface RunOptions {
   readonly frames: Pick<StageFrames, 'stageOf'>;
   readonly surroundings: LabSurroundings;

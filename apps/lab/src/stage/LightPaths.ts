@@ -1,7 +1,6 @@
 import { createRandom } from '@farol/engine';
 import type { Vector3 } from 'three';
 
-/** Place and movement of a light. */
 export interface LightPath {
   /** World position at time 0 (m). */
   readonly place: readonly [number, number, number];

@@ -4,7 +4,6 @@ import { pictureSize, useNormalsPictures } from '../normals/useNormalsPictures';
 import './NormalsFigure.css';
 import { PixelCanvas } from './PixelCanvas';
 
-/** Texts of each picture. */
 const words: Readonly<Record<NormalsWay, { title: string; alt: string; text: (share: string) => string }>> = {
   faces: {
     title: 'By faces',
@@ -73,7 +72,6 @@ function Picture({ way, drawn }: { way: NormalsWay; drawn: NormalsPicture | unde
   );
 }
 
-/** A share as a percentage. */
 function percent(share: number): string {
   if (share === 0) return 'none';
   return share < 0.005 ? 'less than 1%' : `${Math.round(share * 100)}%`;

@@ -14,9 +14,7 @@ import type { FileMap } from '@farol/engine/files';
 import { createLoader } from './createLoader';
 import { findModel, lookUp, missingFiles, resolveUri } from './findModel';
 
-/** A model and all the files that it names. */
 export interface LoadedModel {
-  /** File name of the model. */
   name: string;
   gltf: GLTF;
   /** Missing or ignored parts and the remedy, each a sentence that names the file. */

@@ -14,7 +14,6 @@ import { Box3, Color, type Material, Mesh, type Object3D, Sphere, Texture, Vecto
 import type { LoadedModel } from './loadModel';
 import { ModelAnimation } from './ModelAnimation';
 
-/** Parameters of a scene with a dropped model. */
 export const modelParameters = {
   lights: {
     kind: 'number',

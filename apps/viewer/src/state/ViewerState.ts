@@ -32,7 +32,6 @@ export interface ViewerState {
   gui: boolean;
 }
 
-/** Names that a state may hold. */
 export interface KnownNames {
   scenes: Readonly<Record<string, { readonly parameters: FieldTable }>>;
   techniques: readonly string[];

@@ -235,12 +235,14 @@ function intensityPart(label: string): FieldPart {
   );
 }
 
+/** The value that all have, as a text; null when they differ. */
+function textOf(values: readonly FieldValue[]): string | null {
+  const { value, mixed } = sharedValue(values);
+  return mixed ? null : String(value);
+}
+
 function booleanPart(id: string): FieldPart {
   const control = element('input', { type: 'checkbox', id });
-  const textOf = (values: readonly FieldValue[]): string | null => {
-    const { value, mixed } = sharedValue(values);
-    return mixed ? null : String(value);
-  };
   const write = (text: string | null): void => {
     control.checked = text === 'true';
     control.indeterminate = text === null;
@@ -250,10 +252,6 @@ function booleanPart(id: string): FieldPart {
 
 /** A text, or one of several. */
 function textPart(control: HTMLInputElement | HTMLSelectElement): FieldPart {
-  const textOf = (values: readonly FieldValue[]): string | null => {
-    const { value, mixed } = sharedValue(values);
-    return mixed ? null : String(value);
-  };
   const write = (text: string | null): void => {
     control.value = text ?? '';
     if (control instanceof HTMLInputElement) control.placeholder = text === null ? '—' : '';

@@ -30,7 +30,6 @@ export class LightmapFilters {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly targets: LightmapTargets,
-    /** Uniforms of all passes. */
     private readonly shared: Record<string, { value: unknown }>,
     private readonly options: LightmapFiltersOptions,
   ) {}

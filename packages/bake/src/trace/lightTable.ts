@@ -59,7 +59,6 @@ export function lightTable(all: readonly TracedLight[], bounds: Box3): LightTabl
 
 const isSoft = ({ kind, radius }: TracedLight): boolean => radius > 0 || kinds[kind] >= kinds.rectangle;
 
-/** Uniforms of lightTable.glsl. */
 export function lightUniforms(table: LightTable): Record<string, { value: unknown }> {
   return {
     farol_lights: { value: table.lights },

@@ -18,7 +18,6 @@ export interface PackOptions {
   readonly texelsPerMetre: number | null;
 }
 
-/** Meshes to unwrap into lightmaps. */
 export interface UnwrapRequest extends PackOptions {
   readonly surfaces: readonly SurfaceToUnwrap[];
   /** Index of the surface of each mesh. */

@@ -5,7 +5,6 @@ import { WorkerPool } from '../worker/WorkerPool';
 import { unwrapMeshes } from './unwrapMeshes';
 import type { SurfaceToUnwrap, Unwrapped, UnwrappedMesh, UnwrapRequest } from './UnwrapRequest';
 
-/** Places of static meshes in lightmaps. */
 export interface UnwrappedMeshes {
   /** Second UVs of the meshes that get a lightmap, null for others. */
   readonly unwrapped: (UnwrappedMesh | null)[];

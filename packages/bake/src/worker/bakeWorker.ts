@@ -14,7 +14,6 @@ export type BakeQuestion =
     }
   | { readonly kind: 'stitch'; readonly request: StitchRequest };
 
-/** Result of a request, by its kind. */
 export interface BakeResults {
   readonly cut: Charts;
   readonly pack: Unwrapped;

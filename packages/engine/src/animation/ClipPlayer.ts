@@ -172,7 +172,6 @@ export class ClipPlayer {
     this.withFirst = false;
   }
 
-  /** Releases the channels. */
   dispose(): void {
     for (const { channel } of this.bound.bindings) channel.users--;
     this.bound = nothing;

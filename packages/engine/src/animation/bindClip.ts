@@ -21,7 +21,6 @@ export interface Binding {
   index: number;
 }
 
-/** A clip with its tracks bound to channels. */
 export interface BoundClip {
   readonly duration: number;
   readonly events: readonly ClipEvent[];

@@ -5,7 +5,6 @@ import { materialAssetFields } from './materialAssetFields';
 import { scriptFields } from './ScriptAsset';
 import { surfaceFields } from './SurfaceAsset';
 
-/** The fields of each type of assets that is made of fields. */
 export const fieldAssetFields: { readonly [T in FieldAssetType]: FieldTable } = {
   material: materialAssetFields,
   script: scriptFields,

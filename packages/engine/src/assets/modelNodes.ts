@@ -1,6 +1,5 @@
 import type { Object3D } from 'three';
 
-/** Some nodes of a model, each with all below it. */
 export interface ModelSubtree {
   /** The node itself where there is one, else the nearest node above all of them. */
   readonly root: Object3D;

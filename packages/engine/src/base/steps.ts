@@ -14,7 +14,6 @@ export function* inSteps(count: number, run: (from: number, to: number) => void)
   }
 }
 
-/** Runs a computation in one go. */
 export function runSteps<T>(steps: Steps<T>): T {
   for (;;) {
     const step = steps.next();

@@ -91,7 +91,6 @@ export abstract class FieldOwner {
     return owner;
   }
 
-  /** The declaration of every field, by name. */
   get fields(): FieldTable {
     return this.fieldViews?.fields ?? (this.constructor as unknown as { fields: FieldTable }).fields;
   }

@@ -5,7 +5,6 @@ import { sceneFields } from '../settings/SceneSettings';
 import { assetFields, type NamedAssetField } from '../fields/assetFields';
 import type { FarolFile, FileObject } from './FarolFile';
 
-/** A place in a file that names an asset. */
 export interface AssetUse {
   readonly path: string;
   readonly type: AssetType;

@@ -2,7 +2,6 @@ import type { PrefabLink } from '../core/Prefab';
 import type { PathLike } from './FilePath';
 import { join, type ProblemList } from './ProblemList';
 
-/** Reads the link of an object to a prefab. */
 export function readLink(value: unknown, path: PathLike, problems: ProblemList): PrefabLink {
   const record = problems.record(value, path);
   problems.onlyKeys(record, path, ['prefab', 'source', 'pinned']);

@@ -73,7 +73,6 @@ export class Contacts {
     this.touches.push(touch);
   }
 
-  /** Ends all contacts of a removed collider. */
   end(record: ColliderRecord): void {
     for (const [key, { a, b, isSensor }] of this.open) {
       if (a !== record && b !== record) continue;

@@ -4,7 +4,6 @@ import { isDrawnBy, isOfSubtree, type ModelSubtree, subtreeOf } from '../assets/
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 
-/** A mesh that an object is drawn with. */
 export interface MeshPart {
   readonly geometry: BufferGeometry;
   /** Matrix from the mesh to the object. */

@@ -39,7 +39,6 @@ export interface PictureRendererOptions {
  * more; the code of the others is fetched when a scene first asks for it.
  */
 export class PictureRenderer {
-  /** Effects of the renderer. */
   readonly effects: PictureEffects;
   /** Whether bloom, depth of field, grading and vignette are drawn. Default true. */
   showsEffects = true;

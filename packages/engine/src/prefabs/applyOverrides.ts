@@ -56,7 +56,6 @@ export function planApplyAll(instance: GameObject): PrefabPlan {
 const sameLink = (a: PrefabLink | null, b: PrefabLink): boolean =>
   a?.prefab === b.prefab && a.source === b.source && !a.pinned;
 
-/** A prefab link without one of its pinned paths. */
 export function withoutPin(link: PrefabLink, path: string): PrefabLink {
   const { prefab, source } = link;
   const pinned = link.pinned?.filter((each) => each !== path) ?? [];

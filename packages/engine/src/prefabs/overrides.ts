@@ -6,7 +6,6 @@ import { instanceRootOf, isOwnOfInstance, keyOf, objectsBySource } from './insta
 import type { Prefab } from '../core/Prefab';
 import { comparedFields, componentsOf, objectsOf, valueIn } from './prefabData';
 
-/** An overridden field of an instance. */
 export interface FieldOverride {
   readonly component: Component;
   readonly field: string;

@@ -11,7 +11,6 @@ import { type Prefab, PrefabError } from '../core/Prefab';
 import { applyPrefabEdit, type PrefabEdit } from './PrefabEdit';
 import { PrefabSizes } from '../files/PrefabSizes';
 
-/** Consequences of replacing a prefab. */
 export interface PrefabPlan {
   /** New data of the prefab, and of prefabs that hold instances of it. */
   readonly prefabs: readonly Prefab[];

@@ -7,7 +7,6 @@ import type { Prefab } from '../core/Prefab';
 
 const indices = new WeakMap<Prefab, ReadonlyMap<string, FileObject>>();
 
-/** The objects of a prefab by id. */
 export function objectsOf(prefab: Prefab): ReadonlyMap<string, FileObject> {
   let index = indices.get(prefab);
   if (!index) indices.set(prefab, (index = new Map(prefab.objects.map((object) => [object.id, object]))));

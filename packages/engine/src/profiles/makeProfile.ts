@@ -51,7 +51,6 @@ function smooth(from: number, to: number, x: number): number {
   return share * share * (3 - 2 * share);
 }
 
-/** Makes one of the built-in photometric profiles. */
 export function makeProfile(name: keyof typeof luminaires): PhotometricProfile {
   const { luminaire, step, end, intensity }: Luminaire = luminaires[name];
   const verticalAngles = Float64Array.from({ length: 73 }, (_, i) => i * 2.5);

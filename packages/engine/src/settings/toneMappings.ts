@@ -20,7 +20,6 @@ export const toneMappings = {
   neutral: NeutralToneMapping,
 } as const satisfies Record<string, ToneMapping>;
 
-/** Labels of the tone mappings. */
 export const toneMappingLabels = {
   none: 'None',
   linear: 'Linear',

@@ -1,6 +1,5 @@
 import { HalfFloatType, RGBAFormat, RGFormat, UnsignedByteType, type PixelFormat, type TextureDataType } from 'three';
 
-/** One colour attachment of the G-buffer. */
 export interface GBufferAttachment {
   readonly name: string;
   readonly format: PixelFormat;

@@ -12,7 +12,6 @@ export interface MeshDrawer {
   readonly uniforms: Readonly<Record<string, IUniform>>;
   /** Binds a target for the draws that follow. */
   bind(target: WebGLRenderTarget): void;
-  /** Draws a mesh to the bound target. */
   drawMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;
   /** Compiles a material for the bound target, drawing nothing. */
   compileMesh(mesh: Mesh, material: RawShaderMaterial | ShaderMaterial): void;

@@ -20,7 +20,6 @@ export class RefusedMaterials {
   /** Whether the frame has met a refused material. */
   private met = false;
 
-  /** Refuses the present version of a material. */
   refuse(material: Material): void {
     this.versions.set(material, versionOf(material));
     this.met = true;

@@ -16,7 +16,6 @@ import { threeChunks } from '../three/ThreeChunks';
 import type { TwinKind, TwinShader } from './TwinKind';
 import { TwinRefusal } from '../three/TwinRefusal';
 
-/** State that all twins of one renderer share. */
 export interface TwinContext {
   /** Uniforms given to every twin, by reference. */
   readonly uniforms: Record<string, { value: unknown }>;

@@ -375,7 +375,6 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.atlasOfMaps.release(slot);
   }
 
-  /** Releases the maps and casters of a scene. */
   private releaseScene(root: Object3D): void {
     this.slots.releaseScene(root);
     const casters = this.casters.get(root);

@@ -16,7 +16,6 @@ import shadowMoments from './draw/shadowMoments.glsl?raw';
 import { tileMicroShaders } from './screen-tiles';
 import { ShadowMapCalls } from './draw/ShadowMapCalls';
 
-/** The microshaders of shadows, by name. */
 export const microShaders = {
   cookieRegion,
   lightMaskLayers,

@@ -55,7 +55,6 @@ export function compiledUniforms(webgl: WebGLRenderer, material: Material): Reco
   return (webgl.properties.get(material) as MaterialRecord).uniforms;
 }
 
-/** The program that a material was last drawn with. */
 export function programHandle(webgl: WebGLRenderer, material: Material): WebGLProgram {
   return (webgl.properties.get(material) as MaterialRecord).currentProgram!.program;
 }

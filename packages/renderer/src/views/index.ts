@@ -4,7 +4,6 @@ import * as chunks from './chunks';
 import { OverdrawPass } from './OverdrawPass';
 import { SurfaceViewPass } from './SurfaceViewPass';
 
-/** Microshaders of the views, by name. */
 export const microShaders = { ...chunks };
 
 /** Passes of the views that no technique draws. */

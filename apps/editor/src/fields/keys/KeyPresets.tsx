@@ -1,7 +1,6 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 
-/** A preset curve or gradient. */
 export interface KeyPreset {
   readonly id: string;
   readonly label: string;

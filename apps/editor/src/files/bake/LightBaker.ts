@@ -9,7 +9,6 @@ import { PictureBudget } from './PictureBudget';
 
 type Baker = typeof import('@farol/bake');
 
-/** Progress of the running bake. */
 export interface BakeState {
   /** Finished share of the bake, 0 to 1. */
   readonly share: number;

@@ -32,7 +32,6 @@ export async function openRecent(editor: EditorApi, file: RecentFile): Promise<b
   return editor.openFileBytes(new Uint8Array(await bytes.arrayBuffer()), { name: file.name, handle: file.handle });
 }
 
-/** Removes a file from the list. */
 export async function forgetRecent({ recentFiles }: EditorApi, { id }: RecentFile): Promise<void> {
   await deleteRecent(id);
   recentFiles.list = recentFiles.list.filter((each) => each.id !== id);

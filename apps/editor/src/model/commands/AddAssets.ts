@@ -6,7 +6,6 @@ const labelOf = (assets: readonly TakenAsset[]): string =>
     ? t('Imported {name}', { name: assets[0].name })
     : t('Imported {count} assets', { count: assets.length });
 
-/** Adds loaded assets to the library. */
 export class AddAssets implements Command {
   readonly label: string;
   private taken: readonly TakenAsset[];

@@ -31,6 +31,5 @@ export abstract class StructuralCommand implements Command {
   /** Makes the change. Must have changed nothing when it throws. */
   protected abstract apply(): void;
 
-  /** Undoes the change. */
   protected abstract revert(): void;
 }

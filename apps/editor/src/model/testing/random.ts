@@ -8,7 +8,6 @@ export const below = (random: Random, count: number): number => Math.floor(rando
 
 export const pick = <T>(random: Random, list: readonly T[]): T => list[below(random, list.length)];
 
-/** Every object of a scene. */
 export function objectsOf(scene: Scene): GameObject[] {
   const all: GameObject[] = [];
   scene.traverse((object) => all.push(object));

@@ -7,7 +7,6 @@ import { below, objectsOf, pick, type Random } from './random';
 const randomTimes = (random: Random): number[] =>
   Array.from({ length: 1 + below(random, 6) }, () => below(random, 11) / 10).toSorted((a, b) => a - b);
 
-/** A random value that a field allows. */
 export function randomValue(random: Random, field: Field, document: EditorDocument): FieldValue {
   const between = (min = -20, max = 20): number => min + random() * (Math.min(max, min + 1000) - min);
   switch (field.kind) {

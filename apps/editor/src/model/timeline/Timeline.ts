@@ -398,7 +398,6 @@ export class Timeline implements EditRecorder {
   }
 }
 
-/** A drag that edits a clip. */
 export interface ClipGesture {
   /** Data of the clip when the drag began. */
   readonly data: ClipData;

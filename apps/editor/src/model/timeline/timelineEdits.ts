@@ -87,7 +87,6 @@ export function retargetTracks(timeline: Timeline, tracks: readonly ClipTrack[],
   if (data !== timeline.data) timeline.edit(label, { data, selected: new Set() });
 }
 
-/** Deletes the selected keys or events. */
 export function deleteSelected(timeline: Timeline): void {
   const { data } = timeline;
   const { keys, events } = timeline.selection;
@@ -153,11 +152,9 @@ export function easeSelected(timeline: Timeline, easing: Easing, control?: Curve
   timeline.edit(label, easeKeys(data, selection.keys, easing, control));
 }
 
-/** Adds an event at a time, and selects it. */
 export function addEventAt(timeline: Timeline, time: number): void {
   const { data, places } = addEvent(timeline.data, { time, method: 'onEvent' });
   timeline.edit(t('Added an event to {name}', { name: nameOf(timeline) }), { data, selected: new Set() }, places);
 }
 
-/** Whether a track has a key at a time. */
 export const hasKeyAt = ({ keys }: ClipTrack, time: number): boolean => keys.some((key) => isSameTime(key.time, time));

@@ -11,6 +11,7 @@ import { Icon } from '../../ui/Icon';
 import { LateSoundButton } from '../../ui/lateAssetParts';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
 import { SelectBox, type SelectOption } from '../../ui/SelectBox';
+import { SearchInput } from '../../ui/SearchInput';
 import { AssetCard } from './AssetCard';
 import { assetMenu } from './assetMenu';
 import { chooseFiles } from './chooseFiles';
@@ -120,14 +121,7 @@ export function AssetsPanel(): ReactNode {
   return (
     <section className="panel assets" aria-label={t('Assets')}>
       <div className="assets-bar">
-        <input
-          className="input"
-          type="search"
-          value={search}
-          placeholder={t('Search assets')}
-          aria-label={t('Search assets')}
-          onChange={(event) => setSearch(event.target.value)}
-        />
+        <SearchInput label={t('Search assets')} placeholder={t('Search assets')} value={search} onSearch={setSearch} />
         <SelectBox<Filter> value={filter} options={filters()} label={t('Kind of asset')} onChange={setFilter} />
         <MenuButton label={t('New')} icon="add" className="button framed" entries={() => newEntries(editor, folder)} />
         <button type="button" className="button framed" onClick={() => editor.attempt(() => chooseFiles(editor))}>

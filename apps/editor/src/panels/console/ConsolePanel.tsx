@@ -3,6 +3,7 @@ import { type ReactNode, useEffect, useRef, useState } from 'react';
 import type { ConsoleEntry, ConsoleKind, ConsoleSource } from '../../model/ConsoleLog';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { SearchInput } from '../../ui/SearchInput';
 import type { IconName } from '../../style/iconPaths';
 import './console.css';
 
@@ -64,14 +65,7 @@ export function ConsolePanel(): ReactNode {
             {log.count(kind)}
           </button>
         ))}
-        <input
-          className="input"
-          type="search"
-          aria-label={t('Filter messages')}
-          placeholder={t('Filter')}
-          value={query}
-          onChange={(event) => setQuery(event.target.value)}
-        />
+        <SearchInput label={t('Filter messages')} placeholder={t('Filter')} value={query} onSearch={setQuery} />
         <button type="button" className="button small" onClick={() => log.clear()}>
           <Icon name="remove" size={13} />
           {t('Clear')}

@@ -21,7 +21,6 @@ const shapes: Partial<Record<DialogRequest['kind'], string>> = {
   welcome: 'welcome-dialog',
 };
 
-/** Shows the open dialog. */
 export function DialogHost(): ReactNode {
   const { dialogs } = useEditor();
   useSignal(dialogs.changed);

@@ -17,6 +17,7 @@ import { paste } from '../../actions/clipboard';
 import { objectEntries } from '../../actions/objectEntries';
 import { useEditor } from '../../ui/EditorContext';
 import { LateItems, MenuButton } from '../../ui/MenuButton';
+import { SearchInput } from '../../ui/SearchInput';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import './hierarchy.css';
 import { HierarchyRow, rowState } from './HierarchyRow';
@@ -89,16 +90,14 @@ export function HierarchyPanel(): ReactNode {
   return (
     <section className="panel hierarchy" aria-label={t('Hierarchy')}>
       <header className="panel-header">
-        <input
+        <SearchInput
           className="input search"
-          type="search"
           value={query}
-          placeholder={t('Search')}
-          aria-label={t('Search objects')}
+          label={t('Search objects')}
           title={t('Parts of names and of components, such as: lamp light')}
           autoComplete="off"
           spellCheck={false}
-          onChange={(event) => setQuery(event.target.value)}
+          onSearch={setQuery}
           onKeyDown={searchKey}
         />
         <MenuButton label={t('Add object')} icon="add" iconOnly entries={() => addEntries(editor)} />

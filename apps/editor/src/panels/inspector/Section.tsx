@@ -11,14 +11,12 @@ interface SectionProps {
   readonly title: string;
   readonly help: string;
   readonly icon: IconName;
-  /** Whether the section is folded by default. */
   readonly isFoldedAtFirst?: boolean;
   /** Controls at the right of the title. */
   readonly controls?: ReactNode;
   readonly children: ReactNode;
 }
 
-/** A foldable section of the inspector. */
 export function Section(props: SectionProps): ReactNode {
   const { id, title, help, icon, isFoldedAtFirst = false, controls, children } = props;
   const { preferences } = useEditor();

@@ -5,6 +5,7 @@ import { allActions } from '../../actions/allActions';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { useKeyBindings } from '../../ui/useKeyBindings';
+import { SearchInput } from '../../ui/SearchInput';
 import { groupOf } from '../palette/paletteItems';
 import { matchItems } from '../palette/matchItems';
 import { KeyRow } from './KeyRow';
@@ -34,14 +35,7 @@ export function KeysPage(): ReactNode {
       <div className="keys-bar">
         <div className="keys-search">
           <Icon name="search" size={14} />
-          <input
-            className="input"
-            type="search"
-            aria-label={t('Search keys')}
-            placeholder={t('Search')}
-            value={query}
-            onChange={(event) => setQuery(event.target.value)}
-          />
+          <SearchInput label={t('Search keys')} value={query} onSearch={setQuery} />
         </div>
         <button
           type="button"

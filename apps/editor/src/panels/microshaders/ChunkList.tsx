@@ -4,6 +4,7 @@ import type { MicroShaderUses } from '../../microshaders/MicroShaderUses';
 import { useEditor } from '../../ui/EditorContext';
 import { SURFACE, surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { Icon } from '../../ui/Icon';
+import { SearchInput } from '../../ui/SearchInput';
 import { NewChunk } from './NewChunk';
 import { XMLMenu } from './XMLMenu';
 
@@ -45,14 +46,7 @@ export function ChunkList({ names, surfaces, current, uses, onChoose }: ChunkLis
   return (
     <div className="chunk-list">
       <div className="panel-bar">
-        <input
-          className="input"
-          type="search"
-          aria-label={t('Search microshaders')}
-          placeholder={t('Search')}
-          value={query}
-          onChange={(event) => setQuery(event.target.value)}
-        />
+        <SearchInput label={t('Search microshaders')} value={query} onSearch={setQuery} />
         <NewChunk onMade={onChoose} />
         <XMLMenu />
       </div>

@@ -4,7 +4,6 @@ import { surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 
-/** Name, state and buttons of a surface. */
 export function SurfaceBar({ name }: { name: string }): ReactNode {
   const editor = useEditor();
   const surfaces = surfaceEditingOf(editor);

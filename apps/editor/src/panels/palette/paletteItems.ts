@@ -70,7 +70,6 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
   return [...done, ...added];
 }
 
-/** Items that select an object of the scene. */
 export function objectItems(editor: EditorApi): PaletteItem[] {
   const { document, viewport } = editor;
   const items: PaletteItem[] = [];

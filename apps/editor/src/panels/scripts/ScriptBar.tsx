@@ -21,7 +21,6 @@ function stateOf({ isBroken, problems, isReady, failure }: ScriptBarProps): stri
   return isReady ? '' : t('Completion is being fetched…');
 }
 
-/** Name and state of a script. */
 export function ScriptBar(props: ScriptBarProps): ReactNode {
   const { name, isBroken, problems } = props;
   const isWrong = isBroken || problems > 0;

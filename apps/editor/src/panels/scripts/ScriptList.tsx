@@ -5,6 +5,7 @@ import { renameScript } from '../../model/scriptEdits';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { MenuButton } from '../../ui/MenuButton';
+import { SearchInput } from '../../ui/SearchInput';
 import { newScript } from '../../files/newScript';
 import { removeScript, scriptMenu } from './scriptActions';
 
@@ -53,14 +54,7 @@ export function ScriptList({ names, current, isBroken }: ScriptListProps): React
   return (
     <div className="chunk-list">
       <div className="panel-bar">
-        <input
-          className="input"
-          type="search"
-          aria-label={t('Search scripts')}
-          placeholder={t('Search')}
-          value={query}
-          onChange={(event) => setQuery(event.target.value)}
-        />
+        <SearchInput label={t('Search scripts')} value={query} onSearch={setQuery} />
         <button
           type="button"
           className="button small"

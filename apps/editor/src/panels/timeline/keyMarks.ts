@@ -66,7 +66,6 @@ export function markNear(marks: KeyMarks, time: number, reach: number): number {
   return nearest;
 }
 
-/** Whether all keys of a mark are selected. */
 export const isMarkSelected = (ids: readonly string[], selected: KeySelection): boolean =>
   ids.every((id) => selected.has(id));
 

@@ -5,8 +5,14 @@ import { gizmoModes } from '../../actions/gizmoModes';
 import { gizmoSpace } from '../../actions/gizmoSpace';
 import { quadView } from '../../actions/quadView';
 import { snap } from '../../actions/snap';
-import { showStatistics } from '../../actions/statistics';
-import { continuous, showColliders, showGrid, showIcons, showRanges } from '../../actions/viewportToggles';
+import {
+  continuous,
+  showColliders,
+  showGrid,
+  showIcons,
+  showRanges,
+  showStatistics,
+} from '../../actions/viewportToggles';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { ActionButton } from '../../ui/ActionButton';
 import { MenuButton } from '../../ui/MenuButton';

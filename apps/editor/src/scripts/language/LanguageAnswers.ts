@@ -5,7 +5,6 @@ export interface ScriptDeclarations {
   readonly globals: readonly string[];
 }
 
-/** An error or warning in a script. */
 export interface ScriptDiagnostic {
   readonly message: string;
   /** 'syntax' when the text cannot be parsed, 'types' for all other errors. */

@@ -4,7 +4,6 @@ import { EditorView } from '@codemirror/view';
 import { type ReactNode, useEffect, useLayoutEffect, useRef } from 'react';
 import { codeExtensions, fromOutside } from './codeExtensions';
 
-/** A problem shown in the text. */
 export interface CodeProblem {
   readonly message: string;
   /** Line (from 1); marked as a whole unless `from` and `to` are given. */

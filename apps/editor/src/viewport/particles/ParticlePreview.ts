@@ -69,7 +69,6 @@ export class ParticlePreview {
     }, 0);
   }
 
-  /** Restarts all emitters. */
   restart(): void {
     for (const emitter of this.shown) emitter.restart();
     this.host.viewChanged();
@@ -116,7 +115,6 @@ export class ParticlePreview {
   }
 }
 
-/** The emitters of objects and of everything below them. */
 function emittersBelow(objects: readonly GameObject[]): ParticleEmitter[] {
   const found = new Set<ParticleEmitter>();
   for (const object of objects) {

@@ -36,11 +36,6 @@ export class PhysicsOverlay {
     return this.handles.places;
   }
 
-  /** Number of lines for selected objects and for others, for tests. */
-  get lineCounts(): { readonly selected: number; readonly others: number } {
-    return { selected: this.selected.count, others: this.others.count };
-  }
-
   /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     const { document, showColliders } = this.host;

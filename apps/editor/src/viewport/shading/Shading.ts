@@ -10,6 +10,5 @@ export const isPlain = (shading: string): shading is PlainShadingName =>
 /** Technique of a 'by:' shading; null for others. */
 export const techniqueOf = (shading: Shading): string | null => (shading.startsWith('by:') ? shading.slice(3) : null);
 
-/** Whether a stored value is a shading. */
 export const isShading = (value: unknown): value is Shading =>
   typeof value === 'string' && (value === 'scene' || isPlain(value) || value.startsWith('by:'));

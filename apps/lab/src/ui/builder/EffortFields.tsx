@@ -4,33 +4,17 @@ import { NumberField } from './NumberField';
 /** Duration and repetition of the measurements. */
 export function EffortFields({ effort, onChange }: { effort: Effort; onChange(effort: Effort): void }) {
   const change = (changes: Partial<Effort>): void => onChange({ ...effort, ...changes });
+  const bind = (name: 'rounds' | 'turn' | 'longestFrame') => ({
+    value: effort[name],
+    onChange: (value: number) => change({ [name]: value }),
+  });
   return (
     <fieldset>
       <legend>How thoroughly</legend>
       <div class="fields">
-        <NumberField
-          label="Turns for each"
-          value={effort.rounds}
-          min={1}
-          max={50}
-          onChange={(rounds) => change({ rounds })}
-        />
-        <NumberField
-          label="A turn"
-          unit="ms"
-          value={effort.turn}
-          min={20}
-          max={10_000}
-          onChange={(turn) => change({ turn })}
-        />
-        <NumberField
-          label="Leave out frames over"
-          unit="ms"
-          value={effort.longestFrame}
-          min={100}
-          max={600_000}
-          onChange={(longestFrame) => change({ longestFrame })}
-        />
+        <NumberField label="Turns for each" min={1} max={50} {...bind('rounds')} />
+        <NumberField label="A turn" unit="ms" min={20} max={10_000} {...bind('turn')} />
+        <NumberField label="Leave out frames over" unit="ms" min={100} max={600_000} {...bind('longestFrame')} />
         {effort.limit !== null && (
           <NumberField
             label="The whole run"

@@ -14,7 +14,6 @@ interface PictureDialogProps {
   onClose(): void;
 }
 
-/** A picture, the reference and their difference. */
 export function PictureDialog({ plan, row, reference, onClose }: PictureDialogProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);

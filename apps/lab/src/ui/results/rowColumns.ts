@@ -5,7 +5,6 @@ import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 import { formatBytes, formatNumber } from '../../words/format';
 import { competitorLabel, namedValue } from '../../words/names';
 
-/** A row with its case and series. */
 export interface TableRow extends LabRow {
   readonly label: string;
   readonly seriesLabel: string;

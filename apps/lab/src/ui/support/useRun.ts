@@ -21,7 +21,6 @@ export interface Running {
   readonly labCase: LabCase;
   /** Last picture; null before the first one. */
   readonly picture: ImageData | null;
-  /** Whether the user cancelled it. */
   readonly isCancelled: boolean;
   /** The finished cases, as a run. */
   readonly run: LabRun;

@@ -21,7 +21,6 @@ export interface StageState {
   readonly problem: string | null;
   /** Reason, by key, why a competitor cannot draw here; null if it can, missing while unknown. */
   readonly unavailable: Readonly<Record<string, string | null>>;
-  /** Frames that draw. */
   frames(): StageFrames;
   /** Removes the frames; the next call of `frames` makes new ones. */
   close(): void;

@@ -26,14 +26,12 @@ export interface LightmappedMesh {
   readonly sourceVertex: Uint32Array<ArrayBuffer>;
 }
 
-/** Light at the probes of a grid. */
 export interface ProbeData {
   readonly box: ProbeBox;
   /** Radiance coefficients, 27 per probe, ordered as in three's SphericalHarmonics3. */
   readonly coefficients: Float32Array<ArrayBuffer>;
 }
 
-/** Baked light of a scene. */
 export interface BakeData {
   /** Signature of the scene at the time of the bake: see `bakeSignature`. */
   readonly signature: string;

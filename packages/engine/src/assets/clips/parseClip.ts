@@ -11,7 +11,6 @@ export class ClipError extends Error {
   }
 }
 
-/** A clip without tracks and events. */
 export const emptyClip: ClipData = Object.freeze({ tracks: Object.freeze([]), events: Object.freeze([]) });
 
 const easings: readonly unknown[] = ['linear', 'step', 'bezier'] satisfies Easing[];

@@ -1,6 +1,5 @@
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 
-/** A texture of an MTL file, with its options. */
 export interface MtlMap {
   /** Path as written in the MTL file. */
   readonly path: string;

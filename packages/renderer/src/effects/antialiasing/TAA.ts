@@ -211,7 +211,6 @@ export class TAA implements FarolEffect {
     this.shared?.dispose();
   }
 
-  /** Draws the motion and detects changes. */
   private drawMotion(frame: Frame): void {
     const { history, motion, viewProjection } = this;
     motion.render(frame, history.motions, history.frame + 1, history.viewProjection, this.shared!.target);

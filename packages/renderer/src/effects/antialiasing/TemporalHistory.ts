@@ -24,7 +24,6 @@ export class TemporalHistory {
   readonly motions = new ObjectMotions();
   /** Pixels whose past is ignored: particles and others that change without motion. */
   readonly reactive = new ReactiveMasks();
-  /** Detects changes of lights. */
   readonly lights = new LightWatch();
   /** Projection × view of the last frame, without jitter. */
   readonly viewProjection = new Matrix4();

@@ -157,7 +157,6 @@ export class ShadowMapDraws {
     testScissor(this.webgl, false);
   }
 
-  /** Frees the casters of a scene. */
   release(casters: ShadowCasters): void {
     this.merged.get(casters)?.dispose();
     this.merged.delete(casters);

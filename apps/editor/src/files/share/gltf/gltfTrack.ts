@@ -11,7 +11,6 @@ import {
 } from 'three';
 import { beforeTime } from './beforeTime';
 
-/** A track converted for glTF. */
 export interface GltfTrack {
   readonly track: KeyframeTrack;
   /** Whether a curve that glTF does not support was sampled. */

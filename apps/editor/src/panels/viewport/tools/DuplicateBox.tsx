@@ -17,6 +17,15 @@ interface PartProps {
   readonly value: Arrangement;
 }
 
+/** Value of a setting of the tool, and its setter: the properties of a row. */
+const bind = <K extends keyof Arrangement>(
+  tool: DuplicateTool,
+  name: K,
+): { value: Arrangement[K]; onChange(value: Arrangement[K]): void } => ({
+  value: tool.arrangement[name],
+  onChange: (value) => tool.set({ [name]: value }),
+});
+
 const kinds = (): { value: ArrangementKind; label: string; help: string }[] => [
   { value: 'line', label: t('Along a line'), help: t('One after another, equally far apart') },
   { value: 'ring', label: t('On a ring'), help: t('Round where the original is') },
@@ -47,7 +56,7 @@ function LinePart({ tool, value }: PartProps): ReactNode {
   return (
     <>
       <Count tool={tool} value={value} />
-      <TripleRow label={t('Distance')} value={value.offset} step={0.1} onChange={(offset) => tool.set({ offset })} />
+      <TripleRow label={t('Distance')} step={0.1} {...bind(tool, 'offset')} />
     </>
   );
 }
@@ -56,14 +65,7 @@ function RingPart({ tool, value }: PartProps): ReactNode {
   return (
     <>
       <Count tool={tool} value={value} />
-      <NumberRow
-        label={t('Radius')}
-        unit="m"
-        value={value.radius}
-        min={0}
-        step={0.1}
-        onChange={(radius) => tool.set({ radius })}
-      />
+      <NumberRow label={t('Radius')} unit="m" min={0} step={0.1} {...bind(tool, 'radius')} />
       <NumberRow
         label={t('Arc')}
         unit="°"
@@ -73,23 +75,16 @@ function RingPart({ tool, value }: PartProps): ReactNode {
         step={5}
         onChange={(arc) => tool.set({ arc: toRadians(arc) })}
       />
-      <SwitchRow label={t('Turn with the ring')} value={value.turns} onChange={(turns) => tool.set({ turns })} />
+      <SwitchRow label={t('Turn with the ring')} {...bind(tool, 'turns')} />
     </>
   );
 }
 
-function GridPart({ tool, value }: PartProps): ReactNode {
+function GridPart({ tool }: PartProps): ReactNode {
   return (
     <>
-      <TripleRow
-        label={t('Count')}
-        value={value.counts}
-        min={1}
-        max={1000}
-        step={1}
-        onChange={(counts) => tool.set({ counts })}
-      />
-      <TripleRow label={t('Distance')} value={value.spacing} step={0.1} onChange={(spacing) => tool.set({ spacing })} />
+      <TripleRow label={t('Count')} min={1} max={1000} step={1} {...bind(tool, 'counts')} />
+      <TripleRow label={t('Distance')} step={0.1} {...bind(tool, 'spacing')} />
     </>
   );
 }
@@ -103,37 +98,12 @@ function ScatterPart({ tool, value }: PartProps): ReactNode {
       </div>
       <p className="tool-note">{t('Click another object, in the picture or the tree, to take its surface.')}</p>
       <Count tool={tool} value={value} />
-      <NumberRow
-        label={t('At least apart')}
-        unit="m"
-        value={value.minimumDistance}
-        min={0}
-        step={0.1}
-        onChange={(minimumDistance) => tool.set({ minimumDistance })}
-      />
-      <NumberRow
-        label={t('Above the surface')}
-        unit="m"
-        value={value.height}
-        step={0.1}
-        onChange={(height) => tool.set({ height })}
-      />
-      <SwitchRow
-        label={t('Only where it faces up')}
-        value={value.upwards}
-        onChange={(upwards) => tool.set({ upwards })}
-      />
-      <SwitchRow label={t('Align to the surface')} value={value.aligns} onChange={(aligns) => tool.set({ aligns })} />
-      <SwitchRow
-        label={t('Turn at random')}
-        value={value.randomTurn}
-        onChange={(randomTurn) => tool.set({ randomTurn })}
-      />
-      <PartRow
-        label={t('Sizes differ by')}
-        value={value.sizeVariation}
-        onChange={(sizeVariation) => tool.set({ sizeVariation })}
-      />
+      <NumberRow label={t('At least apart')} unit="m" min={0} step={0.1} {...bind(tool, 'minimumDistance')} />
+      <NumberRow label={t('Above the surface')} unit="m" step={0.1} {...bind(tool, 'height')} />
+      <SwitchRow label={t('Only where it faces up')} {...bind(tool, 'upwards')} />
+      <SwitchRow label={t('Align to the surface')} {...bind(tool, 'aligns')} />
+      <SwitchRow label={t('Turn at random')} {...bind(tool, 'randomTurn')} />
+      <PartRow label={t('Sizes differ by')} {...bind(tool, 'sizeVariation')} />
     </>
   );
 }
@@ -141,20 +111,8 @@ function ScatterPart({ tool, value }: PartProps): ReactNode {
 function FollowPart({ tool, value }: PartProps): ReactNode {
   return (
     <>
-      <SwitchRow
-        label={t('On the surface below')}
-        value={value.follows}
-        onChange={(follows) => tool.set({ follows })}
-      />
-      {value.follows && (
-        <NumberRow
-          label={t('Above the surface')}
-          unit="m"
-          value={value.height}
-          step={0.1}
-          onChange={(height) => tool.set({ height })}
-        />
-      )}
+      <SwitchRow label={t('On the surface below')} {...bind(tool, 'follows')} />
+      {value.follows && <NumberRow label={t('Above the surface')} unit="m" step={0.1} {...bind(tool, 'height')} />}
     </>
   );
 }
@@ -184,27 +142,14 @@ function PartRow({ label, value, onChange }: PartRowProps): ReactNode {
 function LightPart({ tool, value }: PartProps): ReactNode {
   return (
     <div role="group" aria-label={t('Lights')} className="tool-part">
-      <ChoiceRow
-        label={t('Colours')}
-        value={value.colours}
-        options={colours()}
-        onChange={(chosen) => tool.set({ colours: chosen })}
-      />
+      <ChoiceRow label={t('Colours')} options={colours()} {...bind(tool, 'colours')} />
       <SwitchRow
         label={t('As bright as one in all')}
         value={sharesLight(value, tool.total)}
         onChange={(shares) => tool.set({ sharesLight: shares })}
       />
-      <PartRow
-        label={t('Intensities differ by')}
-        value={value.intensityVariation}
-        onChange={(intensityVariation) => tool.set({ intensityVariation })}
-      />
-      <PartRow
-        label={t('Ranges differ by')}
-        value={value.rangeVariation}
-        onChange={(rangeVariation) => tool.set({ rangeVariation })}
-      />
+      <PartRow label={t('Intensities differ by')} {...bind(tool, 'intensityVariation')} />
+      <PartRow label={t('Ranges differ by')} {...bind(tool, 'rangeVariation')} />
     </div>
   );
 }
@@ -239,7 +184,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
         <strong>{t('Duplicate {name}', { name })}</strong>
       </header>
       <div className="tool-fields">
-        <ChoiceRow label={t('Where')} value={value.kind} options={kinds()} onChange={(kind) => tool.set({ kind })} />
+        <ChoiceRow label={t('Where')} options={kinds()} {...bind(tool, 'kind')} />
         <Part tool={tool} value={value} />
         {value.kind !== 'scatter' && <FollowPart tool={tool} value={value} />}
         {tool.hasLights && <LightPart tool={tool} value={value} />}
@@ -253,7 +198,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
             onChange={(seed) => tool.set({ seed: Math.round(seed) })}
           />
         )}
-        <SwitchRow label={t('In a group')} value={value.grouped} onChange={(grouped) => tool.set({ grouped })} />
+        <SwitchRow label={t('In a group')} {...bind(tool, 'grouped')} />
       </div>
       <p className="tool-note" role="status">
         {value.kind === 'scatter' && !tool.target

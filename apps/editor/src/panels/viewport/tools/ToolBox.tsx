@@ -8,7 +8,6 @@ const boxes: Readonly<Record<string, ComponentType<{ tool: never }>>> = {
   measure: lazy(async () => ({ default: (await import('./MeasureBox')).MeasureBox })),
 };
 
-/** Settings box of the open tool. */
 export function ToolBox({ tool }: { readonly tool: Tool }): ReactNode {
   const Box = boxes[tool.id] as ComponentType<{ tool: Tool }> | undefined;
   return Box && <Box tool={tool} />;
