@@ -71,9 +71,9 @@ export class MaskRecords {
   }
 
   /**
-   * @@ @param type - type of shadow maps, as `shadowMap.type` ;; @param reversed - whether the depth buffer is reversed
-   * ;; @param picture - size (pixels)
-   * @param type - of maps, as `shadowMap.type` @param reversed - the depth buffer is @param picture - size (pixels)
+   * @param type - type of shadow maps, as `shadowMap.type`
+   * @param reversed - whether the depth buffer is reversed
+   * @param picture - size (pixels)
    */
   write(table: DataTable, first: number, camera: Camera, type: number, reversed: boolean, picture: PictureSize): void {
     for (const slot of this.slots.lit) {
