@@ -12,7 +12,7 @@ export interface RunFile {
 /** A file format for runs. */
 export interface ExportFormat {
   readonly label: string;
-  /** Purpose, one sentence. */
+  /** Purpose of the file format, one sentence. */
   readonly help: string;
   make(run: LabRun): Promise<RunFile>;
 }

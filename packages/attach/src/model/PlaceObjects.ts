@@ -20,7 +20,7 @@ export class PlaceObjects implements Command<Object3D> {
 
   /**
    * @param kind - whether `do` adds or removes
-   * @param placements - where the objects are while all of them are there
+   * @param placements - parent and index of each object, counted with all of the objects in the tree
    */
   constructor(
     readonly label: string,

@@ -328,7 +328,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
   }
 
-  /** Gives each map and image of the frame its region; releases the regions of lights that have not been lit for long. */
+  /** Gives each shadow map and cookie of the frame its atlas region; releases regions of lights not lit for long. */
   private place(): void {
     const { slots, atlases } = this;
     slots.sortOut(this.isVariance);
