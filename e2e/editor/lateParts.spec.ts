@@ -3,16 +3,20 @@ import { expect, test } from '../support/test';
 import { addObject, openEditor, pointOf } from './editor';
 
 /**
- * Holds the code of a part of the editor back until it is let go of, then opens an empty scene.
- * @param file - name of the file, without its ending
+ * Holds the code of parts of the editor back until each is let go of, then opens an empty scene.
+ *
+ * @param files - names without their endings, as patterns
+ * @returns lets go of the code of each
  */
-async function openWithout(page: Page, file: string): Promise<() => void> {
-  let letGo = (): void => {};
-  const held = new Promise<void>((resolve) => (letGo = resolve));
-  await page.route(new RegExp(`/${file}[.-][\\w.-]+(\\?|$)`), async (route) => {
-    await held;
-    await route.continue();
-  });
+async function openWithout(page: Page, files: readonly string[]): Promise<(() => void)[]> {
+  const letGo: (() => void)[] = [];
+  for (const file of files) {
+    const held = new Promise<void>((resolve) => letGo.push(resolve));
+    await page.route(new RegExp(`/${file}[.-][\\w.-]+(\\?|$)`), async (route) => {
+      await held;
+      await route.continue();
+    });
+  }
   await openEditor(page, 'empty');
   return letGo;
 }
@@ -36,59 +40,61 @@ const selectionPixels = (page: Page): Promise<number> =>
 const selected = (page: Page): Promise<string[]> =>
   page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name).toSorted());
 
-test('the outline of what is selected shows once its code is there', async ({ page }) => {
-  const letGo = await openWithout(page, 'SelectionLines');
-  await addObject(page, 'Mesh', 'Box');
-  expect(await selected(page)).toEqual(['Box']);
-  expect(await selectionPixels(page)).toBe(0);
-  letGo();
-  await expect.poll(() => selectionPixels(page)).toBeGreaterThan(30);
-});
+// one page for all: what takes the time is to open it
+test('outline, box selection, copies, groups and flights wait for their code, and are there once it is', async ({
+  page,
+}) => {
+  const files = ['SelectionLines', 'pickBox', '(clip|groupObjects)', '(CameraPreview|CameraFlight)'];
+  const [outline, box, copies, flight] = await openWithout(page, files);
 
-test('a box selects once the code that finds what is in it is there', async ({ page }) => {
-  const letGo = await openWithout(page, 'pickBox');
-  await addObject(page, 'Mesh', 'Box');
-  await page.evaluate(() => window.editor.document.selection.set([]));
-  await page.keyboard.press('q');
-  const { x, y } = await pointOf(page, 'Box');
-  await page.mouse.move(x - 40, y - 40);
-  await page.mouse.down();
-  await page.mouse.move(x + 40, y + 40, { steps: 3 });
-  await page.mouse.up();
-  await expect(page.locator('.select-box')).toBeHidden();
-  expect(await selected(page)).toEqual([]);
-  letGo();
-  await expect.poll(() => selected(page)).toEqual(['Box']);
-});
+  await test.step('the outline of what is selected', async () => {
+    await addObject(page, 'Mesh', 'Box');
+    expect(await selected(page)).toEqual(['Box']);
+    expect(await selectionPixels(page)).toBe(0);
+    outline();
+    await expect.poll(() => selectionPixels(page)).toBeGreaterThan(30);
+  });
 
-test('copies and groups come once their code is there', async ({ page }) => {
-  const letGo = await openWithout(page, '(clip|groupObjects)');
-  await addObject(page, 'Mesh', 'Box');
-  await page.getByRole('treeitem', { name: 'Box' }).click();
-  await page.keyboard.press('Control+c');
-  await page.keyboard.press('Control+v');
-  await expect(page.getByRole('treeitem', { name: 'Box 2' })).toHaveCount(0);
-  letGo();
-  await expect(page.getByRole('treeitem', { name: 'Box 2' })).toBeVisible();
-  await page.keyboard.press('Control+g');
-  await expect(page.getByRole('treeitem', { name: 'Group' })).toBeVisible();
-});
+  await test.step('a box that selects', async () => {
+    await page.evaluate(() => window.editor.document.selection.set([]));
+    await page.keyboard.press('q');
+    const { x, y } = await pointOf(page, 'Box');
+    await page.mouse.move(x - 40, y - 40);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 40, { steps: 3 });
+    await page.mouse.up();
+    await expect(page.locator('.select-box')).toBeHidden();
+    expect(await selected(page)).toEqual([]);
+    box();
+    await expect.poll(() => selected(page)).toEqual(['Box']);
+  });
 
-test('a camera that is looked through stays where it is until the code that moves it is there', async ({ page }) => {
-  const letGo = await openWithout(page, '(CameraPreview|CameraFlight)');
-  await page.getByRole('treeitem', { name: 'Camera' }).click();
-  await page.getByRole('button', { name: 'Look through Camera' }).click();
-  const pose = (): Promise<readonly number[]> =>
-    page.evaluate(() => [...window.editor.viewport.camera.matrixWorld.elements]);
-  const before = await pose();
-  await page.getByRole('img', { name: /Picture of the scene/ }).focus();
-  await page.keyboard.press('ArrowLeft');
-  expect(await pose()).toEqual(before);
-  letGo();
-  await expect
-    .poll(async () => {
-      await page.keyboard.press('ArrowLeft');
-      return (await pose()).some((value, i) => value !== before[i]);
-    })
-    .toBe(true);
+  await test.step('copies and groups', async () => {
+    await page.getByRole('treeitem', { name: 'Box' }).click();
+    await page.keyboard.press('Control+c');
+    await page.keyboard.press('Control+v');
+    await expect(page.getByRole('treeitem', { name: 'Box 2' })).toHaveCount(0);
+    copies();
+    await expect(page.getByRole('treeitem', { name: 'Box 2' })).toBeVisible();
+    await page.keyboard.press('Control+g');
+    await expect(page.getByRole('treeitem', { name: 'Group' })).toBeVisible();
+  });
+
+  await test.step('a camera that is looked through stays where it is', async () => {
+    await page.getByRole('treeitem', { name: 'Camera' }).click();
+    await page.getByRole('button', { name: 'Look through Camera' }).click();
+    const pose = (): Promise<readonly number[]> =>
+      page.evaluate(() => [...window.editor.viewport.camera.matrixWorld.elements]);
+    const before = await pose();
+    await page.getByRole('img', { name: /Picture of the scene/ }).focus();
+    await page.keyboard.press('ArrowLeft');
+    expect(await pose()).toEqual(before);
+    flight();
+    await expect
+      .poll(async () => {
+        await page.keyboard.press('ArrowLeft');
+        return (await pose()).some((value, i) => value !== before[i]);
+      })
+      .toBe(true);
+  });
 });

@@ -9,7 +9,7 @@ export const drawn = all.filter((name) => name !== 'auto');
 const families = [drawn.filter((name) => name.includes('forward')), drawn.filter((name) => !name.includes('forward'))];
 
 /** Extent of the tests (packages/tools/extent.mjs), as the page's address has it; all of it where that says nothing. */
-const isSlice = new URLSearchParams(location.search).get('tests') === 'slice';
+export const isSlice = new URLSearchParams(location.search).get('tests') === 'slice';
 
 /**
  * Picks the techniques that a test goes through: all of them, but in the slice one of each family. Tests differ in their

@@ -64,3 +64,49 @@ test('a dithered material is dithered once, in the colours of the canvas, by eve
   // half floats round some of it
   for (const [name, most] of found.linear) expect.soft(most * 255, `${name}, float target`).toBeLessThan(0.05);
 });
+
+test('a dithered material is dithered by its place in the target, by every technique, when cameras draw to parts of it', async ({
+  benchPage: page,
+}) => {
+  const found = await page.evaluate(() => {
+    const { Bench, farol: library, three } = window.testPage;
+    const scene = new three.Scene();
+    const material = new three.MeshLambertMaterial({ color: 0x888888 });
+    const light = new three.PointLight(0xffffff, 0.6, 12);
+    light.position.set(-2, 0.5, 1.5);
+    scene.add(new three.Mesh(new three.PlaneGeometry(8, 8), material), light);
+    const camera = new three.PerspectiveCamera(50, 40 / 50, 0.1, 20);
+    camera.position.z = 4;
+    const bench = new Bench(96, 64);
+    const { farol, target, webgl } = bench;
+    /** Change by dithering (linear) of a target in whose two parts two cameras draw. */
+    const adds = (render: (camera: InstanceType<typeof three.Camera>) => void) => {
+      const [plain, dithered] = [false, true].map((dithering) => {
+        material.dithering = dithering;
+        material.needsUpdate = true;
+        return bench.draw(() => {
+          target.scissorTest = true;
+          for (const x of [3, 51]) {
+            target.viewport.set(x, 7, 40, 50);
+            target.scissor.copy(target.viewport);
+            webgl.setRenderTarget(target);
+            camera.position.x = x / 50;
+            render(camera);
+          }
+        }).data;
+      });
+      return plain.map((value, i) => dithered[i] - value);
+    };
+    const added = adds((seen) => webgl.render(scene, seen));
+    const names = Object.keys(library.techniques).filter((name) => name !== 'auto');
+    const off = names.map((name): [string, number] => {
+      farol.technique = name as never;
+      const found = adds((seen) => farol.render(scene, seen));
+      return [name, Math.max(...found.map((value, i) => Math.abs(value - added[i])))];
+    });
+    return { off, dithered: added.filter((value) => value !== 0).length / added.length };
+  });
+  // three of four channels, in two parts of the target
+  expect(found.dithered, 'share of values that stock three changes').toBeGreaterThan(0.4);
+  for (const [name, most] of found.off) expect.soft(most * 255, name).toBeLessThan(0.05);
+});

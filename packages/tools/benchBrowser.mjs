@@ -36,9 +36,7 @@ export class BenchBrowser {
   /** @type {{ server: import('playwright-core').BrowserServer, browser: import('playwright-core').Browser } | null} */
   #running = null;
 
-  /**
-   * @param {{ executablePath: string, gpu: boolean }} options
-   */
+  /** @param {{ executablePath: string, gpu: boolean }} options */
   constructor(options) {
     this.options = options;
     /** Version of the browser, once it ran. */

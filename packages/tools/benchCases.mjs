@@ -85,9 +85,7 @@ function lightCounts(scene, builds, lights) {
   return chosen || Object.keys(lightParameters(fields, 1)).length === 0 ? [null] : lights;
 }
 
-/**
- * @param {SceneChoice} scene @param {string} technique @param {Size} size @param {Record<string, number>} lights
- */
+/** @param {SceneChoice} scene @param {string} technique @param {Size} size @param {Record<string, number>} lights */
 function viewerQuery(scene, technique, size, lights) {
   const entries = { scene: scene.name, technique, ...scene.parameters, ...lights, time: 0, ...size, dpr: 1, gui: 0 };
   return `?${new URLSearchParams(Object.entries(entries).map(([name, value]) => [name, String(value)]))}`;

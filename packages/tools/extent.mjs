@@ -20,7 +20,6 @@ export function readExtent(asked) {
   return found;
 }
 
-/** Extent of this run. */
 export const extent = readExtent(process.env.FAROL_TESTS);
 
 /** Whether this run is more than the slice. */

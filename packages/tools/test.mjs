@@ -99,7 +99,6 @@ function tool(name) {
   return join(root, 'packages/tools', name);
 }
 
-/** Unit tests. */
 async function vitest() {
   const runOf = (/** @type {string} */ name) => (/** @type {string[]} */ files) => {
     const report = join(folder, name);

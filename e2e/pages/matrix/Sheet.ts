@@ -1,6 +1,7 @@
 import * as THREE from 'three';
 import { compareImages, type Difference } from '../../support/images';
 import type { PageImage } from '../Bench';
+import { isSlice } from '../techniquesInTurn';
 import type { Cases, Kit } from './Case';
 
 /** Pixels a side of a case's cell. */
@@ -8,6 +9,8 @@ export const CELL = 32;
 const COLUMNS = 8;
 /** Units a side of a cell. */
 const SIDE = 2;
+/** Point and spot lights. Stock three has each in the text of its shaders, which take longer to compile by it. */
+const LIGHTS = isSlice ? 4 : 10;
 
 /** Pixels of the sheet of so many cases. */
 export function sheetSize(cases: Cases): { columns: number; rows: number; width: number; height: number } {
@@ -23,7 +26,7 @@ export function addSheetLights(scene: THREE.Scene, width: number, height: number
   const sun = new THREE.DirectionalLight(0xfff0dd, 0.7);
   sun.position.set(1, 2, 3);
   scene.add(sun, new THREE.PointLight(0x66aaff, 2, 0, 2).translateZ(4));
-  for (let i = 0; i < 10; i++) {
+  for (let i = 0; i < LIGHTS; i++) {
     const light = i % 3 ? new THREE.PointLight(0xffffff, 7, 6) : new THREE.SpotLight(0xffffff, 9, 8, 0.7, 0.5);
     light.color.setHSL(i / 10, 0.7, 0.6);
     light.position.set((((i * 3) % 10) / 9 - 0.5) * width, ((i % 4) / 3 - 0.5) * height, 1.8);

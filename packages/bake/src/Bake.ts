@@ -1,7 +1,6 @@
 import type { Mesh } from 'three';
 import type { BakedProbes } from './probes/BakedProbes';
 
-/** One lightmap. */
 export interface BakedLightmap {
   /** Texels. */
   readonly width: number;

@@ -1,6 +1,5 @@
 /** How far a bake is. */
 export interface BakeProgress {
-  /** Present stage of the bake. */
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing';
   /** Share of the whole that is done, 0 to 1. Never falls. */
   readonly share: number;

@@ -202,9 +202,11 @@ function mutateText(text: string, random: FuzzRandom): Uint8Array<ArrayBuffer> {
 }
 
 /** A case of some choices: the same bytes each time. */
-export function fuzzCase(random: FuzzRandom): FuzzCase {
+export function fuzzCase(
+  random: FuzzRandom,
   // a scene as often as all others together
-  const kind = random.once(2) ? 'scene' : random.of(fuzzKinds);
+  kind: FuzzKind = random.once(2) ? 'scene' : random.of(fuzzKinds),
+): FuzzCase {
   switch (kind) {
     case 'scene': {
       const bytes = encode(sceneText(random));

@@ -9,7 +9,6 @@ const modes: readonly [GizmoMode & IconName, string, string][] = [
   ['scale', 'Scale##verb', 'R'],
 ];
 
-/** One action for each mode of the gizmo. */
 export const gizmoModes: readonly Action[] = modes.map(([mode, label, key]) => ({
   id: `gizmo.${mode}`,
   label,

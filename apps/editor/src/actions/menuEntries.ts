@@ -20,7 +20,6 @@ const menus: Readonly<Record<MenuName, readonly string[]>> = {
 
 export const menuNames = Object.keys(menus) as readonly MenuName[];
 
-/** Display name of a menu. */
 export const menuLabel = (name: MenuName): string =>
   ({ file: t('File'), edit: t('Edit'), object: t('Object'), view: t('View'), help: t('Help') })[name];
 

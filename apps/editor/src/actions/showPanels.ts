@@ -73,7 +73,6 @@ export const showPanels = ({ panels }: EditorApi): Action[] =>
     checked: ({ layout }) => layout.isOpen(id),
   }));
 
-/** Focuses the menu bar. */
 export const goToMenuBar: Action = {
   id: 'panels.menu-bar',
   label: 'Go to the menus',

@@ -14,7 +14,6 @@ export const sides = [
 
 export type Side = (typeof sides)[number][0];
 
-/** Display name of a side. */
 export function sideName(side: Side): string {
   switch (side) {
     case 'right':

@@ -8,7 +8,6 @@ const targets: readonly [SnapTarget, string][] = [
   ['vertex', 'Snap to vertices'],
 ];
 
-/** One action for each target of snapping. */
 export const snapTargets: readonly Action[] = targets.map(([target, label]) => ({
   id: `gizmo.snap-${target}`,
   label,
@@ -34,7 +33,6 @@ const pivots: readonly [GizmoPivot, string][] = [
   ['active', 'Pivot in the object selected last'],
 ];
 
-/** One action for each pivot of the gizmo. */
 export const gizmoPivots: readonly Action[] = pivots.map(([pivot, label]) => ({
   id: `gizmo.pivot-${pivot}`,
   label,

@@ -7,7 +7,6 @@ const labels = [
   ['light', 'Light theme'],
 ] as const satisfies readonly (readonly [Preferences['theme'], string])[];
 
-/** One action for each colour theme. */
 export const themes: readonly Action[] = labels.map(([theme, label]) => ({
   id: `view.theme.${theme}`,
   label,

@@ -9,7 +9,6 @@ export const welcome: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'welcome', recovery: null }),
 };
 
-/** Starts the tour of the window. */
 export const startTour: Action = {
   id: 'help.tour',
   label: 'Tour of the editor',

@@ -1,6 +1,5 @@
 import type { AssetKind } from './assetKinds';
 
-/** An asset dragged from the Assets panel. */
 export interface DraggedAsset {
   readonly kind: AssetKind;
   /** Name of the asset, or id of the prefab. */

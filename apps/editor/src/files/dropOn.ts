@@ -29,7 +29,6 @@ export interface Dropped {
   readonly files: FileMap;
 }
 
-/** Place of a drop. */
 export type DropTarget =
   | { readonly kind: 'picture'; /** CSS pixels of the page. */ readonly x: number; readonly y: number }
   | { readonly kind: 'tree'; /** Id of the object of the row; null beside the rows. */ readonly id: string | null }

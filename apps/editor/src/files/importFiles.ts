@@ -97,7 +97,6 @@ async function packedObj(
   return new Blob([obj.glb], { type: 'model/gltf-binary' });
 }
 
-/** Result of an import. */
 export interface ImportResult {
   /** Names of the assets, including those that existed already. */
   readonly names: readonly string[];

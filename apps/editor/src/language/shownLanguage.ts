@@ -25,7 +25,6 @@ let asked: Language = 'en';
 /** Emits when the language changes, which is common to all editors of the page. */
 export const languageChanged = new Signal();
 
-/** The language of the page. */
 export const shownLanguage = (): Language => shown;
 
 /** Translates a text that contains messages of the engine, which are English only. */

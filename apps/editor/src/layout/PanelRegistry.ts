@@ -7,7 +7,6 @@ import type { PanelPlace } from './defaultLayout';
 export interface Panel {
   /** Lower-kebab; used in stored layouts. */
   readonly id: string;
-  /** Title of its tab. */
   readonly title: string;
   readonly icon: IconName;
   /** Default place; panels with the same place share a group, in the order of the registry. */

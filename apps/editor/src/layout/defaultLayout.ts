@@ -5,7 +5,6 @@ export type PanelPlace = 'left' | 'middle' | 'right' | 'bottom';
 /** The properties of a panel that the layout depends on. */
 export interface PlacedPanel {
   readonly id: string;
-  /** Default place of the panel. */
   readonly place: PanelPlace;
   /** Whether the panel is open by default. */
   readonly isOpen?: boolean;

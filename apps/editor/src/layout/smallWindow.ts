@@ -11,7 +11,6 @@ export const isSmallWindow = (width: number, height: number): boolean =>
   width < 700 || height < 400 || (width < 840 && height < 700);
 
 export interface PlacedSheet {
-  /** Rectangle of the viewport. */
   readonly main: Rectangle;
   /** Rectangle of the panel, and of the divider; null when there is no panel. */
   readonly sheet: Rectangle | null;

@@ -26,7 +26,6 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
     document.opened.subscribe(() => this.forget());
   }
 
-  /** Names of all surfaces. */
   get names(): string[] {
     return this.document.assets
       .fieldAssets('surface')

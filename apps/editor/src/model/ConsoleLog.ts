@@ -49,7 +49,6 @@ export class ConsoleLog {
     return this.list;
   }
 
-  /** Number of entries of a kind. */
   count(kind: ConsoleKind): number {
     return this.list.reduce((sum, entry) => sum + (entry.kind === kind ? 1 : 0), 0);
   }

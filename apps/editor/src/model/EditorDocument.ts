@@ -84,7 +84,6 @@ export class EditorDocument {
     return this.current;
   }
 
-  /** The asset library of the scene. */
   get assets(): AssetLibrary {
     return this.current.assets;
   }

@@ -16,7 +16,6 @@ import { Sequence } from './commands/Sequence';
 /** A field value edited while the scene played. */
 export interface PlayChange {
   readonly owner: Component | SceneSettings | FieldAsset;
-  /** Name of the field. */
   readonly name: string;
   /** Value before the scene began to play. */
   readonly from: FieldValue;

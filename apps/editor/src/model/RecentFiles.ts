@@ -3,7 +3,6 @@ import { Signal } from '@farol/editing';
 /** A file that was opened or saved in this browser. */
 export interface RecentFile {
   readonly id: string;
-  /** Name of the file. */
   readonly name: string;
   /** Name of its scene. */
   readonly scene: string;

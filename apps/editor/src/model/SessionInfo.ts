@@ -1,7 +1,6 @@
 /** Summary of an autosave, known without reading it. */
 export interface SessionInfo {
   readonly id: string;
-  /** Name of the scene. */
   readonly name: string;
   /** The file that the scene was last saved to; null for none. */
   readonly fileName: string | null;

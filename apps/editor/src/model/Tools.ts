@@ -19,7 +19,6 @@ export class Tools {
     return this.tool;
   }
 
-  /** Opens a tool in place of the open one. */
   open(tool: Tool): void {
     this.end();
     this.tool = tool;

@@ -29,7 +29,6 @@ export const lightsInPlace = (scene: Scene): Light[] =>
     .componentsOf(Light)
     .filter((light) => light.isActive && light.mode === 'realtime' && staysInPlace(light.gameObject));
 
-/** Marks lights as baked. */
 export const bakeLights = (lights: readonly Light[]): Command =>
   new SetFields(
     countLabel(

@@ -179,7 +179,6 @@ const checked = (
     options,
   );
 
-/** Options of a paste. */
 export interface PasteOptions {
   /** Moves the copies, which are not in the scene yet. */
   readonly place?: (copies: readonly GameObject[]) => void;

@@ -29,7 +29,6 @@ export interface CopiedAssets {
 /** Clipboard name of each file; a file keeps its name however often it is copied. */
 const fileNames = new WeakMap<Blob, string>();
 
-/** Name of a file on the clipboard. */
 export function fileNameOf(blob: Blob): string {
   const name = fileNames.get(blob) ?? createId();
   fileNames.set(blob, name);

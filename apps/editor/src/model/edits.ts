@@ -145,7 +145,6 @@ export function addComponent(
   );
 }
 
-/** Removes components from their objects. */
 export function removeComponents(scene: Scene, components: readonly Component[]): Command {
   const places = components
     .map((component) => {

@@ -38,7 +38,6 @@ export class ScriptEditing {
     document.opened.subscribe(() => this.forget());
   }
 
-  /** Names of all scripts. */
   get names(): string[] {
     return this.document.assets
       .fieldAssets('script')

@@ -16,7 +16,6 @@ interface MenuButtonProps {
   entries(): readonly MenuEntry[];
 }
 
-/** A button that opens a menu. */
 export function MenuButton(props: MenuButtonProps): ReactNode {
   const { label, icon, iconOnly = false, className = 'button', disabled, entries } = props;
   return (

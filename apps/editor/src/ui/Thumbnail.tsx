@@ -4,7 +4,6 @@ import type { IconName } from '../style/iconPaths';
 import { Icon } from './Icon';
 import { useThumbnail } from './useThumbnail';
 
-/** Icon for each kind of asset. */
 export const assetIcons: Readonly<Record<AssetKind, IconName>> = {
   prefab: 'prefab',
   model: 'mesh',

@@ -12,7 +12,6 @@ interface ToggleProps {
   onChange(value: boolean): void;
 }
 
-/** A checkbox. */
 export function Toggle({ value, label, description, disabled, onChange }: ToggleProps): ReactNode {
   return (
     <Checkbox.Root

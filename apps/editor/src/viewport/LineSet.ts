@@ -40,7 +40,6 @@ export class LineSet {
     }
   }
 
-  /** Number of lines. */
   get count(): number {
     return this.vertices / 2;
   }

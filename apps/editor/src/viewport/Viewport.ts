@@ -240,7 +240,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return this.panes.active.shading;
   }
 
-  /** Sets the shading of a view. */
   shade(pane: ViewPane, shading: Shading): void {
     pane.shading = shading;
     this.changed.emit();

@@ -4,7 +4,6 @@ import { type ChartSpec, defaultSettings } from './ChartSpec';
 import { chartsOf } from './chartsOf';
 import { sourceOf } from './runNames';
 
-/** A chart as a file. */
 export interface ChartFile {
   /** Lower-kebab, without an ending. */
   readonly name: string;

@@ -42,7 +42,6 @@ const spare: readonly CompetitorMark[] = [
   mark('#9a4d86', '#e39bd0', 'cross', true),
 ];
 
-/** Marks by competitor. */
 export const competitorMarks: Readonly<Record<string, CompetitorMark>> = {
   ...chosen,
   ...Object.fromEntries(

@@ -4,7 +4,6 @@ import { boundsOf, timeOf } from '../words/compareSpreads';
 import { rowsOf } from '../words/rowsOf';
 import { competitorOrder } from './competitorMarks';
 
-/** A point of a curve. */
 export interface CurvePoint {
   readonly value: number;
   readonly index: number;

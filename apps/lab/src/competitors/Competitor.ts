@@ -59,9 +59,7 @@ export interface Competitor {
   readonly kind: 'farol' | 'three' | 'rival';
   /** Reason, a sentence, why it cannot draw on this browser or device; null if it can. */
   unavailable(): Promise<string | null>;
-  /**
-   * Reason, a sentence, why it cannot draw a case, such as too many lights for its uniforms; null if it can.
-   */
+  /** Reason, a sentence, why it cannot draw a case, such as too many lights for its uniforms; null if it can. */
   refuses(scene: RefusableScene): string | null;
   /**
    * @param longest - limit of the first frame (ms)

@@ -9,7 +9,6 @@ interface TimerExtension {
 /** Longest wait for the time of a frame (ms). */
 const LONGEST = 5000;
 
-/** Times frames on the GPU. */
 export class GpuTimer {
   private readonly queries: WebGLQuery[] = [];
 

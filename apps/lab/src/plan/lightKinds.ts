@@ -1,6 +1,5 @@
 /** Texts of a kind of lights or of a shading. */
 export interface LightKindWords {
-  /** Label in menus. */
   readonly label: string;
   readonly help: string;
   /** Name within a text and beside an axis: `with rectangles`, `1,000 rectangles`. */

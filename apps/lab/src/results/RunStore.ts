@@ -7,7 +7,6 @@ export interface RunInfo {
   id: string;
   /** Given by the user; empty for none. */
   name: string;
-  /** Label of the plan. */
   label: string;
   /** ISO 8601. */
   date: string;
@@ -15,7 +14,6 @@ export interface RunInfo {
   browser: string;
   build: string;
   complete: boolean;
-  /** Number of rows. */
   rows: number;
 }
 
@@ -95,9 +93,7 @@ export class RunStore {
     return info !== undefined;
   }
 
-  /**
-   * @throws FormatError if the run is of another version of the Lab
-   */
+  /** @throws FormatError if the run is of another version of the Lab */
   async open(id: string): Promise<LabRun> {
     const run: unknown = await this.#try('The run cannot be read', () => get(runKey(id), this.#store));
     if (run === undefined) throw new RunStoreError('The run is no longer kept: it was deleted in another tab.');

@@ -3,13 +3,11 @@ import { chartPNG } from '../charts/chartPNG';
 import { deviceName } from '../words/device';
 import type { LabRun } from './LabRun';
 
-/** A file made of a run. */
 export interface RunFile {
   readonly name: string;
   readonly content: Blob;
 }
 
-/** A file format for runs. */
 export interface ExportFormat {
   readonly label: string;
   /** Purpose of the file format, one sentence. */

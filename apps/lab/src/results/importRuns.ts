@@ -3,7 +3,6 @@ import { messageOf } from '../run/messageOf';
 import { LONGEST_RUN, parseRun } from './parseRun';
 import type { RunStore } from './RunStore';
 
-/** Results of an import. */
 export interface Imported {
   readonly runs: readonly LabRun[];
   /** Reasons of refused files, each a sentence with the file's name. */

@@ -10,7 +10,6 @@ interface Place {
   row: LabRow;
 }
 
-/** A column of the CSV. */
 export interface Column {
   /** Heading: lower snake case, its unit at the end. */
   readonly name: string;

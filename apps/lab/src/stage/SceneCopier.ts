@@ -44,7 +44,6 @@ export class SceneCopier {
     return copy;
   }
 
-  /** Copies a background. */
   background(source: Color | Texture | null): Color | Texture | null {
     if (source instanceof Texture) return this.texture(source);
     return source ? source.clone() : null;

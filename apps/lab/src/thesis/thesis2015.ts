@@ -1,7 +1,6 @@
 /** Lowest and highest frame rate of the thesis (Hz); null if its counter could not follow. */
 export type Frames = readonly [low: number, high: number] | null;
 
-/** A row of a table of the thesis. */
 export interface ThesisRow {
   /** `planes`: N × N planes under M × M lights; the others: a mesh under N lights. */
   readonly table: 'planes' | 'sponza' | 'temple';

@@ -29,7 +29,6 @@ import { ThesisConclusions } from './ThesisConclusions';
 
 const store = new RunStore();
 
-/** The whole page. */
 export function LabPage() {
   const { configuration, problems, setConfiguration } = useConfiguration();
   const displayed = useShownRun();

@@ -3,7 +3,6 @@ import { useId } from 'preact/hooks';
 interface SelectProps {
   label: string;
   value: string;
-  /** Values and their labels. */
   options: readonly (readonly [value: string, label: string])[];
   onChange(value: string): void;
 }

@@ -3,7 +3,6 @@ import { es } from './es';
 
 const texts = { en: {}, es } as const satisfies Readonly<Record<string, Texts>>;
 
-/** A language of the attached editor. */
 export type AttachLanguage = keyof typeof texts;
 
 /** Name of each language in that language itself. */

@@ -25,7 +25,6 @@ export interface PanelsOptions {
 export class Panels {
   readonly element: HTMLElement;
   readonly inspector: Inspector;
-  /** Menu of languages. */
   readonly language = element('select', { 'aria-label': t('Language'), title: t('Language') });
   private readonly tree: Tree;
   private readonly frame: FramePanel;

@@ -1,6 +1,5 @@
 import { type Charts, NO_CHART } from './cutCharts';
 
-/** One chart of a surface. */
 export interface Chart {
   /** Indices of its vertices in `uvs`, each once. */
   readonly vertices: Uint32Array;

@@ -4,7 +4,6 @@ import { type Charts, cutCharts } from '../unwrap/cutCharts';
 import { packMeshes } from '../unwrap/packMeshes';
 import type { PackOptions, SurfaceToUnwrap, Unwrapped } from '../unwrap/UnwrapRequest';
 
-/** A request to the bake worker. */
 export type BakeQuestion =
   | { readonly kind: 'cut'; readonly surface: SurfaceToUnwrap }
   | {
@@ -22,7 +21,6 @@ export interface BakeResults {
   readonly stitch: Float32Array;
 }
 
-/** A message from the bake worker. */
 export type BakeAnswer =
   | { readonly kind: 'progress'; readonly share: number }
   | { readonly kind: 'failed'; readonly message: string }

@@ -7,7 +7,6 @@ import type { GameObject } from '../core/GameObject';
 export interface ModelInScene extends Component {
   /** Root of the drawn tree; null until the model is loaded. */
   readonly three: Object3D | null;
-  /** The model that is drawn. */
   readonly drawnModel: Model | null;
   /** Node of the model that the object corresponds to when only parts are drawn; null when all of the model is. */
   readonly partsRoot: Object3D | null;

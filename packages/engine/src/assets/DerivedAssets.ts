@@ -76,7 +76,6 @@ export abstract class DerivedAssets extends LoadedAssets {
     return this.getAs<Sound>('sound', name);
   }
 
-  /** The photometric profile of a luminaire. */
   profile(name: string): PhotometricProfile {
     return this.getAs<PhotometricProfile>('profile', name);
   }

@@ -21,7 +21,6 @@ export class LayeredMaterials {
 
   constructor(private readonly textures: TextureHost) {}
 
-  /** Number of materials in use. */
   get size(): number {
     return this.all.size;
   }

@@ -30,7 +30,6 @@ export class MaterialCache {
 
   constructor(private readonly assets: TextureSource) {}
 
-  /** Number of materials in use. */
   get size(): number {
     return this.entries.size;
   }

@@ -1,7 +1,6 @@
 import { string } from '@farol/editing/fields';
 import { DataAsset } from './FieldAsset';
 
-/** Fields of a script asset. */
 export const scriptFields = {
   source: string('', { help: 'Its text: a module whose default export is a class of components.' }),
 };

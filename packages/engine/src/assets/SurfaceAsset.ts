@@ -4,7 +4,6 @@ import { DataAsset, type FieldAssetHost } from './FieldAsset';
 import { loadSurfaceCode, surfaceCode } from './surfaceCode';
 import { uniformFieldsOf } from './uniformFields';
 
-/** Fields of a surface asset. */
 export const surfaceFields = {
   source: string('', { help: 'Its text: GLSL with surface() or displace(), and the uniforms that it declares.' }),
 };

@@ -14,7 +14,6 @@ export function geometryMemory(geometries: Iterable<BufferGeometry>): number {
   return [...buffers].reduce((sum, { byteLength }) => sum + byteLength, 0);
 }
 
-/** The geometries below an object. */
 export function geometriesOf(object: Object3D): Set<BufferGeometry> {
   const found = new Set<BufferGeometry>();
   object.traverse((each) => {

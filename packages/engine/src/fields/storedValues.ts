@@ -16,7 +16,6 @@ export function storedValue(field: Field, stored: FieldValue | undefined): Field
   return stored === undefined || checkFieldValue(field, stored) !== null ? field.default : stored;
 }
 
-/** The value of a view in values of a file. */
 export function viewedValue(values: StoredValues, name: string, field: Field): FieldValue {
   const held = values[field.viewOf!];
   return isEntry(field) ? storedValue(field, readStored(String(held ?? ''))[entryOf(name)]) : (held ?? field.default);

@@ -2,7 +2,6 @@ import type { Scene } from '../core/Scene';
 import type { FarolFile } from './FarolFile';
 import { serialize } from './serialize';
 
-/** Name of the scene in a container. */
 export const SCENE_ENTRY = 'scene.json';
 
 /** Content of a container: the scene, and each asset's bytes. */

@@ -147,7 +147,6 @@ function poseOf({ translation, rotation }: InstanceType<Rapier['ColliderDesc']>)
   );
 }
 
-/** The capsule of a CharacterController. */
 export function makeCapsule(
   { ColliderDesc: Desc, ActiveEvents }: Rapier,
   component: CharacterPart,

@@ -19,7 +19,6 @@ export type PrefabEdit =
   /** Moves an object in the tree; its local transform stays. */
   | { readonly kind: 'move-object'; readonly object: GameObject; readonly parent: GameObject };
 
-/** Applies an edit to the scene. */
 export function applyPrefabEdit(edit: PrefabEdit): void {
   switch (edit.kind) {
     case 'field':

@@ -8,7 +8,6 @@ import { fogFields, pictureFields, skyFields } from './pictureFields';
 import type { Sky } from './sky/makeSky';
 import { SkySource } from './sky/SkySource';
 
-/** Settings of a scene for its physics. */
 const physicsFields = {
   gravity: vector3([0, -9.81, 0], {
     unit: 'm/s²',

@@ -3,7 +3,6 @@ import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import type { SceneSystem } from '../core/SceneSystem';
 
-/** An EventTrigger. */
 interface Caller {
   readonly scene: Scene | null;
   call(event: unknown): void;

@@ -95,7 +95,6 @@ export class FullscreenPass<U extends Uniforms = Uniforms> {
     drawer.drawMesh(this.triangle, material);
   }
 
-  /** Binds a target and draws to it. */
   drawTo(drawer: MeshDrawer, target: WebGLRenderTarget): void {
     drawer.bind(target);
     this.draw(drawer);

@@ -23,9 +23,7 @@ function texelBytes({ format, type }: Texture): number {
   return channels * (ONE_BYTE.includes(type) ? 1 : TWO_BYTES.includes(type) ? 2 : 4);
 }
 
-/**
- * Bytes of a texel of depth: of a texture by its type, else 24 bits in four bytes; eight for stencil beside floats.
- */
+/** Bytes of a texel of depth: of a texture by its type, else 24 bits in four bytes; eight for stencil beside floats. */
 function depthBytes({ depthTexture, depthBuffer, stencilBuffer }: WebGLRenderTarget): number {
   if (depthTexture !== null) return TWO_BYTES.includes(depthTexture.type) ? 2 : stencilBuffer ? 8 : 4;
   return depthBuffer ? 4 : 0;

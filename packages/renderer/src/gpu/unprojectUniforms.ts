@@ -1,7 +1,6 @@
 import { Vector2, Vector4, type Camera, type IUniform, type PerspectiveCamera, type WebGLRenderer } from 'three';
 import { isDepthReversed } from '../three/state';
 
-/** Uniforms of unproject.glsl. */
 export interface UnprojectUniforms extends Record<string, IUniform> {
   farol_unprojectZ: IUniform<Vector4>;
   farol_unprojectXY: IUniform<Vector4>;

@@ -160,9 +160,7 @@ function target(type: TextureDataType): WebGLRenderTarget {
   });
 }
 
-/**
- * Makes a target large enough for a size (texels), with spare rows when it grows, and limits drawing to that size.
- */
+/** Makes a target large enough for a size (texels), with spare rows when it grows, and limits drawing to that size. */
 export function fit(target: WebGLRenderTarget, width: number, rows: number): void {
   if (target.width !== width || target.height < rows) target.setSize(width, rows === 1 ? 1 : Math.ceil(rows * 1.25));
   target.viewport.set(0, 0, width, rows);

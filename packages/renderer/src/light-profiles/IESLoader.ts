@@ -7,9 +7,7 @@ import { PhotometricProfile } from './PhotometricProfile';
  * `TILT=` names is loaded from beside it.
  */
 export class IESLoader extends Loader<PhotometricProfile> {
-  /**
-   * Tilt of the luminaire from the position in which it was measured (degrees), for files that say how lamps tilt.
-   */
+  /** Tilt of the luminaire from the position in which it was measured (degrees), for files that say how lamps tilt. */
   tilt = 0;
 
   override load(

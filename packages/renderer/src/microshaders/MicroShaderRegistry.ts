@@ -25,9 +25,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
   private readonly shaders: ShaderCache<Program>;
   private readonly listeners = new Set<MicroShaderListener>();
   private readonly checks = new Set<MicroShaderListener>();
-  /**
-   * Chunks by name: those that `replace` has replaced (undefined: the parent's), and those that `swap` has put in.
-   */
+  /** Chunks by name: those that `replace` has replaced (undefined: the parent's), and those that `swap` has put in. */
   private readonly edited = new Map<string, MicroShader | undefined>();
   private readonly swapped = new Map<string, MicroShader>();
   private replacements = 0;

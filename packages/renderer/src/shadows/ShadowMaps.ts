@@ -198,9 +198,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.planned.planImages(this.slots);
   }
 
-  /**
-   * Draws the frame's maps, images and bounds. Call inside three's `render`, where three draws its own shadow maps.
-   */
+  /** Draws the frame's maps, images and bounds. Call inside three's `render`, where three draws its own shadow maps. */
   render(): void {
     this.planned.render(this.type);
   }

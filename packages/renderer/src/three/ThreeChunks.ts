@@ -36,7 +36,6 @@ export function textHash(text: string): string {
   return hashText(text.replace(/\/\/.*|\/\*[^]*?\*\/|\s+/g, '')).slice(0, 6);
 }
 
-/** Adds the names of all chunks that a text includes. */
 function addIncludes(text: string, names: Set<string>): void {
   for (const [, name] of text.matchAll(INCLUDE)) {
     if (names.has(name) || chunks[name] === undefined) continue;

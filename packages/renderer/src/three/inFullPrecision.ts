@@ -14,7 +14,5 @@ precision lowp float;
 #endif
 `;
 
-/**
- * Wraps Farol's declarations in a fragment shader of three's: full precision for them, the host's again after them.
- */
+/** Wraps Farol's declarations in a fragment shader of three's: full precision for them, the host's again after them. */
 export const inFullPrecision = (header: string): string => (header === '' ? '' : `${FULL_PRECISION}${header}\n${BACK}`);

@@ -21,9 +21,7 @@ const CODES: Partial<Record<View, number>> = {
   emissive: 6,
 };
 
-/**
- * Place of each panel of 'grid', in halves of the viewport; the final picture is at the lower right (thesis 4.1).
- */
+/** Place of each panel of 'grid', in halves of the viewport; the final picture is at the lower right (thesis 4.1). */
 const PANELS = [
   { view: 'albedo', x: 0, y: 1 },
   { view: 'normal', x: 1, y: 1 },

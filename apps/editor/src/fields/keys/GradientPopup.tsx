@@ -149,7 +149,6 @@ export function GradientPopup(props: FieldEditorProps<GradientField>): ReactNode
   );
 }
 
-/** Colour of the selected stop. */
 function StopColour({ edit }: { edit: KeyEdit<ColourKey> }): ReactNode {
   const update =
     (next: ColourUpdate) =>

@@ -7,7 +7,6 @@ import type { KeyEdit } from './useKeyEdit';
 
 interface KeyTimeProps<K extends TimedKey> {
   readonly edit: KeyEdit<K>;
-  /** Label of the time field. */
   readonly label: string;
   readonly removeLabel: string;
   /** Further fields of the key. */

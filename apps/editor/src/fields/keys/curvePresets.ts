@@ -1,7 +1,6 @@
 import { t } from '@farol/editing';
 import type { Curve } from '@farol/engine/fields';
 
-/** A named preset curve. */
 export interface CurvePreset {
   readonly id: string;
   readonly label: string;

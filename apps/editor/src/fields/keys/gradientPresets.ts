@@ -1,7 +1,6 @@
 import { joinColour, t } from '@farol/editing';
 import { type Gradient, joinKeys } from '@farol/engine/fields';
 
-/** A named preset gradient. */
 export interface GradientPreset {
   readonly id: string;
   readonly label: string;

@@ -48,7 +48,6 @@ export class SceneDelta {
     );
   }
 
-  /** Notes the whole scene. */
   noteAll(): void {
     this.headChanged = true;
     this.containers.add('');
@@ -57,7 +56,6 @@ export class SceneDelta {
     for (const { id } of this.scene.prefabs.list) this.prefabs.add(id);
   }
 
-  /** Notes a change of the assets. */
   noteAssets(): void {
     this.headChanged = true;
   }

@@ -18,7 +18,6 @@ export const pieceKey = (id: string, index: number): PartKey => `r/${id}/${index
 export const HEAD = 'head';
 export const PREFAB_ORDER = 'q';
 
-/** Applies changes to parts. */
 export function mergeParts(base: readonly PartChange[], changes: Iterable<PartChange>): Map<PartKey, string> {
   const parts = new Map<PartKey, string>();
   for (const list of [base, changes]) {

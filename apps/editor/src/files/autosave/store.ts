@@ -92,7 +92,6 @@ export async function listSessions(): Promise<SessionInfo[]> {
   return sessions.toSorted((a, b) => b.time - a.time);
 }
 
-/** All stored parts and files of a session. */
 export async function readSession(id: string): Promise<{ parts: Map<PartKey, string>; files: Map<string, Blob> }> {
   const transaction = (await open()).transaction(['parts', 'files']);
   const read = async <T>(name: string): Promise<Map<string, T>> => {

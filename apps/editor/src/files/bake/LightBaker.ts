@@ -13,7 +13,6 @@ type Baker = typeof import('@farol/bake');
 export interface BakeState {
   /** Finished share of the bake, 0 to 1. */
   readonly share: number;
-  /** Current stage. */
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing' | 'saving';
   /** Number of paths traced per texel so far. */
   readonly samples: number;

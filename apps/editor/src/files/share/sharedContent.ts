@@ -6,7 +6,6 @@ export interface ShareOptions {
   readonly withScripts?: boolean;
 }
 
-/** The content of a scene for sharing. */
 export function sharedContent(scene: Scene, { withScripts = true }: ShareOptions = {}): ContainerContent {
   const { file, files } = containerContent(scene);
   const assets = file.assets.filter(({ type }) => withScripts || type !== 'script');

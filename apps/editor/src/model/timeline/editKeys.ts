@@ -83,7 +83,6 @@ export function eachSelected(
   }
 }
 
-/** Tracks and keys that are selected. */
 export function selectedKeys(
   data: ClipData,
   selected: KeySelection,
@@ -154,7 +153,6 @@ export function setKey(data: ClipData, address: TrackAddress, at: number, value?
   );
 }
 
-/** Removes tracks with their keys. */
 export const removeTracks = (data: ClipData, ids: ReadonlySet<string>): ClipData =>
   withTracks(
     data,
@@ -228,7 +226,6 @@ export function scaleKeys(
   return retimeKeys(data, selected, (time) => Math.max(snap(pivot + (time - pivot) * factor), 0));
 }
 
-/** Replaces each selected key. */
 function changeKeys(data: ClipData, selected: KeySelection, change: (key: ClipKey) => ClipKey): ClipData {
   const tracks = data.tracks.map((track) => {
     const isSelected = selectedIn(selected, track);

@@ -69,7 +69,6 @@ export function newEntries(editor: EditorApi, folder: string): MenuEntry[] {
   ];
 }
 
-/** Context menu of a folder. */
 export function folderMenu(editor: EditorApi, path: string, open: (folder: string) => void): MenuEntry[] {
   const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [

@@ -6,7 +6,6 @@ import { Section } from './Section';
 
 const names = ['gravity'];
 
-/** Physics settings of the scene. */
 export function PhysicsSection({ settings }: { settings: SceneSettings }): ReactNode {
   const owners = useMemo(() => [settings], [settings]);
   return (

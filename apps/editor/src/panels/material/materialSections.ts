@@ -1,7 +1,6 @@
 import { t } from '@farol/editing';
 import { materialAssetFields, materialMapNames, surfaceMaps, uvFieldEndings } from '@farol/engine/fields';
 
-/** A section of material fields. */
 export interface MaterialSection {
   /** Key under which the folded state is stored. */
   readonly id: string;
@@ -127,7 +126,6 @@ const maps: ReadonlySet<string> = new Set(materialMapNames);
 
 export const isMapField = (name: string): boolean => maps.has(name);
 
-/** The fields for the UV placement of a map. */
 export const placementFields = (map: string): string[] => uvFieldEndings.map((ending) => map + ending);
 
 /** Fields in no section, other than those for UV placement; empty, as a test checks. */

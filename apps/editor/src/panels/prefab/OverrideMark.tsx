@@ -17,7 +17,6 @@ function textOf(value: FieldValue): string {
 interface OverrideMarkProps {
   readonly owners: readonly FieldOwner[];
   readonly name: string;
-  /** Label of the field. */
   readonly label: string;
 }
 

@@ -11,7 +11,6 @@ import { type ShownCurve, shownCurves } from './shownCurves';
 import type { SheetDrag } from './TimelinePointer';
 import type { Box, TimelineView } from './TimelineView';
 
-/** A key, and the curve that it belongs to. */
 export interface CurveKey {
   readonly curve: ShownCurve;
   readonly index: number;

@@ -46,7 +46,6 @@ export interface EventsRow {
   readonly label: string;
 }
 
-/** A row of the timeline. */
 export type TimelineRow = EventsRow | GroupRow | TrackRow | ChannelRow;
 
 /** Folded groups, and unfolded vectors. */

@@ -1,6 +1,5 @@
 import { t } from '@farol/editing';
 
-/** A step of the tour. */
 export interface TourStep {
   /** Selector of the control; the first visible match is used. */
   readonly target: string;

@@ -7,7 +7,6 @@ import type { ViewPane } from './ViewPane';
 export interface ViewChoice {
   /** Whether there are four views. */
   readonly quad: boolean;
-  /** Shading of each view. */
   readonly shadings: Readonly<Record<ViewPane['name'], Shading>>;
   /** How four views share the viewport; halves when absent, as stored by older versions. */
   readonly share?: PaneShare;

@@ -54,7 +54,6 @@ export function drawJoint(lines: LineSet, joint: Joint): void {
   lines.circle(place, u, v, 32);
 }
 
-/** Capsule of a character. */
 export function drawCharacter(lines: LineSet, { gameObject, height, radius, centre }: CharacterController): void {
   const { object3D } = gameObject;
   object3D.updateWorldMatrix(true, false);

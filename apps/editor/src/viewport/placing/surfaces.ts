@@ -12,7 +12,6 @@ import {
 } from 'three';
 import { castByTree } from '../trees/castByTree';
 
-/** A point on a surface. */
 export interface Surface {
   /** World position (m). */
   readonly point: Vector3;

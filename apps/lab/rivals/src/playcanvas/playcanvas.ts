@@ -49,7 +49,6 @@ interface InstanceBuffer {
   readonly floats: Float32Array;
 }
 
-/** Writes and uploads the instances. */
 function writeInstances({ buffer, floats }: InstanceBuffer, { matrices, colours }: RivalInstances): void {
   const stride = colours ? 19 : 16;
   for (let i = 0; i < buffer.getNumVertices(); i++) {

@@ -170,7 +170,6 @@ export interface RivalDrawing {
   moveMesh(mesh: number): void;
   /** Copies `points.positions`; the lights are unchanged otherwise. */
   moveLights(points: RivalPoints): void;
-  /** Replaces the lights. */
   setLights(points: RivalPoints): void;
   /** Copies the matrices of a mesh's instances. */
   moveInstances(mesh: number): void;

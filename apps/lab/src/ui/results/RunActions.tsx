@@ -14,7 +14,6 @@ interface RunActionsProps {
   isReference: boolean;
   /** Whether a scene was handed over. */
   hasOwnScene: boolean;
-  /** Renames the run. */
   onRename(name: string): void;
   onMeasure(configuration: Configuration): void;
   onCompare(reference: LabRun): void;

@@ -8,7 +8,6 @@ import { messageOf } from '../../run/messageOf';
 
 interface RunChoiceProps {
   store: RunStore;
-  /** The displayed run. */
   run: LabRun | null;
   onOpen(run: LabRun): void;
   onProblem(problem: string): void;

@@ -18,7 +18,6 @@ export interface TableRow extends LabRow {
   readonly value: number;
 }
 
-/** A column of the table of all rows. */
 export interface RowColumn {
   readonly key: string;
   readonly label: string;

@@ -1,6 +1,5 @@
 import type { RowColumn, TableRow } from './rowColumns';
 
-/** Sort order of the table. */
 export interface RowOrder {
   /** Key of the column; `competitor` for the names. */
   readonly key: string;

@@ -13,12 +13,10 @@ export function storedTheme(): Theme {
   }
 }
 
-/** Applies a theme to the page. */
 export function applyTheme(theme: Theme): void {
   document.documentElement.dataset.theme = theme;
 }
 
-/** Applies a theme and stores it. */
 export function storeTheme(theme: Theme): void {
   applyTheme(theme);
   try {

@@ -7,7 +7,6 @@ export interface ConfigurationState {
   readonly configuration: Configuration;
   /** Errors of the address, each a sentence. */
   readonly problems: readonly string[];
-  /** Sets the configuration and the address. */
   setConfiguration(configuration: Configuration): void;
 }
 

@@ -10,7 +10,6 @@ import { messageOf } from '../../run/messageOf';
 /** Time between two updates of the progress (ms). */
 const WORDS = 200;
 
-/** A run in progress. */
 export interface Running {
   readonly plan: LabPlan;
   readonly done: number;

@@ -1,6 +1,5 @@
 import type { ProbeBox } from '@farol/renderer/light-probes';
 
-/** A lightmap of a scene. */
 export interface LightmapData {
   /** Size in texels. */
   readonly width: number;

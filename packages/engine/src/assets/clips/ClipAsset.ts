@@ -4,7 +4,6 @@ import { clipText } from './clipText';
 import { parseClip } from './parseClip';
 import { DataAsset } from '../FieldAsset';
 
-/** Fields of a clip asset. */
 export const clipFields = {
   /** JSON of a `ClipData`; '' for a clip without tracks. */
   data: string('', { help: 'Its tracks and events.', readOnly: true }),

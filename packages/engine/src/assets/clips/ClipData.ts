@@ -23,7 +23,6 @@ export interface ClipTrack {
   readonly path: string;
   /** Type name of the component: the first of the type on the object. */
   readonly component: string;
-  /** Name of the field. */
   readonly field: string;
   /** Keys in ascending order of time, each time once. */
   readonly keys: readonly ClipKey[];

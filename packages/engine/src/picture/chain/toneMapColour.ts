@@ -79,9 +79,7 @@ const curves: Partial<Record<ToneMapping, (colour: Vector3) => void>> = {
 
 const colour = new Vector3();
 
-/**
- * Tone maps a linear colour as three’s shaders do.
- */
+/** Tone maps a linear colour as three’s shaders do. */
 export function toneMapColour(target: Color, toneMapping: ToneMapping, exposure: number): void {
   const curve = curves[toneMapping];
   if (toneMapping === NoToneMapping || !curve) return;

@@ -1,7 +1,6 @@
 import type { Vector3Tuple } from '@farol/editing/fields';
 import type { SkyPreset } from '../pictureFields';
 
-/** A lamp or a disc in a sky. */
 export interface SkyDisc {
   /** Radians above the horizon. */
   readonly elevation: number;

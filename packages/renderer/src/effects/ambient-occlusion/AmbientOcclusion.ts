@@ -19,21 +19,20 @@ import type { TwinKind } from '../../materials/TwinKind';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUniforms';
 import { isPlain, type RenderItem } from '../../frame/RenderItem';
+import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
+import { DistancePass } from './DistancePass';
 import occlusionFilter from './occlusionFilter.glsl?raw';
+import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
 /** Greatest radius on screen (pixels at full resolution): with a larger one, samples would lie too far apart. */
 const LARGEST_RADIUS = 256;
 
-/**
- * Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness.
- */
+/** Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness. */
 const INDIRECT: GBufferAttachment = { name: 'indirect', format: RGBAFormat, type: HalfFloatType, bytes: 8 };
 
-/**
- * Destination of a frame's occlusion: the accumulation of the G-buffer, or the materials that are drawn after it.
- */
+/** Destination of a frame's occlusion: the accumulation of the G-buffer, or the materials that are drawn after it. */
 type Use = 'none' | 'accumulation' | 'prepass' | 'light-buffer';
 
 /**
@@ -70,6 +69,8 @@ export class AmbientOcclusion implements FarolEffect {
     farol_reach: { value: new Vector4() },
     farol_surfaceDepth: { value: null as Texture | null },
     farol_surfaceNormal: { value: null as Texture | null },
+    farol_surfaceDistance: { value: null as Texture | null },
+    farol_surfaceStored: { value: [0, 0] },
   };
   private readonly filtering = {
     ...this.surface,
@@ -83,14 +84,14 @@ export class AmbientOcclusion implements FarolEffect {
   private readonly share = new FullscreenPass({
     program: 'occlusionFilter',
     fragment: 'occlusionFilter',
-    microShaders: { occlusionFilter },
+    microShaders: { occlusionSurface, occlusionFilter },
     uniforms: this.filtering,
     target: { format: RedFormat },
   });
   private readonly accumulation = new FullscreenPass({
     program: 'occlusionFilter',
     fragment: 'occlusionFilter',
-    microShaders: { occlusionFilter },
+    microShaders: { occlusionSurface, occlusionFilter },
     uniforms: this.filtering,
     defines: { FAROL_ACCUMULATION: '' },
     target: { type: HalfFloatType },
@@ -99,10 +100,11 @@ export class AmbientOcclusion implements FarolEffect {
     farol_occlusionMap: { value: null as Texture | null },
     farol_occlusionOffset: { value: new Vector2() },
   };
+  private readonly distances = new DistancePass();
   private readonly twins = new Map<TwinKind, TwinKind>();
 
   get bytes(): number {
-    return this.passes.reduce((sum, { bytes }) => sum + bytes, 0);
+    return this.passes.reduce((sum, { bytes }) => sum + bytes, this.distances.bytes);
   }
 
   begin(frame: Frame): void {
@@ -120,9 +122,11 @@ export class AmbientOcclusion implements FarolEffect {
     if (gbuffer !== undefined) this.occludeGBuffer(frame, gbuffer);
     else if (thin === undefined) {
       this.use = 'prepass';
+      this.setDistances(frame, frame.storesDistance ? this.distances.render(frame) : null);
       this.draw(frame, this.share, resources.get('scene-depth'), null);
     } else if (thin.scale === 1) {
       this.use = 'light-buffer';
+      this.setDistances(frame, thin.target.textures[1] ?? null);
       this.draw(frame, this.share, resources.get('scene-depth'), thin.target.texture);
     }
   }
@@ -139,6 +143,7 @@ export class AmbientOcclusion implements FarolEffect {
 
   dispose(): void {
     for (const pass of this.passes) pass.dispose();
+    this.distances.dispose();
   }
 
   adapt(kind: TwinKind, item: RenderItem): TwinKind {
@@ -170,8 +175,21 @@ export class AmbientOcclusion implements FarolEffect {
     this.use = 'accumulation';
     this.filtering.farol_lit.value = gbuffer.accumulation;
     this.filtering.farol_indirect.value = gbuffer.target.textures[this.location];
+    this.setDistances(frame, gbuffer.storesDistance ? gbuffer.normal : null, 2);
     const { texture } = this.draw(frame, this.accumulation, gbuffer.depth, gbuffer.normal);
     gbuffer.accumulation = texture;
+  }
+
+  /**
+   * Sets how the frame's surfaces tell their distance.
+   * @param distances - texture of distances as storedDistance.glsl packs them; null where depth tells them
+   * @param component - first component of the distance in a texel
+   */
+  private setDistances(frame: Frame, distances: Texture | null, component = 0): void {
+    const { farol_surfaceDistance, farol_surfaceStored } = this.surface;
+    farol_surfaceDistance.value = distances;
+    farol_surfaceStored.value[0] = distances === null ? 0 : storedKind(frame.camera);
+    farol_surfaceStored.value[1] = component;
   }
 
   /** Finds the open share of the sky over each pixel, and filters it into the target of a pass. */
@@ -203,7 +221,7 @@ export class AmbientOcclusion implements FarolEffect {
     return new FullscreenPass({
       program: 'ambientOcclusion',
       fragment: 'ambientOcclusion',
-      microShaders: { ambientOcclusion },
+      microShaders: { occlusionSurface, ambientOcclusion },
       uniforms: this.surface as Record<string, IUniform>,
       defines,
       target: { format: RGFormat, type: HalfFloatType },

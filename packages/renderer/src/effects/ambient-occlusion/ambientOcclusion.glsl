@@ -1,8 +1,7 @@
 // Horizon-based ambient occlusion: the share of the sky (weighted by the cosine) open above each pixel, and its view z.
 // Jimenez et al. 2016, Practical Real-Time Strategies for Accurate Indirect Occlusion (GTAO)
-#include "unproject"
+#include "occlusionSurface"
 #include "octahedralNormal"
-uniform highp sampler2D farol_surfaceDepth;
 #ifdef FAROL_NORMALS
 uniform highp sampler2D farol_surfaceNormal; // view space, octahedral
 #endif
@@ -15,7 +14,7 @@ const int FAROL_STEPS = 5;
 vec3 farol_positionAt(const in ivec2 pixel) {
   ivec2 size = textureSize(farol_surfaceDepth, 0);
   ivec2 at = clamp(pixel, ivec2(0), size - 1);
-  return farol_unproject((vec2(at) + 0.5) / vec2(size), texelFetch(farol_surfaceDepth, at, 0).r);
+  return farol_unprojectAt((vec2(at) + 0.5) / vec2(size), farol_surfaceZ(at));
 }
 
 bool farol_isInside(const in ivec2 pixel) {

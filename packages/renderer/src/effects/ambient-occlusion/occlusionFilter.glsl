@@ -1,8 +1,7 @@
 // Averages ambient occlusion over 4 × 4 texels that lie on the pixel's own surface, and brings it to full resolution.
 // Kopf et al. 2007, Joint Bilateral Upsampling; Jimenez et al. 2016 (GTAO), spatial filter
-#include "unproject"
+#include "occlusionSurface"
 uniform highp sampler2D farol_openMap;
-uniform highp sampler2D farol_surfaceDepth;
 uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
 uniform highp float farol_strength; // exponent of the open share of the sky
 #ifdef FAROL_ACCUMULATION
@@ -15,15 +14,10 @@ ivec2 pixel = ivec2(gl_FragCoord.xy);
 float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 float open = 1.0;
 if (!farol_isEmpty(depth)) {
-  vec2 size = vec2(textureSize(farol_surfaceDepth, 0));
-  float z = farol_unproject((vec2(pixel) + 0.5) / size, depth).z;
+  float z = farol_surfaceZ(pixel);
   // slope of the surface, by the neighbour nearer in depth
-  vec2 left = vec2(texelFetch(farol_surfaceDepth, pixel - ivec2(1, 0), 0).r,
-    texelFetch(farol_surfaceDepth, pixel - ivec2(0, 1), 0).r);
-  vec2 right = vec2(texelFetch(farol_surfaceDepth, pixel + ivec2(1, 0), 0).r,
-    texelFetch(farol_surfaceDepth, pixel + ivec2(0, 1), 0).r);
-  vec2 zs0 = z - vec2(farol_unproject(vec2(0.5), left.x).z, farol_unproject(vec2(0.5), left.y).z);
-  vec2 zs1 = vec2(farol_unproject(vec2(0.5), right.x).z, farol_unproject(vec2(0.5), right.y).z) - z;
+  vec2 zs0 = z - vec2(farol_surfaceZ(pixel - ivec2(1, 0)), farol_surfaceZ(pixel - ivec2(0, 1)));
+  vec2 zs1 = vec2(farol_surfaceZ(pixel + ivec2(1, 0)), farol_surfaceZ(pixel + ivec2(0, 1))) - z;
   vec2 slope = vec2(abs(zs0.x) < abs(zs1.x) ? zs0.x : zs1.x, abs(zs0.y) < abs(zs1.y) ? zs0.y : zs1.y);
   float near = max(0.1 * farol_reach.x, 2.0 * max(abs(slope.x), abs(slope.y)));
   vec2 place = gl_FragCoord.xy / farol_reach.z;

@@ -20,9 +20,7 @@ export class MotionPass {
   changed = false;
   /** Whether former positions of all moving objects are known, and each of them also moved in the last frame. */
   known = true;
-  /**
-   * Whether an object has moved that this pass cannot draw: a transparent one, or one with a shader of the host's.
-   */
+  /** Whether an object has moved that this pass cannot draw: a transparent one, or one with a shader of the host's. */
   undrawn = false;
   target: WebGLRenderTarget | null = null;
   private readonly uniforms;

@@ -70,9 +70,7 @@ export class TAA implements FarolEffect {
    * Default 0.65.
    */
   share = 0.65;
-  /**
-   * Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2.
-   */
+  /** Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2. */
   gamma = 2;
   private readonly histories: TemporalHistory[] = [];
   private readonly recent = new RecentlyUsed<TemporalHistory>((history) => {

@@ -41,9 +41,7 @@ function surroundingsKind(): TwinKind {
   };
 }
 
-/**
- * Makes a quad for each texel. The shader makes positions and normals; three only tests that the attributes exist.
- */
+/** Makes a quad for each texel. The shader makes positions and normals; three only tests that the attributes exist. */
 function texels(): BufferGeometry {
   const none = new BufferAttribute(new Float32Array(18 * NORMALS), 3);
   const geometry = new BufferGeometry().setAttribute('position', none).setAttribute('normal', none);

@@ -17,9 +17,7 @@ function makeStep(): PendingStep {
   return { seconds: 0, first: 0, bursting: 0, rated: 0, offset: 0, interval: 0, time: 0, matrix: new Matrix4() };
 }
 
-/**
- * Simulation steps of an emitter that wait for the next frame in which it is drawn; the GPU then makes all of them.
- */
+/** Simulation steps of an emitter that wait for the next frame in which it is drawn; the GPU then makes all of them. */
 export class PendingSteps {
   readonly schedule = new EmissionSchedule();
   /** Pending steps; only the first `count` are valid. */

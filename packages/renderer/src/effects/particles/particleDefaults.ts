@@ -1,6 +1,5 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** Default settings of an emitter. */
 export const particleDefaults: ParticleSettings = {
   capacity: 1000,
   seed: 1,

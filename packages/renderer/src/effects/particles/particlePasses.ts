@@ -13,7 +13,6 @@ import particleShape from './particleShape.glsl?raw';
 import particleStep from './particleStep.glsl?raw';
 
 const noTexture = () => ({ value: null as Texture | null });
-/** Textures with the position and velocity of each particle. */
 const particles = () => ({ farol_particlePositions: noTexture(), farol_particleVelocities: noTexture() });
 
 /** Makes the pass of one step of all particles of an emitter. */

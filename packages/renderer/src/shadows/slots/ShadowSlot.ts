@@ -27,9 +27,7 @@ import { setReversedDepth } from '../../three/reversedDepth';
 import { standInOf } from '../../three/standInOf';
 import { SHADOW_FRUSTUM } from '../../three/shadowFrustum';
 
-/**
- * Greatest distance of a filter sample along a face (in filter radii): the disk is slanted at the face's corners.
- */
+/** Greatest distance of a filter sample along a face (in filter radii): the disk is slanted at the face's corners. */
 const FARTHEST = 1.17;
 /** Greatest border (texels); three bits of a mask hold its power of two. */
 const LARGEST_BORDER = 128;

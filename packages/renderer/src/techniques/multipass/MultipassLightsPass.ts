@@ -50,9 +50,7 @@ export class MultipassLightsPass implements Pass {
   readonly writes = ['accumulated-light'] as const;
   private target: WebGLRenderTarget | null = null;
   private fogged = true;
-  /**
-   * Resource that the pass hands over; made anew with its target, and when fog moves from one place to the other.
-   */
+  /** Resource that the pass hands over; made anew with its target, and when fog moves from one place to the other. */
   private result: AccumulatedLight | null = null;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */

@@ -11,15 +11,29 @@ import {
 import type { View } from '../../frame/views';
 import { isCountView } from '../../frame/views';
 import { litTwin } from '../../materials/litTwin';
-import { replaceChunk, replacePart } from '../../three/replaceChunk';
+import { findChunk, replaceChunk, replacePart } from '../../three/replaceChunk';
 import type { LightLoop } from '../../materials/LightLoop';
 import type { TwinKind } from '../../materials/TwinKind';
 
 const NOTHING = 'gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0);';
 
+/** Dithers by the pixel of the host's target, as three does. */
+function ditheredInTarget(text: string): string {
+  if (findChunk(text, 'dithering_pars_fragment') === null) return text;
+  const dithering = ShaderChunk.dithering_pars_fragment.replace('gl_FragCoord.xy', 'farol_targetPixel()');
+  return replaceChunk(text, 'dithering_pars_fragment', () => `highp vec2 farol_targetPixel();\n${dithering}`);
+}
+
+const BASE = {
+  key: 'base',
+  role: 'forward',
+  loop: 'lightLoopOne',
+  chunks: ['targetPixel'],
+  rewrite: ditheredInTarget,
+} as const;
 /** Twin of the first pass: ambient, environment and emissive light, lights left to three, and one light. */
-const base = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne' });
-const baseUnfogged = litTwin({ key: 'base', role: 'forward', loop: 'lightLoopOne', properties: { fog: false } });
+const base = litTwin(BASE);
+const baseUnfogged = litTwin({ ...BASE, properties: { fog: false } });
 const baseDark = litTwin({ key: 'base-dark', loop: 'lightLoopNone', atEnd: NOTHING });
 
 /** @param fogged - false leaves fog to the output pass */

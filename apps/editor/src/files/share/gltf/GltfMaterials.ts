@@ -18,7 +18,6 @@ import type { LeftOut } from './LeftOut';
 export interface MaterialUse {
   /** Object and material, for messages. */
   readonly user: string;
-  /** Name of the object. */
   readonly object: string;
   readonly hasUV: boolean;
   readonly hasTangents: boolean;
