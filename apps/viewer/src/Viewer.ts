@@ -72,7 +72,7 @@ export class Viewer {
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     watchPixelRatio(() => this.resize());
-    // fetched before the first frame, so that it lacks nothing
+    // effects are fetched before the first frame, so that it is drawn with all of them
     this.ready = Promise.all([FarolRenderer.preload(), this.effects.fetch(this.state)]).then(() =>
       this.chooseScene(state.scene),
     );

@@ -2,13 +2,16 @@ import type { FarolRenderer } from '@farol/renderer';
 import type { AttachLanguage } from './language/languages';
 
 export interface AttachOptions {
-  /** The FarolRenderer that the page draws with, if it does; its technique, view and figures are shown then. */
+  /** FarolRenderer that draws the page, if the page uses one; the panels then show its technique, view and figures. */
   farol?: FarolRenderer;
   /** Parent element of the panels. Default the page's body: the panels lie over it at the right edge of the window. */
   container?: HTMLElement;
   /** The element that the page's own controls listen on. Default the canvas. */
   domElement?: HTMLElement;
-  /** The language of the panels, 'en' or 'es'. Default the first of the browser's that there is, else English. */
+  /**
+   * Language of the panels, 'en' or 'es'. Default the first of the browser's languages that is one of these, else
+   * English.
+   */
   language?: AttachLanguage;
   /**
    * Called when the scene was edited, for a page that draws on demand. Default: the scene is drawn once more if the page

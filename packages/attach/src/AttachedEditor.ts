@@ -112,7 +112,9 @@ export class AttachedEditor {
     return this.session.commands;
   }
 
-  /** The language of the panels; one for all attached editors of the page, which others follow when they are made. */
+  /**
+   * Language of the panels. Setting it makes these panels anew; attached editors that the page makes later have it too.
+   */
   get language(): AttachLanguage {
     return this.shown;
   }
@@ -137,7 +139,7 @@ export class AttachedEditor {
     return this.drawing.choose(drawer);
   }
 
-  /** Closes the editor and leaves the page as it was before, but for edits of its scene. */
+  /** Closes the editor and restores the page; edits of the scene stay. */
   dispose(): void {
     if (this.isDisposed) return;
     this.isDisposed = true;
@@ -166,7 +168,7 @@ export class AttachedEditor {
     return panels;
   }
 
-  /** Keys pressed in the panels; the page does not get them. */
+  /** Handles keys pressed in the panels; the page does not get them. */
   private key(event: KeyboardEvent): void {
     event.stopPropagation();
     const act = actOfKey(this.session, this.gizmo, event);

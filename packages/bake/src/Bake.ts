@@ -17,7 +17,7 @@ export interface BakedMesh {
   readonly mesh: Mesh;
   /** Index in {@link Bake.lightmaps}. */
   readonly lightmap: number;
-  /** Two a vertex, 0 to 1: where it lies in the lightmap. */
+  /** Lightmap coordinates, two numbers a vertex, 0 to 1. */
   readonly uv1: Float32Array;
   /** Vertex indices into `uv1`, three per triangle, in the mesh's order of triangles. Groups stay unchanged. */
   readonly index: Uint32Array;
@@ -25,25 +25,28 @@ export interface BakedMesh {
   readonly sourceVertex: Uint32Array;
 }
 
-/** Light of a scene as lightmaps. */
+/** Baked light of a scene, as lightmaps. */
 export interface Bake {
   readonly lightmaps: readonly BakedLightmap[];
   readonly meshes: readonly BakedMesh[];
-  /** Light at `options.probes`; null when there were none. */
+  /** Light at the points `options.probes`; null when no points were given. */
   readonly probes: BakedProbes | null;
   /**
    * Set of UVs that the lightmaps are read by, as a texture's `channel`: 1, but for geometries that have a second set.
    */
   readonly channel: number;
-  /** Whether the scene is drawn with it. */
+  /** Whether the meshes of the scene show the lightmaps at present. */
   readonly isApplied: boolean;
   /**
    * Gives each mesh a geometry with the second UVs and a clone of its material with the lightmap, and hides the lights
    * that were baked whole. No geometry, material or texture of the host's is changed. Does nothing when it is applied.
    */
   apply(): void;
-  /** Gives the meshes and lights back what {@link apply} took. Does nothing when it is not applied. */
+  /**
+   * Gives the meshes and lights back their own geometries, materials and layers. Does nothing when the bake is not
+   * applied.
+   */
   remove(): void;
-  /** Removes it, and frees its textures, geometries and materials. */
+  /** Removes the bake from the scene, and frees its textures, geometries and materials. */
   dispose(): void;
 }

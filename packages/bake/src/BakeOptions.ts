@@ -18,11 +18,11 @@ export interface TraceOptions {
    */
   samples?: number;
   /**
-   * Texels at which light that was reflected twice or more is gathered, along a side of a lightmap, by all: 1, 0.5 or 0.25.
-   * Those between take the light of those around them on the same surface. Default 0.5.
+   * Resolution at which light that was reflected twice or more is gathered, as a share of the lightmap's side: 1, 0.5
+   * or 0.25. Texels between are interpolated from their neighbours on the same surface. Default 0.5.
    */
   indirectScale?: 1 | 0.5 | 0.25;
-  /** Default 'none'. */
+  /** Light from beyond the scene. Default 'none'. */
   sky?: Sky;
   /** Equal seeds give equal bakes on one machine: a whole number. Default 1. */
   seed?: number;
@@ -38,13 +38,16 @@ export interface TraceOptions {
    * renderer goes on with the direct one. Default: each that is visible.
    */
   isBaked?(light: Light): boolean | 'indirect';
-  /** Whether a static mesh keeps the light of lights from what is behind it, such as the shade of a lamp may not. Default: each. */
+  /** Whether a static mesh blocks light: the shade of a lamp, for example, may let it through. Default: each does. */
   throwsShadow?(object: Object3D): boolean;
   /** Cancels: the scene is left as it was, and the promise rejects with the signal's reason. */
   signal?: AbortSignal;
   /** Called after each slice. */
   onProgress?(progress: BakeProgress): void;
-  /** Called once for each thing that was left out or done otherwise, with a sentence that names it. Default: console.warn. */
+  /**
+   * Called once for each thing that was left out or baked otherwise than asked, with a sentence that names it. Default:
+   * console.warn.
+   */
   onWarning?(sentence: string): void;
 }
 

@@ -4,7 +4,10 @@ import type { TraceOptions } from './BakeOptions';
 import type { BakedProbes } from './probes/BakedProbes';
 
 export interface BakeProbesOptions extends TraceOptions {
-  /** Texels along a side of the lightmap that reflected light is kept in meanwhile: a multiple of 16, 16 to 8,192. Default 512. */
+  /**
+   * Side of the lightmap in which reflected light is kept while probes are traced (texels): a multiple of 16, 16 to
+   * 8,192. Default 512.
+   */
   size?: number;
 }
 

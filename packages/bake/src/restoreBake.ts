@@ -9,9 +9,12 @@ export interface SavedBake extends Pick<Bake, 'meshes' | 'channel' | 'probes'> {
 }
 
 export interface RestoreOptions {
-  /** Lights that leave while it is applied. Default none. */
+  /** Lights that the lightmaps contain, switched off while the bake is applied. Default none. */
   lights?: readonly Light[];
-  /** The scene, if its environment is in the lightmaps: surfaces then show of it what metals mirror. Default null. */
+  /**
+   * Scene whose environment is in the lightmaps: materials then show of that environment only mirror reflections.
+   * Default null.
+   */
   skyOf?: Scene | null;
 }
 

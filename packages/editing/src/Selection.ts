@@ -2,12 +2,12 @@ import { Signal } from './Signal';
 
 /** The selected items, each once, in the order in which they were chosen. */
 export class Selection<Item> {
-  /** Emits when other items are selected. */
+  /** Emits when the selection changes. */
   readonly changed = new Signal();
 
   private list: readonly Item[] = [];
 
-  /** Another array after each change. */
+  /** Selected items; a new array after each change. */
   get items(): readonly Item[] {
     return this.list;
   }
@@ -21,7 +21,7 @@ export class Selection<Item> {
     return this.list.includes(item);
   }
 
-  /** Selects these and no others. */
+  /** Selects these items and no others. */
   set(items: readonly Item[]): void {
     const next = [...new Set(items)];
     if (next.length === this.list.length && next.every((item, i) => item === this.list[i])) return;
@@ -29,7 +29,7 @@ export class Selection<Item> {
     this.changed.emit();
   }
 
-  /** Selects one more, or one less. */
+  /** Adds an item to the selection, or removes it. */
   toggle(item: Item): void {
     this.set(this.has(item) ? this.list.filter((each) => each !== item) : [...this.list, item]);
   }

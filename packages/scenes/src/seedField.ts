@@ -1,5 +1,6 @@
-/** The seed that every scene has as a parameter. */
 import { number } from '@farol/editing/fields';
+
+/** The seed that every scene has as a parameter. */
 export const seedField = number(1, {
   integer: true,
   min: 0,

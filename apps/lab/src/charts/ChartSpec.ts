@@ -33,7 +33,7 @@ export interface ChartPoint {
 
 /** A chart as drawn at one width. */
 export interface DrawnChart {
-  /** Pixels. */
+  /** Height of the drawing (pixels). */
   readonly height: number;
   /** Elements as SVG text, without the `<svg>` around them: texts are centred and of 12 pixels by default. */
   readonly svg: string;

@@ -14,7 +14,7 @@ const mark = (light: string, dark: string, symbol: MarkSymbolName, hollow = fals
   ...{ light, dark, symbol, hollow },
 });
 
-/** Marks that were chosen: told apart by symbol where a colour-blind eye cannot tell two colours apart. */
+/** Marks with hand-picked colours: where a colour-blind eye cannot tell two colours apart, the symbols differ. */
 const chosen: Readonly<Record<string, CompetitorMark>> = {
   auto: mark('#16181d', '#f4f6fa', 'star'),
   forward: mark('#c8430a', '#ff8149', 'circle'),
@@ -34,7 +34,7 @@ const chosen: Readonly<Record<string, CompetitorMark>> = {
   babylon: mark('#96657f', '#d6adc4', 'asterisk'),
 };
 
-/** Marks of techniques that have none above, in turn. */
+/** Marks for techniques without a hand-picked one, used in turn. */
 const spare: readonly CompetitorMark[] = [
   mark('#8c5a00', '#e0a850', 'star', true),
   mark('#00708a', '#55c2dd', 'wye', true),
@@ -57,7 +57,7 @@ export function competitorMark(name: string): CompetitorMark {
   return Object.hasOwn(competitorMarks, name) ? competitorMarks[name] : unknown;
 }
 
-/** Place in the order of menus, legends and colours. */
+/** Position of a competitor in menus, legends and colours. */
 export function competitorOrder(name: string): number {
   const place = Object.keys(competitorNames).indexOf(name);
   return place === -1 ? Number.MAX_SAFE_INTEGER : place;

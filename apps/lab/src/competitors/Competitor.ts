@@ -12,7 +12,7 @@ export interface Drawing {
    * the picture is complete.
    */
   drawFirst?(): Promise<void>;
-  /** Whether it draws by the technique of its choice already; frames before that are not timed. */
+  /** Whether the competitor already draws by the technique that it has chosen; frames before that are not timed. */
   isSettled?(): boolean;
   /** @throws Error that names a failure while drawing, such as a shader that does not compile */
   check?(): void;
@@ -24,7 +24,7 @@ export interface Drawing {
   lightsMoved?(): void;
   /** Reads the picture drawn in this task, 8-bit sRGB, top row first; missing if a 2D canvas can read it. */
   readPicture?(): Promise<ImageData>;
-  /** Number of lights that it leaves out. */
+  /** Number of lights that the competitor leaves out. */
   dropped?(): number;
   technique?(): { name: string; reason: string };
   targetBytes?(): number;

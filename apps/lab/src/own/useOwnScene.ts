@@ -7,7 +7,7 @@ export interface OwnSceneState {
   readonly isComing: boolean;
   /** The scene handed over by the editor or the viewer; null for none. */
   readonly scene: ReceivedScene | null;
-  /** Reason, a sentence, why it did not arrive; empty for no problem. */
+  /** Reason, a sentence, why the scene did not arrive; empty for no problem. */
   readonly problem: string;
 }
 

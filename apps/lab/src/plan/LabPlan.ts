@@ -20,7 +20,7 @@ export interface LabCase {
   /** Range of the moving lights (m); null for the scene's own range. */
   readonly lightRange: number | null;
   readonly shading: Shading;
-  /** Number of quads, one behind the other, that cover the whole picture; 0 for none. */
+  /** Number of quads that cover the whole picture, one behind the other; 0 for none. */
   readonly overdraw: number;
   /** Size of the picture (pixels). */
   readonly width: number;

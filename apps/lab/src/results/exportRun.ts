@@ -10,7 +10,7 @@ export interface RunFile {
 
 export interface ExportFormat {
   readonly label: string;
-  /** Purpose, one sentence. */
+  /** Purpose of the file format, one sentence. */
   readonly help: string;
   make(run: LabRun): Promise<RunFile>;
 }

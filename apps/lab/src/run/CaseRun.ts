@@ -42,7 +42,7 @@ interface Open {
   readonly frame: number[][];
   readonly cpu: number[][];
   readonly gpu: number[][];
-  /** Whether it gets no more turns. */
+  /** Whether the competitor gets no more turns. */
   over: boolean;
 }
 

@@ -14,7 +14,7 @@ const STEEPEST = 2;
  * compiles and uploads does not depend on the value.
  */
 export class Forecast {
-  /** In the order of the cases, by series, competitor and kind. */
+  /** Frame times so far, in the order of the cases, by series, competitor and kind. */
   private readonly samples = new Map<string, Sample[]>();
 
   /** @param longest - predicted time (ms) beyond which a case is left out */

@@ -20,7 +20,7 @@ export interface RunOptions {
   readonly mostContexts?: number;
   /** Clock (ms); default `performance.now`. */
   readonly now?: () => number;
-  /** A picture as a data URL; default a small one. */
+  /** Makes the data URL of a run's picture; by default of a small copy. */
   readonly thumbnailOf?: (picture: ImageData) => string;
 }
 

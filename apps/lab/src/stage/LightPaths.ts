@@ -12,7 +12,7 @@ export interface LightPath {
   readonly seed: number;
 }
 
-/** Numbers per axis: place (m), then amplitude (m) and angular speed (rad/s) of two waves. */
+/** Numbers per axis of a light's path: centre (m), then amplitude (m) and angular speed (rad/s) of two waves. */
 const STRIDE = 5;
 /** Shares of the two waves in the extent; their sum is 1, so that a light stays within it. */
 const SHARES = [0.65, 0.35];

@@ -4,7 +4,7 @@ import { loseContext } from './loseContext';
 export interface DeviceLimits {
   /** Name by WEBGL_debug_renderer_info. */
   readonly renderer: string;
-  /** Whether it has timer queries. */
+  /** Whether the device has timer queries. */
   readonly timer: boolean;
   /** Most uniform vectors of a fragment shader. */
   readonly fragmentUniforms: number;

@@ -5,11 +5,11 @@ import { type Entry, entriesOf } from '../words/rowsOf';
 import { casesOf, type SeriesCase } from '../words/seriesCases';
 import { thesis2015, type ThesisRow } from './thesis2015';
 
-/** A row of the thesis beside the same case of a run. */
+/** A measurement published in the thesis, beside the corresponding case of a run. */
 export interface ThesisPair {
   readonly thesis: ThesisRow;
   readonly label: string;
-  /** Case of the run; null if it has none. */
+  /** Corresponding case of the run; null if the run has none. */
   readonly of: SeriesCase | null;
   /** Times of all competitors in the case, shortest first. */
   readonly entries: readonly Entry[];

@@ -6,7 +6,7 @@ import { roughDuration } from './support/formatDuration';
 
 interface PresetCardsProps {
   presets: Readonly<Record<string, Preset>>;
-  /** Key of the chosen one; any other text for none. */
+  /** Key of the chosen preset; any other text for none. */
   chosen: string;
   onChoose(configuration: Configuration): void;
 }

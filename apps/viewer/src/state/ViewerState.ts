@@ -2,9 +2,9 @@ import type { FieldTable, FieldValue } from '@farol/engine/fields';
 
 /** State of the viewer, all of it in the URL. */
 export interface ViewerState {
-  /** Key of the engine's `scenes`. */
+  /** Name of the shown scene: a key of the engine's `scenes`. */
   scene: string;
-  /** Key of the renderer's `techniques`, or 'auto'. */
+  /** Name of the technique that draws: a key of the renderer's `techniques`, or 'auto'. */
   technique: string;
   view: string;
   /** Values of scene parameters, such as lights, n, m and seed; those of other scenes are kept unused. */

@@ -1,7 +1,9 @@
 import type { FieldTarget } from '@farol/editing';
 import { checkFieldValue, type Field, FieldError, type FieldValue } from '@farol/editing/fields';
 
-/** A value of something of three's, declared as a field of the editor is: kind, unit, range and a line of help. */
+/**
+ * Property of a three object that the inspector edits: its field (kind, unit, range, help) with a getter and a setter.
+ */
 export interface Property<Target = unknown> {
   readonly name: string;
   readonly field: Field;
@@ -17,7 +19,9 @@ export class PropertyOwner implements FieldTarget {
   readonly fields: Readonly<Record<string, Field>>;
   private readonly properties: ReadonlyMap<string, Property>;
 
-  /** @param ownerName - name or type of the target */
+  /**
+   * @param ownerName - name or type of the object, for labels of the history
+   */
   constructor(
     readonly ownerName: string,
     private readonly target: object,

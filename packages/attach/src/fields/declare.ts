@@ -5,9 +5,8 @@ import type { Property } from './Property';
 type Target = Record<string, unknown>;
 
 /**
- * Declares a property that stands under its own name on an object of three's: plain for numbers, texts and flags, copied
- * in and out for vectors, Euler angles and colours.
- *
+ * Declares a field for the property of that name on a three object: assigned directly for numbers, texts and flags,
+ * copied in and out for vectors, Euler angles and colours.
  * @param after - called with the object once the value is set
  */
 export function declare(name: string, field: Field, after?: (target: Target) => void): Property<Target> {

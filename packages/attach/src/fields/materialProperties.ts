@@ -2,7 +2,7 @@ import { boolean, colour, number } from '@farol/editing/fields';
 import { BackSide, DoubleSide, FrontSide, type Material } from 'three';
 import { declare, declareConstant } from './declare';
 
-/** After a property that is part of the program changed: three compiles, or finds, another program. */
+/** Marks a material for recompiling, after a change of a property that its program depends on. */
 const recompile = (target: object) => void ((target as Material).needsUpdate = true);
 
 const share = (help: string) => number(0, { min: 0, max: 1, step: 0.01, help });

@@ -2,7 +2,7 @@ import { boolean, euler, number, string, vector3 } from '@farol/editing/fields';
 import type { Object3D } from 'three';
 import { declare } from './declare';
 
-/** Objects whose matrix the page sets by hand get it from the edited values at once. */
+/** Updates an object's matrix from the edited values, if the page has turned `matrixAutoUpdate` off. */
 const place = (target: object) => {
   const object = target as Object3D;
   if (!object.matrixAutoUpdate) object.updateMatrix();

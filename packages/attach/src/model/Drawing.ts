@@ -3,14 +3,14 @@ import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import type { RenderHook } from '../viewport/RenderHook';
 import type { Session } from './Session';
 
-/** Who draws the page's scene: a technique of Farol's, or three's own renderer. */
+/** Name of a Farol technique, or 'three' for three's own renderer. */
 export type Drawer = TechniqueName | 'three';
 
 type Renderer = typeof import('@farol/renderer');
 
 /** Switches the page between Farol and three. Farol's code is fetched when it is first asked for. */
 export class Drawing {
-  /** Emits when who draws changes. */
+  /** Emits when the page changes between Farol and three, or to another technique. */
   readonly changed = new Signal();
   /** Farol's module, with the names of techniques and views; null until loaded. */
   module: Renderer | null = null;

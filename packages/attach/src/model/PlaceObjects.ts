@@ -14,13 +14,13 @@ export function placementOf(object: Object3D): Placement {
   return { object, parent, index: parent.children.indexOf(object) };
 }
 
-/** Puts objects, with all below them, into the scene, or takes them out: one is the other backwards. */
+/** Command that adds objects, with their descendants, to the scene, or removes them; each is the undo of the other. */
 export class PlaceObjects implements Command<Object3D> {
   private readonly placements: readonly Placement[];
 
   /**
    * @param kind - whether `do` adds or removes
-   * @param placements - where the objects are while all of them are there
+   * @param placements - parent and index of each object, counted with all of the objects in the tree
    */
   constructor(
     readonly label: string,
@@ -28,7 +28,7 @@ export class PlaceObjects implements Command<Object3D> {
     placements: readonly Placement[],
     readonly selection: CommandSelection<Object3D>,
   ) {
-    // each index counts the objects before it
+    // ascending, since each index counts the siblings inserted before
     this.placements = placements.toSorted((a, b) => a.index - b.index);
   }
 

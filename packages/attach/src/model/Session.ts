@@ -24,7 +24,7 @@ export class Session {
 
   constructor(
     readonly scene: Object3D,
-    /** The camera that the page draws with; gizmo and picking go by this one. */
+    /** Camera that the page draws with, also used by gizmo and picking. */
     public camera: Camera,
     readonly webgl: WebGLRenderer,
   ) {
@@ -36,7 +36,7 @@ export class Session {
     this.selection.set(object ? [object] : []);
   }
 
-  /** The selected objects that have a place in the scene and are not below another one of them. */
+  /** Selected objects in the scene that are not the scene itself and have no selected ancestor. */
   get topmost(): Object3D[] {
     const { items } = this.selection;
     const chosen = new Set(items);
@@ -47,13 +47,13 @@ export class Session {
     });
   }
 
-  /** Whether an object is the scene or somewhere below it. */
+  /** Whether an object is the scene or one of its descendants. */
   holds(object: Object3D): boolean {
     for (let each: Object3D | null = object; each; each = each.parent) if (each === this.scene) return true;
     return false;
   }
 
-  /** Deselects objects that the page has taken out of the scene. */
+  /** Deselects objects that the page has removed from the scene. */
   dropLost(): void {
     const { selection } = this;
     if (!selection.items.every((object) => this.holds(object)))

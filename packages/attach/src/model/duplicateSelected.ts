@@ -4,7 +4,7 @@ import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { placementOf, PlaceObjects } from './PlaceObjects';
 import type { Session } from './Session';
 
-/** A copy with all below it; geometries and materials are shared. @throws Error for a class that cannot be copied */
+/** Copy of an object with its descendants; geometries and materials are shared. */
 function copyOf(object: Object3D): Object3D {
   let copy: Object3D;
   try {
@@ -24,7 +24,7 @@ function copyOf(object: Object3D): Object3D {
   const copies: Object3D[] = [];
   copy.traverse((each) => copies.push(each));
   let i = 0;
-  // a light keeps its target: three copies the target, and nobody would move the copy
+  // a copied light shares the target of its original: three would copy the target too, and no one would move the copy
   object.traverse((each) => {
     const { target } = each as DirectionalLight;
     const made = copies[i++] as DirectionalLight | undefined;
@@ -44,7 +44,7 @@ export function duplicateSelected({ commands, selection, topmost: objects }: Ses
     new PlaceObjects(
       countLabel(t('Duplicated'), objects),
       'add',
-      // after the original, and after the copies that come before it under the same parent
+      // inserted after the original, and after earlier copies under the same parent
       placements.map((each) => {
         const before = placements.filter(({ parent, index }) => parent === each.parent && index <= each.index);
         return { ...each, index: each.index + before.length };

@@ -9,7 +9,10 @@ import type { Gizmo } from '../viewport/Gizmo';
 /** The keys of the gizmo while the focus is in the panels: those of Farol's own editor. */
 const modeKeys: Readonly<Record<string, TransformMode>> = { w: 'translate', e: 'rotate', r: 'scale' };
 
-/** The gizmo's action for a key; null where the gizmo has none. @param key - in small letters */
+/**
+ * Action of the gizmo for a key; null for other keys.
+ * @param key - in small letters
+ */
 export function gizmoKey(gizmo: Gizmo, key: string): (() => void) | null {
   const mode = modeKeys[key];
   if (mode) return () => (gizmo.mode = mode);
@@ -27,7 +30,7 @@ const modes = (): Record<TransformMode, string> => ({
   scale: t('Scale##verb'),
 });
 
-/** Buttons: undo and redo, what the gizmo does, copies and deletion, and closing. */
+/** Toolbar: undo and redo, transform modes, duplicate, delete and close. */
 export class Bar {
   readonly element = element('div', { className: 'bar', role: 'toolbar', 'aria-label': t('Editor') });
   private readonly undo: HTMLButtonElement;
@@ -95,7 +98,7 @@ export class Bar {
   private show(): void {
     const { commands, topmost, problem } = this.session;
     const { undoLabel, redoLabel } = commands;
-    // not `disabled`, which would take the focus, and with it the keys, from a button that was just pressed
+    // not `disabled`: a button that was just pressed would lose the focus, and with it the keys
     this.undo.ariaDisabled = String(undoLabel === null);
     this.undo.title = undoLabel === null ? t('Undo') : t('Undo: {edit}', { edit: undoLabel });
     this.redo.ariaDisabled = String(redoLabel === null);

@@ -5,7 +5,7 @@ import type { Session } from '../model/Session';
 import { element } from '../ui/element';
 import type { RenderHook } from '../viewport/RenderHook';
 
-/** Panel of the renderer and the view, with figures of the last frame, for each pass of Farol's. */
+/** Panel that chooses renderer and view, with times and counts of the last frame, for each pass of Farol's. */
 export class FramePanel {
   readonly element: HTMLElement;
   private readonly load = element('button', { type: 'button' }, t('Draw with Farol'));
@@ -56,7 +56,7 @@ export class FramePanel {
     this.show();
   }
 
-  /** Brings the figures up to date; to be called a few times a second. */
+  /** Updates the shown figures. Call a few times a second. */
   refresh(): void {
     const { webgl } = this.session;
     const { farol } = this.drawing;
@@ -89,7 +89,7 @@ export class FramePanel {
     await this.tell(() => this.drawing.choose(drawer));
   }
 
-  /** Runs a change, and shows its error and the state after it. */
+  /** Runs a change of the renderer, and shows its error and the state after it. */
   private async tell(change: () => void | Promise<void>): Promise<void> {
     this.problem.textContent = '';
     try {

@@ -12,7 +12,7 @@ const MANY = { 'aria-multiselectable': true };
 interface Row {
   object: Object3D;
   depth: number;
-  /** Place among its siblings, from 1, and how many they are. */
+  /** Position among the siblings, from 1. */
   place: number;
   siblings: number;
 }
@@ -125,7 +125,10 @@ export class Tree {
     else this.element.removeAttribute('aria-activedescendant');
   }
 
-  /** An element stays for as long as its object is seen: one that goes while it is pressed takes the click with it. */
+  /**
+   * Draws the rows in sight. The element of an object is kept while its row is in sight: an element replaced while it
+   * is pressed would lose the click.
+   */
   private drawRows(rows: readonly Row[], first: number): void {
     const seen = new Set(rows.map(({ object }) => object.id));
     const selection = new Set(this.session.selection.items);
@@ -192,7 +195,8 @@ export class Tree {
   }
 
   /**
-   * @param keys - that are held: Ctrl chooses one more or one less, Shift all rows from the one that was chosen before
+   * Changes the selection by a click on a row.
+   * @param keys - modifiers held: Ctrl toggles one object, Shift selects all rows from the anchor
    */
   private choose(object: Object3D, { ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): void {
     const { rows, session, anchor } = this;
@@ -212,7 +216,10 @@ export class Tree {
     this.refresh();
   }
 
-  /** @returns whether the key is one of the tree's */
+  /**
+   * Handles a key of the tree.
+   * @returns whether the tree has used the key
+   */
   private key(event: KeyboardEvent): boolean {
     const { rows, session } = this;
     if (event.ctrlKey || event.metaKey || event.altKey) return false;

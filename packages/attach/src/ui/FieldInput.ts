@@ -30,7 +30,9 @@ export class FieldInput {
   private readonly gesture: FieldGesture<Object3D>;
   private readonly problem = element('p', { className: 'problem', role: 'alert', hidden: true });
 
-  /** @param owners - at least one, all with the field */
+  /**
+   * @param owners - objects whose field is edited: at least one, all with the field
+   */
   constructor(
     session: Session,
     private readonly owners: readonly PropertyOwner[],
@@ -95,8 +97,8 @@ export class FieldInput {
   }
 
   /**
-   * Commits the typed text when it is a number; otherwise the text stays, marked with the reason, and the value as it
-   * was.
+   * Commits the typed text if it is a number; otherwise the text stays, marked with the reason, and the value is
+   * unchanged.
    */
   private takeOver(part: FieldPart): void {
     const problem = part.unfinished?.() ?? null;
@@ -109,7 +111,10 @@ export class FieldInput {
     this.tell(problem);
   }
 
-  /** Enter takes what was typed, Escape goes back; both leave the field, so that keys are the editor's again. */
+  /**
+   * Handles Enter, which commits the typed value, and Escape, which discards it; both leave the field, so that keys are
+   * the editor's again.
+   */
   private key(event: KeyboardEvent): void {
     const { key, target } = event;
     if (isComposing(event)) return;
@@ -124,7 +129,7 @@ export class FieldInput {
       this.takeOver(part);
       return;
     }
-    // the panel gets the keys from now on
+    // moves the focus to the panel, which gets the keys from now on
     const panel = this.element.closest<HTMLElement>('[tabindex]');
     if (panel) panel.focus();
     else target.blur();
@@ -159,13 +164,13 @@ export class FieldInput {
   }
 
   /**
-   * Shows what an edit would make.
-   * @param part - where it is typed or chosen, which stays as it is; null for a drag of the label
-   * @param update - null for what there was before
+   * Previews an edit.
+   * @param part - control in which the value is typed or chosen, left as it is; null for a drag of the label
+   * @param update - new value; null discards the preview
    */
   private take(session: Session, part: FieldPart | null, update: FieldUpdate | null): void {
     const { gesture } = this;
-    // an undo has ended the edit: further typing begins a new one
+    // an undo has ended the gesture: further typing begins a new one
     if (!gesture.isOpen) gesture.commit();
     try {
       if (update === null) gesture.discard();
@@ -186,7 +191,7 @@ export class FieldInput {
   }
 
   private refuse(session: Session, part: FieldPart, problem: string): void {
-    // what it was before, not what was typed before it was wrong
+    // back to the value from before the edit, not to the last valid preview
     this.gesture.discard();
     mark(part, problem);
     this.tell(problem);

@@ -19,7 +19,7 @@ import {
 import type { Field, FieldValue, Vector3Tuple } from '@farol/editing/fields';
 import { element } from './element';
 
-/** A new value, or one made from each owner's own. */
+/** A new value, or a function from each owner's value to the new one. */
 export type PartUpdate =
   | number
   | string
@@ -30,7 +30,7 @@ export type PartUpdate =
 /** A control of a field: the whole value, one coordinate of three, or screen colour or intensity of a colour. */
 export interface FieldPart {
   readonly control: HTMLInputElement | HTMLSelectElement;
-  /** Shows the values of all owners, unless the control has shown the same before: then what is typed stays. */
+  /** Shows the values of all owners; text being typed stays if the values are those shown last. */
   show(values: readonly FieldValue[]): void;
   /** Makes the next `show` write to the control even if the value is equal. */
   forget(): void;
@@ -39,7 +39,10 @@ export interface FieldPart {
    * @throws Error that says why it is no number
    */
   read(): PartUpdate | null | undefined;
-  /** Change of a number by a drag of its label; absent for other kinds. @param steps - so far */
+  /**
+   * Change of a number by a drag of its label; absent for controls of other kinds.
+   * @param steps - dragged so far
+   */
   readonly scrubbed?: (steps: number) => (before: number) => number;
   /** Reason that the control's text is no valid value; null when valid. */
   readonly unfinished?: () => string | null;
@@ -48,8 +51,8 @@ export interface FieldPart {
 const AXES = ['x', 'y', 'z'] as const;
 
 /**
- * The controls of a field, left to right.
- * @param id - of the first control, for its label
+ * Makes the controls of a field, left to right.
+ * @param id - element id of the first control, for its label
  * @param label - accessible name of the field
  */
 export function makeFieldParts(field: Field, id: string, label: string): FieldPart[] {
@@ -76,8 +79,8 @@ export function makeFieldParts(field: Field, id: string, label: string): FieldPa
 }
 
 /**
- * A part that shows a text.
- * @param textOf - the text of the owners' values; null where they differ
+ * Makes a control that shows a text.
+ * @param textOf - text of the owners' values; null where they differ
  * @param write - shows the text
  */
 function part(
@@ -101,12 +104,12 @@ function part(
   };
 }
 
-/** A number, or what makes one of the number before, both as they are shown. */
+/** A number as shown, or a function from the shown number before to the new one. */
 type Typed = number | ((before: number) => number);
 
 /**
- * An input that takes what a number's field of Farol's own editor takes: expressions, units, `+=`. Arrow keys step.
- * @param updateOf - the update of a number, or of what makes one
+ * Makes an input that accepts expressions, units and `+=`, as number fields of Farol's own editor do. Arrow keys step.
+ * @param updateOf - converts a typed number, or function, to the update of the field
  */
 function numericPart(
   range: NumberRange & { readonly step: number },
@@ -141,9 +144,9 @@ function numericPart(
     control.value = String(addToNumber(read.valueFor(0), event.key === 'ArrowUp' ? by : -by, range));
     control.dispatchEvent(new Event('input', { bubbles: true }));
   });
-  // the browser tells of no change that it did not see typed
+  // arrow keys that step a value cause no `change` event: the value is committed when the key goes up
   control.addEventListener('keyup', ({ key }) => {
-    // macOS tells of no arrow that goes up while Command is down
+    // macOS sends no keyup for an arrow key released while Command is down
     if (!isStepped || (key !== 'ArrowUp' && key !== 'ArrowDown' && key !== 'Meta')) return;
     isStepped = false;
     control.dispatchEvent(new Event('change', { bubbles: true }));
@@ -161,7 +164,9 @@ function numericPart(
   return { ...part(control, textOf, write, read), unfinished };
 }
 
-/** @param axis - of a vector or of Euler angles; none for a single number */
+/**
+ * @param axis - coordinate of a vector or of Euler angles; none for a single number
+ */
 function numberPart(field: Field, id: string, label: string, axis?: number): FieldPart {
   const { toShown, fromShown, ...range } = numberDisplay(field);
   const text = (value: number | null): string | null =>
@@ -213,13 +218,13 @@ function screenColourPart(id: string): FieldPart {
   return part(
     control,
     (values) => sharedColour(values as readonly Vector3Tuple[]).hex,
-    // this control cannot be empty: it has the colour of what was chosen last
+    // a colour input cannot be empty: where colours differ it shows the one selected last
     (text, values) => void (control.value = text ?? sharedColour([values.at(-1) as Vector3Tuple]).hex!),
     () => withScreenColour(control.value),
   );
 }
 
-/** The factor by which a colour is brighter than a screen. */
+/** Makes the control of a colour's intensity: the factor by which the colour is brighter than a screen shows. */
 function intensityPart(label: string): FieldPart {
   return numericPart(
     { min: 1, step: 0.1, unit: '×' },
@@ -250,7 +255,7 @@ function booleanPart(id: string): FieldPart {
   return part(control, textOf, write, () => control.checked);
 }
 
-/** A text, or one of several. */
+/** Makes the control of a text, or of a choice. */
 function textPart(control: HTMLInputElement | HTMLSelectElement): FieldPart {
   const write = (text: string | null): void => {
     control.value = text ?? '';

@@ -4,7 +4,10 @@ const SVG = 'http://www.w3.org/2000/svg';
 
 export type IconName = keyof typeof sharedIcons;
 
-/** An icon of Farol's own editor. @param size - CSS pixels */
+/**
+ * An SVG icon of Farol's own editor.
+ * @param size - width and height (CSS pixels)
+ */
 export function icon(name: IconName, size = 16): SVGSVGElement {
   const made = document.createElementNS(SVG, 'svg');
   made.setAttribute('class', 'icon');

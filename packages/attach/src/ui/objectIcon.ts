@@ -10,7 +10,7 @@ const lights: Readonly<Record<string, IconName>> = {
   RectAreaLight: 'rectangle',
 };
 
-/** The icon of an object of three's, as Farol's own editor has it for such a thing. */
+/** Name of the icon of a three object: the one that Farol's own editor shows for the corresponding component. */
 export function objectIcon(object: Object3D): IconName {
   const kind = object as { isScene?: boolean; isMesh?: boolean; isCamera?: boolean; isGroup?: boolean };
   if (kind.isScene) return 'scene';

@@ -1,6 +1,6 @@
 import { stepFactor } from '@farol/editing';
 
-/** A press that moves by fewer pixels is a click. */
+/** Pointer movement below which a press is a click (pixels). */
 const SLOP = 3;
 
 /**
@@ -12,7 +12,7 @@ export function scrub(target: HTMLElement, move: (steps: number) => void, end: (
   target.classList.add('scrub');
   let wasDragged = false;
   target.addEventListener('click', (event) => {
-    // the label would focus its input
+    // a click after a drag would focus the label's input
     if (wasDragged) event.preventDefault();
     wasDragged = false;
   });

@@ -63,7 +63,10 @@ export class Gizmo {
     return this.current !== null;
   }
 
-  /** Brings the gizmo to where the selected objects and the camera are. @returns whether there is something to draw */
+  /**
+   * Moves the gizmo to the selected objects, and updates its camera.
+   * @returns whether there is something to draw
+   */
   update(): boolean {
     const { session, controls, pivot } = this;
     controls.camera = session.camera as PerspectiveCamera;
@@ -84,10 +87,13 @@ export class Gizmo {
     return true;
   }
 
-  /** Lights up the handle at a point of the picture. @returns whether there is one */
+  /**
+   * Highlights the handle under a point of the picture.
+   * @returns whether there is a handle
+   */
   hover(at: Vector2): boolean {
     if (!this.update()) return false;
-    // the handles are where the objects are now, not where they were drawn last
+    // updates the handles' matrices, which are otherwise from the last draw
     this.controls.getHelper().updateMatrixWorld(true);
     this.controls.pointerHover(pointer(at, -1));
     return this.controls.axis !== null;
@@ -109,7 +115,10 @@ export class Gizmo {
     this.controls.pointerMove(pointer(at, -1));
   }
 
-  /** Ends a drag, as a step of history, or by putting the objects back. */
+  /**
+   * Ends a drag.
+   * @param keep - true: as a step of history; false: objects go back to where they were
+   */
   finish(at: Vector2, keep: boolean): void {
     const { current, controls } = this;
     this.current = null;

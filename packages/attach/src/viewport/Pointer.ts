@@ -4,7 +4,7 @@ import type { Gizmo } from './Gizmo';
 import { locate } from './locate';
 import { pickObject } from './pickObject';
 
-/** Way of the pointer (CSS pixels) up to which a press is a click. */
+/** Greatest movement of the pointer during a click (CSS pixels). */
 const CLICK = 4;
 
 /**
@@ -84,13 +84,13 @@ export class Pointer {
     return Math.max(Math.abs(this.at.x), Math.abs(this.at.y)) <= 1;
   }
 
-  /** Sets `at` to the pointer's place in normalised device coordinates. */
+  /** Sets `at` to the pointer's position in normalised device coordinates. */
   private locate(event: PointerEvent): void {
     locate(this.session.webgl.domElement, this.session.view, event, this.at);
   }
 }
 
-/** Keeps an event from the page. */
+/** Stops an event, so that the page does not get it. */
 function take(event: Event): void {
   event.stopImmediatePropagation();
   event.preventDefault();

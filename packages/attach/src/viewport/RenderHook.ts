@@ -45,7 +45,7 @@ export class RenderHook {
     });
   }
 
-  /** Whether the page has drawn nothing for a while: it draws on demand, or not at all. */
+  /** Whether the page has drawn nothing for a while, as a page that draws on demand. */
   get isIdle(): boolean {
     return performance.now() - this.drawnAt > IDLE;
   }
@@ -57,7 +57,10 @@ export class RenderHook {
     this.interception.remove();
   }
 
-  /** The overlay follows when the page's code has returned, so after its last draw, and before the browser shows it. */
+  /**
+   * Schedules the overlay for after the page's code has returned: after the last draw of its frame, and before the
+   * browser shows it.
+   */
   private plan(): void {
     if (this.planned) return;
     this.planned = true;

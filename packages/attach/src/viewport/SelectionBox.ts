@@ -2,7 +2,9 @@ import { BoxHelper, type LineBasicMaterial, type Mesh, type Object3D, type Scene
 import type { Session } from '../model/Session';
 import { isReadable } from './isReadable';
 
-/** Objects, with those below them, up to which boxes are measured anew each frame; beyond that there is none. */
+/**
+ * Number of objects, descendants included, up to which boxes are computed each frame; with more, no boxes are shown.
+ */
 const MEASURED = 200;
 
 /** Boxes of lines round the selected objects. */

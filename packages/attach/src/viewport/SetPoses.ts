@@ -7,10 +7,10 @@ export interface AngledPose extends Pose {
   readonly angles: Vector3Tuple;
 }
 
-/** Angles that differ by less are the same (rad). */
+/** Difference below which two angles are equal (rad). */
 const SAME = 1e-9;
 
-/** Puts objects to places: what a drag of the gizmo does. */
+/** Command that sets position, rotation and scale of objects; result of a gizmo drag. */
 export class SetPoses implements Command<Object3D> {
   /** Poses before the first `do`; null until then. */
   private before: readonly AngledPose[] | null = null;
@@ -46,7 +46,7 @@ export class SetPoses implements Command<Object3D> {
   replaceWith(next: Command<Object3D>): SetPoses | null {
     if (!(next instanceof SetPoses) || next.objects !== this.objects) return null;
     next.before = this.before;
-    // what this one changes and the next one does not, such as a place, goes back
+    // undone first: a property that only the earlier command has set must go back
     this.undo();
     next.do();
     return next;
@@ -65,7 +65,7 @@ function apply(object: Object3D, { position, quaternion, angles, scale }: Partia
   if (position) object.position.copy(position);
   if (quaternion) object.quaternion.copy(quaternion);
   const { rotation } = object;
-  // three has chosen some of the angles that there are for it
+  // keeps the page's angles: of several Euler angles for one rotation, three has chosen others
   if (angles && [rotation.x, rotation.y, rotation.z].some((angle, i) => Math.abs(angle - angles[i]) > SAME)) {
     rotation.set(...(angles as [number, number, number]));
   }

@@ -12,7 +12,10 @@ interface Dressed {
   before: { geometry: BufferGeometry; material: Material | Material[] } | null;
 }
 
-/** Meshes with lightmaps in place of their own geometries and materials, and without the lights that are in those. */
+/**
+ * Meshes with lightmaps in place of their own geometries and materials; lights that the lightmaps contain are switched
+ * off.
+ */
 export class AppliedBake {
   private readonly dressed: Dressed[];
   private readonly hidden = new Map<Light, number>();
@@ -68,7 +71,7 @@ export class AppliedBake {
       mesh.geometry = each.geometry;
       mesh.material = each.material;
     }
-    // objects that hang on a light are seen as before: a light in no layer gives nothing
+    // a light is moved to no layer, not hidden: objects below it stay visible
     for (const light of this.lights) {
       this.hidden.set(light, light.layers.mask);
       light.layers.mask = 0;
@@ -80,7 +83,7 @@ export class AppliedBake {
     this.applied = false;
     for (const { baked, geometry, material, before } of this.dressed) {
       const mesh: Mesh = baked.mesh;
-      // what somebody else has given it since stays
+      // leaves a geometry that somebody else has assigned since
       if (mesh.geometry === geometry) mesh.geometry = before!.geometry;
       if (mesh.material === material) mesh.material = before!.material;
     }
@@ -88,12 +91,12 @@ export class AppliedBake {
     this.hidden.clear();
   }
 
-  /** Shows other lightmaps from now on. */
+  /** Replaces the lightmaps by others, such as those of a later stage of the bake. */
   setTextures(textures: readonly Texture[]): void {
     for (const { lightmap, lit } of this.lit) lit.setLightmap(textures[lightmap]);
   }
 
-  /** Removes it, and frees geometries and materials; the textures are their owner's. */
+  /** Restores the meshes and lights, and frees geometries and materials; the textures are freed by their owner. */
   dispose(): void {
     this.remove();
     for (const { geometry } of this.dressed) geometry.dispose();

@@ -25,7 +25,10 @@ export function freeChannel(geometries: readonly BufferGeometry[]): number {
   return [1, 2, 3].find(isFree) ?? 3;
 }
 
-/** A geometry with a set of UVs more, its vertices split as those ask for. Groups and bounds are the source's. */
+/**
+ * A geometry with one more UV set, its vertices split where charts of the lightmap meet. Groups and bounds are the
+ * source's.
+ */
 export function litGeometry(
   source: BufferGeometry,
   { uv1, index, sourceVertex }: Pick<UnwrappedMesh, 'uv1' | 'index' | 'sourceVertex'>,

@@ -8,7 +8,7 @@ import traverse from '../trace/traverse.glsl?raw';
 import { GLSL3, type IUniform, NoBlending, RawShaderMaterial, type ShaderMaterialParameters } from 'three';
 import { composeShader } from './composeShader';
 
-/** The shader texts that others include, by name. */
+/** GLSL texts for `#include`, by name. */
 const chunks = { emitters, lightTable, random, sampleCount, sky, tables, traverse };
 
 const PRECISION = 'precision highp float;\nprecision highp int;\nprecision highp sampler2DArray;\n';

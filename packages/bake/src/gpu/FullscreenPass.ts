@@ -39,12 +39,14 @@ export class FullscreenPass {
     this.mesh.frustumCulled = false;
   }
 
-  /** @param layer - of an array target */
+  /**
+   * @param layer - layer of an array target
+   */
   draw(renderer: WebGLRenderer, target: WebGLRenderTarget | WebGLArrayRenderTarget, layer = 0, rows?: Rows): void {
     target.scissorTest = rows !== undefined;
     if (rows) target.scissor.set(0, rows.first, target.width, rows.count);
     renderer.setRenderTarget(target, layer);
-    // the same uniforms may have other values than at the last draw
+    // three must send the uniforms again: their values may have changed since the last draw
     this.material.uniformsNeedUpdate = true;
     renderer.render(this.mesh, this.camera);
   }

@@ -7,7 +7,10 @@ export interface SlicedWork {
   readonly height: number;
   readonly batches: number;
   draw(batch: number, rows: Rows): void;
-  /** After each slice, with the share of the work that is done. */
+  /**
+   * Called after each slice.
+   * @param share - part of the work that is done, 0 to 1
+   */
   onSlice(share: number, batch: number): void;
 }
 
@@ -26,7 +29,7 @@ export class Slices {
   async run(work: SlicedWork): Promise<void> {
     const { height, batches, onSlice } = work;
     let perRow = this.milliseconds / 8;
-    // rows of all batches, one after the other
+    // rows of all batches, one batch after another
     const all = height * batches;
     const flying: { until: number; rows: number; begin: number; fence: WebGLSync | null }[] = [];
     let given = 0;
@@ -43,21 +46,23 @@ export class Slices {
       const { until, rows, begin, fence } = flying.shift()!;
       await this.passed(fence);
       const now = performance.now();
-      // not more than four times as much at once: the next rows may be dearer
+      // at most four times as many rows at once: the next rows may cost more
       perRow = Math.max((now - Math.max(begin, lastEnd)) / rows, perRow / 4);
       lastEnd = now;
       onSlice(until / all, Math.floor(until / height));
     }
   }
 
-  /** @returns rows that were drawn */
+  /**
+   * @returns number of rows that were drawn
+   */
   private drawSlice({ height, batches, draw }: SlicedWork, from: number, perRow: number): number {
     const begin = performance.now();
     const milliseconds = this.milliseconds / IN_FLIGHT;
     const most = Math.min(Math.max(1, Math.floor(milliseconds / perRow)), height * batches - from);
     let drawn = 0;
     keepState(this.renderer, () => {
-      // submitting takes time as well, where the GPU is a processor's
+      // counts submitting too: with a software renderer that is where the time goes
       do {
         const first = (from + drawn) % height;
         const count = Math.min(most - drawn, height - first);
@@ -68,7 +73,7 @@ export class Slices {
     return drawn;
   }
 
-  /** Waits until the GPU has done what it was given. */
+  /** Waits until the GPU has finished all work submitted so far. */
   wait(): Promise<void> {
     return this.passed(this.fence());
   }
@@ -87,7 +92,7 @@ export class Slices {
       if (fence === null || gl.isContextLost()) throw new Error('The bake ended: the WebGL context was lost.');
       this.signal?.throwIfAborted();
       const state = gl.clientWaitSync(fence, 0, 0);
-      // of a context that was lost, and is back
+      // the state of a fence from a context that was lost, and is back
       if (state === gl.WAIT_FAILED) throw new Error('The bake ended: the WebGL context was lost.');
       if (state === gl.ALREADY_SIGNALED || state === gl.CONDITION_SATISFIED) break;
     }

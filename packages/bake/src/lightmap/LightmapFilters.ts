@@ -10,7 +10,7 @@ import resolve from './resolve.glsl?raw';
 import type { Gather, Stage } from './stages';
 import upsample from './upsample.glsl?raw';
 
-/** Steps of the filter that takes noise out. */
+/** Number of passes of the denoising filter. */
 const FILTERS = 4;
 
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
@@ -30,11 +30,14 @@ export class LightmapFilters {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly targets: LightmapTargets,
+    /**
+     * @param shared - uniforms of all passes
+     */
     private readonly shared: Record<string, { value: unknown }>,
     private readonly options: LightmapFiltersOptions,
   ) {}
 
-  /** Which texels passes read. */
+  /** Chooses the grid of texels whose positions and normals all passes read. */
   useGrid(grid: Grid, lightmap: number): void {
     const { shared } = this;
     shared.farol_positions.value = (grid.settled ?? grid.places).texture;
@@ -45,7 +48,10 @@ export class LightmapFilters {
     shared.farol_texelSize.value = this.options.size / grid.size / this.options.texelsPerMetre[lightmap];
   }
 
-  /** Mean, denoise, fill: adds to the sum and to what the first gather sees. */
+  /**
+   * Ends a stage of direct light: averages, denoises and fills its samples, then adds them to the lightmap, and to the
+   * radiance that the first gather reads.
+   */
   finishDirect(lightmap: number, stage: Stage, isReflected: boolean): void {
     const { renderer } = this;
     this.resolveFine(lightmap, stage);
@@ -57,7 +63,7 @@ export class LightmapFilters {
     if (!stage.isIndirect) this.pass('add', copy, { ADD: '' }, additive).draw(renderer, this.targets.totals[lightmap]);
   }
 
-  /** Brings the mean of a stage to the first of the fine grid's light targets. */
+  /** Writes the mean of a stage's samples to the first of the fine grid's light targets. */
   private resolveFine(lightmap: number, stage: Stage): void {
     const { shared, renderer } = this;
     const { fine } = this.targets;
@@ -70,7 +76,9 @@ export class LightmapFilters {
     shared.farol_light.value = fine.light[0].texture;
   }
 
-  /** Adds to the sums, and to what the next gather sees: noise does no harm there. */
+  /**
+   * Ends a gather: adds its light to the lightmap, and, without denoising, to the radiance that the next gather reads.
+   */
   finishGather(lightmap: number, stage: Stage, isReflected: boolean, probes: Gather['probes']): void {
     const { shared, renderer } = this;
     const { fine } = this.targets;
@@ -99,7 +107,7 @@ export class LightmapFilters {
     (probes === 'all' ? pass : alone).draw(renderer, this.targets.reflected, lightmap);
   }
 
-  /** Takes the noise out of the coarser grid's light, and adds it to the sum. */
+  /** Denoises the coarse grid's light, and adds it to the lightmap. */
   addIndirect(lightmap: number): void {
     const { shared, renderer } = this;
     const { fine, coarse } = this.targets;
@@ -136,7 +144,10 @@ export class LightmapFilters {
     grid.light.reverse();
   }
 
-  /** @param samples - of the stage so far */
+  /**
+   * Shows the lightmap as it would be with the samples so far.
+   * @param samples - samples that the stage has taken so far
+   */
   showSoFar(lightmap: number, stage: Stage, samples: number): void {
     const { shared, renderer } = this;
     const { fine, coarse } = this.targets;

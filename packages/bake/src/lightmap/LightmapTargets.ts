@@ -14,9 +14,9 @@ export interface LightmapTargetsOptions {
   readonly size: number;
   /** Size of a texel of the coarse grid in texels of the lightmap: 1, 2 or 4. */
   readonly block: number;
-  /** Lightmaps. */
+  /** Number of lightmaps. */
   readonly layers: number;
-  /** Whether surfaces shine by themselves. */
+  /** Whether any surface is emissive. */
   readonly shines: boolean;
   readonly hasProbes: boolean;
 }
@@ -26,22 +26,29 @@ export interface LightmapTargetsOptions {
  * its texels were moved to and two layers of radiance.
  */
 export class LightmapTargets {
-  /** Lightmaps so far, which materials may show while light is traced. */
+  /** Present state of each lightmap, for materials to show while light is traced. */
   readonly pictures: WebGLRenderTarget[];
   readonly totals: WebGLRenderTarget[];
-  /** Light of the coarser grid so far, with its variance; none where all is gathered at the fine one. */
+  /**
+   * Light gathered at the coarse grid so far, with its variance; empty where everything is gathered at the fine grid.
+   */
   readonly indirect: WebGLRenderTarget[];
   readonly moves: WebGLRenderTarget[];
   readonly agreements: WebGLRenderTarget;
   readonly fine: Grid;
-  /** The fine one itself, where all is gathered there. */
+  /**
+   * Coarse grid of texels for light that was reflected twice or more; the fine grid itself where all is gathered there.
+   */
   readonly coarse: Grid;
   readonly albedo: WebGLRenderTarget;
   readonly emission;
-  /** Radiance that this gather reads, and radiance for the next one. */
+  /**
+   * Radiance of all surfaces, one layer a lightmap, in two textures: the present gather reads the first and writes the
+   * second.
+   */
   radiance;
   nextRadiance;
-  /** Radiance of all that is reflected once less than may be, for probes. */
+  /** Radiance of light reflected at least once fewer than allowed, read by light probes. */
   readonly reflected;
 
   constructor({ size, block, layers, shines, hasProbes }: LightmapTargetsOptions) {
@@ -60,13 +67,16 @@ export class LightmapTargets {
     this.reflected = hasProbes ? layersTarget(size, layers) : null;
   }
 
-  /** Swaps the two: radiance written for the next gather is read by this one. @returns its texture */
+  /**
+   * Swaps the two radiance textures: the one written last is read by the next gather.
+   * @returns the texture to read
+   */
   swapRadiance(): Texture {
     [this.radiance, this.nextRadiance] = [this.nextRadiance, this.radiance];
     return this.radiance.texture;
   }
 
-  /** All that light is added to in the course of a run. */
+  /** Clears all targets that light is added to in the course of a bake. */
   clearTotals(renderer: WebGLRenderer): void {
     for (const target of [...this.totals, ...this.indirect, ...this.pictures]) {
       renderer.setRenderTarget(target);

@@ -22,18 +22,25 @@ export interface LightmapTracerOptions {
   /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];
   readonly samples: number;
-  /** Texels at which light that was reflected twice or more is gathered, along a side, by all: 1, 0.5 or 0.25. */
+  /**
+   * Resolution at which light that was reflected twice or more is gathered, as a share of the lightmap's side: 1, 0.5
+   * or 0.25.
+   */
   readonly indirectScale: number;
   readonly bounces: number;
   readonly padding: number;
   readonly denoise: boolean;
   readonly seed: number;
   readonly hasProbes: boolean;
-  /** Told the share of all work and the samples of the stage that runs. */
+  /**
+   * Called after each slice.
+   * @param share - share of all work that is done, 0 to 1
+   * @param samples - samples of the present stage so far
+   */
   onSlice(share: number, samples: number): void;
 }
 
-/** Cost of settling a texel, in samples: eight rays or more, and four short ones. */
+/** Cost of moving a texel's point out of walls (settle.glsl), in samples: eight rays or more, and four short ones. */
 const SETTLE_COST = 10;
 /** Time between two previews (ms). */
 const PREVIEW_MILLISECONDS = 250;
@@ -41,18 +48,18 @@ const PREVIEW_MILLISECONDS = 250;
 const additive = { transparent: true, blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor } as const;
 
 /**
- * Light of lightmaps: what lights give directly, then what is gathered. The first gather sees the sky, what shines by
- * itself, and what surfaces reflect of the lights; each one after it what surfaces reflect of the light that the one
- * before has found. That is smooth, and is gathered at the texels of a coarser grid.
+ * Traces the light of lightmaps: direct light first, then reflected light in gathers. The first gather sees the sky,
+ * emissive surfaces, and direct light that surfaces reflect; each later one sees the reflection of the light that the
+ * gather before has found. That light is smooth, and is gathered at the texels of a coarser grid.
  */
 export class LightmapTracer {
-  /** Lightmaps so far, which materials may show while the tracer runs. */
+  /** Present state of each lightmap, for materials to show while the tracer runs. */
   readonly pictures: readonly Texture[];
   private readonly targets: LightmapTargets;
   private readonly filters: LightmapFilters;
   private readonly passes: Record<string, FullscreenPass> = {};
   private readonly shared: Record<string, { value: unknown }>;
-  /** Lightmap whose texels are in the targets. */
+  /** Index of the lightmap whose texel positions are in the targets; -1 for none. */
   private prepared = -1;
   private lastPreview = -Infinity;
   private done = 0;
@@ -103,8 +110,9 @@ export class LightmapTracer {
   }
 
   /**
-   * @param tables - lights whose light is baked, and lights of which reflections alone are
-   * @param skies - the same of ambient and hemisphere lights
+   * Traces all lightmaps.
+   * @param tables - lights that are baked whole, then lights of which only reflections are baked
+   * @param skies - ambient and hemisphere light, in the same order
    */
   async run(
     tables: readonly [LightTable, LightTable],
@@ -149,7 +157,7 @@ export class LightmapTracer {
     }
   }
 
-  /** Light that arrives at points, once it has run with `hasProbes`. */
+  /** Light that arrives at points. Call after a run with `hasProbes`. */
   readProbes(points: Float32Array, table: LightTable, sky: SkySource, slices: Slices): Promise<BakedProbes> {
     this.shared.farol_seed.value = (this.options.seed + 0x51ed270b) >>> 0;
     return traceProbes(this.renderer, slices, {
@@ -160,7 +168,7 @@ export class LightmapTracer {
     });
   }
 
-  /** Light of a lightmap as floats, four a texel, once it has run. */
+  /** Light of a lightmap as floats, four a texel. Call after a run. */
   async read(lightmap: number): Promise<Float32Array> {
     const { size } = this.options;
     const target = this.targets.totals[lightmap];
@@ -211,7 +219,7 @@ export class LightmapTracer {
     });
     this.filters.useGrid(grid, lightmap);
     this.shared.farol_agreedSamples.value = 0;
-    // stages use other random numbers
+    // each stage needs random numbers of its own
     this.shared.farol_seed.value = (seed + 0x9e3779b9 * (1 + stage.stream + 32 * lightmap)) >>> 0;
     this.shared.farol_stride.value = 2 ** Math.ceil(Math.log2(samples));
     const before = this.done;
@@ -241,7 +249,10 @@ export class LightmapTracer {
     measurePhase('trace', begin, { indirectSamples: stage.isGather ? samples * grid.size ** 2 : 0 });
   }
 
-  /** @param samples - so far */
+  /**
+   * Reports a slice.
+   * @param samples - samples of the stage so far
+   */
   private tellSlice(stage: Stage, lightmap: number, samples: number): void {
     if (performance.now() - this.lastPreview > PREVIEW_MILLISECONDS && !stage.isIndirect) {
       this.lastPreview = performance.now();
@@ -276,7 +287,7 @@ export class LightmapTracer {
     measurePhase('trace', begin, { indirectSamples: 0 });
   }
 
-  /** Brings the texels of a lightmap into the targets. */
+  /** Draws the texel positions of a lightmap into the targets. */
   private use(lightmap: number): void {
     if (this.prepared === lightmap) return;
     this.drawPlaces(lightmap);
@@ -297,7 +308,7 @@ export class LightmapTracer {
     this.prepared = lightmap;
   }
 
-  /** Does work after a stage, and waits until the GPU has done it. */
+  /** Runs GPU work at the end of a stage, and waits until the GPU has done it. */
   private async timed(slices: Slices, work: () => void): Promise<void> {
     const begin = performance.now();
     keepState(this.renderer, work);

@@ -19,12 +19,15 @@ import albedo from './albedo.frag.glsl?raw';
 import place from './place.frag.glsl?raw';
 import vertex from './surface.vert.glsl?raw';
 
-/** Shifts in texels, the farthest first: a texel that a surface touches beside its centre is of that surface. */
+/**
+ * Shifts (texels) of repeated draws, the farthest first, so that a texel also belongs to a surface that touches it
+ * without covering its centre.
+ */
 const SHIFTS = [1, 0.5].flatMap((d) =>
   [-1, 0, 1].flatMap((x) => [-1, 0, 1].filter((y) => x !== 0 || y !== 0).map((y) => [d * x, d * y] as const)),
 );
 
-/** Draws the surfaces of lightmaps, laid out flat. */
+/** Draws the meshes of a lightmap in its UV space, a fragment a texel. */
 export class Surfaces {
   private readonly geometry = new BufferGeometry();
   private readonly mesh: Mesh;
@@ -66,7 +69,7 @@ export class Surfaces {
     };
   }
 
-  /** Draws positions, normals and normals of faces to a target of three textures. */
+  /** Draws positions, normals and face normals of the lightmap's texels to a target of three textures. */
   drawPlaces(lightmap: number, target: WebGLRenderTarget): void {
     this.draw('place', this.rangesOf(lightmap, true), target, 0);
   }
@@ -75,7 +78,7 @@ export class Surfaces {
     this.draw('albedo', this.rangesOf(lightmap, false), target, 0, (range) => this.setAlbedo(range));
   }
 
-  /** Draws what surfaces emit to a layer. */
+  /** Draws the emissive colour of the lightmap's texels to a layer. */
   drawEmission(lightmap: number, target: WebGLArrayRenderTarget): void {
     this.draw('emission', this.rangesOf(lightmap, false), target, lightmap, (range) => this.setEmission(range));
   }

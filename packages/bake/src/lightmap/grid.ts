@@ -1,17 +1,17 @@
 import { FloatType, type WebGLRenderTarget } from 'three';
 import { placeTarget, sumsTarget, texelTarget } from './targets';
 
-/** Texels at which light is reckoned. */
+/** Square grid of texels at which light is gathered, with its render targets. */
 export interface Grid {
-  /** Texels along a side. */
+  /** Side of the grid (texels). */
   readonly size: number;
-  /** Positions, normals and normals of faces. */
+  /** World-space positions, normals and face normals of the texels, three textures. */
   readonly places: WebGLRenderTarget;
-  /** Positions as settle.glsl has moved them, where those are apart. */
+  /** Positions moved out of walls by settle.glsl; null where `places` has the final ones. */
   readonly settled: WebGLRenderTarget | null;
-  /** Sums over all light, and sums of the luminance of light that does not come straight from lights. */
+  /** Sums of samples, two textures: all light, and the luminance of light that does not come straight from lights. */
   readonly sums: WebGLRenderTarget;
-  /** A filter reads the first and writes the second. */
+  /** Two targets of filtered light: a filter reads the first and writes the second. */
   readonly light: WebGLRenderTarget[];
 }
 

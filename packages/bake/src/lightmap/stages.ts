@@ -5,12 +5,12 @@ import direct from './direct.glsl?raw';
 import gather from './gather.glsl?raw';
 import type { Grid } from './grid';
 
-/** Light that is gathered at all texels before it is reflected. */
+/** One pass of reflected light: light is gathered at all texels before it is reflected again. */
 export interface Gather {
   readonly stages: readonly Stage[];
-  /** Whether another one follows. */
+  /** Whether the gathered light is reflected once more, by a gather that follows. */
   readonly isReflected: boolean;
-  /** Which of its light probes see reflected. */
+  /** Part of the gathered light that probes see reflected: all, the sources alone, or none. */
   readonly probes: 'all' | 'sources' | 'none';
 }
 
@@ -22,13 +22,13 @@ export interface Stage {
   readonly perDraw: number;
   /** Samples after which converged texels stop; 0: every texel takes all samples. */
   readonly firstSamples: number;
-  /** Cost of the whole work, in samples of a texel of the lightmap. */
+  /** Cost of the whole stage, relative to one sample at each texel of the lightmap. */
   readonly cost: number;
-  /** Irradiance by the mean of the samples. */
+  /** Factor from the mean of the samples to irradiance. */
   readonly scale: number;
-  /** Sets its random numbers apart. */
+  /** Number of the stage's random stream, different for each stage. */
   readonly stream: number;
-  /** Reflected, not shown. */
+  /** Whether the light is only reflected, and not written to the lightmap itself. */
   readonly isIndirect: boolean;
   readonly isNoisy: boolean;
   readonly isGather: boolean;
@@ -38,11 +38,11 @@ export interface Stage {
 export interface StageSource {
   readonly samples: number;
   readonly bounces: number;
-  /** Whether surfaces shine by themselves. */
+  /** Whether any surface is emissive. */
   readonly shines: boolean;
   readonly fine: Grid;
   readonly coarse: Grid;
-  /** The pass of a name, made once. */
+  /** Trace pass of a name, made on first use. */
   tracePass(
     name: string,
     fragment: string,
@@ -51,9 +51,9 @@ export interface StageSource {
   ): FullscreenPass;
 }
 
-/** Samples that a draw takes at each texel: always as many, so that sums are rounded alike however fast the GPU is. */
+/** Samples per texel of one draw: fixed, so that sums are rounded alike however fast the GPU is. */
 const SAMPLES_OF_A_DRAW = 4;
-/** Samples of lights with soft shadows, where the first few differ. */
+/** Samples per texel of lights with soft shadows; texels whose first few agree stop earlier. */
 const softSamples = (samples: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 4)) / 4);
 /**
@@ -76,7 +76,7 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
       return {
         pass: source.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
         ...{ grid: fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
-        // few texels need them all
+        // soft shadows: few texels need all samples
         cost: isSoft ? perDraw + 0.1 * count : 1,
         firstSamples: isSoft && count > perDraw ? perDraw : 0,
         isNoisy: isSoft,

@@ -14,11 +14,11 @@ const plain = { depthBuffer: false, generateMipmaps: false } as const;
 const nearest = { ...plain, minFilter: NearestFilter, magFilter: NearestFilter } as const;
 const linear = { ...plain, minFilter: LinearFilter, magFilter: LinearFilter, type: HalfFloatType } as const;
 
-/** A square target that is read texel by texel. */
+/** Square target without filtering, for shaders that fetch single texels. */
 export const texelTarget = (size: number, type: TextureDataType): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type });
 
-/** Sums of samples in floats, of two kinds. */
+/** Two 32-bit float textures for sums of samples. */
 export const sumsTarget = (size: number): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count: 2 });
 
@@ -26,16 +26,16 @@ export const sumsTarget = (size: number): WebGLRenderTarget =>
 export const maskTarget = (size: number): WebGLRenderTarget =>
   new WebGLRenderTarget(size, size, { ...nearest, type: UnsignedByteType, format: RedFormat });
 
-/** Positions in floats, normals and normals of faces in half floats. */
+/** Target of texel positions (32-bit floats), normals and face normals (half floats). */
 export function placeTarget(size: number): WebGLRenderTarget {
   const target = new WebGLRenderTarget(size, size, { ...nearest, type: FloatType, count: 3 });
   target.textures[1].type = target.textures[2].type = HalfFloatType;
   return target;
 }
 
-/** Half floats of each lightmap, filtered. */
+/** Half-float array target with a layer for each lightmap, filtered bilinearly. */
 export const layersTarget = (size: number, layers: number): WebGLArrayRenderTarget =>
   new WebGLArrayRenderTarget(size, size, layers, linear);
 
-/** Half floats that materials are lit with. */
+/** Half-float target that materials use as their `lightMap`. */
 export const pictureTarget = (size: number): WebGLRenderTarget => new WebGLRenderTarget(size, size, linear);

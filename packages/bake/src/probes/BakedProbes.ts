@@ -1,4 +1,4 @@
-/** Light that arrives at points. */
+/** Light that arrives at given points of a scene, for objects that move. */
 export interface BakedProbes {
   /**
    * Floats, 27 a point: nine coefficients of red, green and blue each, in the order of three's SphericalHarmonics3, of

@@ -16,17 +16,17 @@ import type { SkySource } from '../trace/SkySource';
 import type { BakedProbes } from './BakedProbes';
 import probes from './probes.glsl?raw';
 
-/** Targets that hold nine coefficients of three colours, and a share. */
+/** Number of render targets for a probe's nine coefficients of three colours, and its share of back faces. */
 const TARGETS = 7;
 const FLOATS = 27;
-/** Probes of a row. */
+/** Probes in a row of the targets. */
 const WIDTH = 64;
 const SAMPLES_OF_A_DRAW = 16;
-/** A probe that saw light of one strength all round would be wrong by a hundredth at fewer. */
+/** Least samples of a probe: with fewer, even uniform light would be wrong by a hundredth. */
 const LEAST_SAMPLES = 1024;
 
 export interface ProbeTrace {
-  /** Three a point (m). */
+  /** World positions of the probes (m), three numbers each. */
   readonly points: Float32Array;
   readonly samples: number;
   readonly table: LightTable;

@@ -1,9 +1,9 @@
 import type { BufferGeometry, Color, Material, Mesh, Matrix4 } from 'three';
 
-/** A material of a mesh with its triangles. */
+/** Material of a mesh, with the range of the mesh's indices that it draws. */
 export interface Surface {
   readonly material: Material;
-  /** First index of its triangles, and how many indices. */
+  /** First index of the range. */
   readonly start: number;
   readonly count: number;
 }
@@ -11,20 +11,23 @@ export interface Surface {
 /** A mesh that stays where it is, as the tracer needs it. */
 export interface StaticMesh {
   readonly mesh: Mesh;
-  /** How the mesh is called in sentences. */
+  /** Name of the mesh in messages. */
   readonly name: string;
   /** Geometry of the mesh, skinned in its present pose. */
   readonly geometry: BufferGeometry;
-  /** World matrices of its copies: one, more for instanced meshes. */
+  /** World matrices: one, or one for each instance. */
   readonly placements: readonly Matrix4[];
-  /** Three a triangle: of a geometry without one, its vertices in turn. */
+  /** Vertex indices, three a triangle; made in order for a geometry without an index. */
   readonly index: Uint32Array;
   readonly surfaces: readonly Surface[];
   readonly throwsShadow: boolean;
   /** Colour factors of the mesh's instances; null without instance colours. */
   readonly colours: readonly Color[] | null;
-  /** Whether it gets a lightmap that it keeps. */
+  /** Whether the mesh gets a lightmap of its own. */
   readonly isLit: boolean;
-  /** Whether it gets none, and reflects light all the same; else what has no lightmap throws shadows alone. */
+  /**
+   * Whether the mesh has no lightmap, and reflects light all the same; a mesh that is neither lit nor reflecting only
+   * casts shadows.
+   */
   readonly isReflecting: boolean;
 }

@@ -35,33 +35,36 @@ export interface TracedLight {
   readonly light: Light;
   readonly kind: 'directional' | 'point' | 'spot' | 'rectangle' | 'disc' | 'tube';
   readonly position: Vector3;
-  /** To the light (directional), against the cone's axis (spot), the way it shines (area lights): unit length. */
+  /**
+   * Unit vector in world space: towards the light (directional), against the cone's axis (spot), or the way the light
+   * shines (area).
+   */
   readonly direction: Vector3;
   /** Linear colour times intensity. */
   readonly colour: Color;
-  /** Distance from which on it gives nothing (m), 0 for none. */
+  /** Distance beyond which the light gives nothing (m); 0 for no limit. */
   readonly range: number;
   readonly decay: number;
   readonly coneCosine: number;
   readonly penumbraCosine: number;
   readonly spotExponent: number;
-  /** m; of a directional light the tangent of half its angle. */
+  /** Radius of the glowing sphere (m); for a directional light the tangent of half its angle. */
   readonly radius: number;
   readonly attenuation: Attenuation | null;
   readonly ambient: Color;
-  /** Half of the sides of an area light (m). */
+  /** Half of an area light's width, as a vector in world space (m). */
   readonly halfWidth: Vector3;
   readonly halfHeight: Vector3;
-  /** Only reflected light is baked. */
+  /** Whether only the reflected light is baked. */
   readonly isIndirect: boolean;
 }
 
 /** Light from all sides: what ambient and hemisphere lights give. */
 export interface SkyLight {
   readonly light: Light;
-  /** To where `sky` is: unit length. */
+  /** World direction of the sky half: unit length. */
   readonly up: Vector3;
-  /** Irradiance of a surface that faces up, and down. */
+  /** Irradiance of a surface that faces up. */
   readonly sky: Color;
   readonly ground: Color;
   readonly isIndirect: boolean;
@@ -160,7 +163,7 @@ function tracedLight(light: Light, colour: Color, isIndirect: boolean): TracedLi
     const { width, height, matrixWorld } = light as RectAreaLight;
     const [halfWidth, halfHeight, back] = [new Vector3(), new Vector3(), new Vector3()];
     matrixWorld.extractBasis(halfWidth, halfHeight, back);
-    // as three: the sides are turned, not scaled
+    // as three does: sides of the light are turned by the object, not scaled
     halfWidth.normalize().multiplyScalar(0.5 * width);
     halfHeight.normalize().multiplyScalar(0.5 * height);
     return { ...base, kind: data.shape ?? 'rectangle', direction: back.normalize().negate(), halfWidth, halfHeight };

@@ -85,7 +85,7 @@ function readMesh(mesh: Mesh, { isStatic, throwsShadow, onWarning }: CollectOpti
   };
 }
 
-/** False where the page has let go of the array of an attribute, or never had one. */
+/** False for attributes whose array the host has freed, or never had. */
 function isReadable(mesh: Mesh): boolean {
   const { instanceMatrix, instanceColor } = mesh as Partial<Pick<InstancedMesh, 'instanceMatrix' | 'instanceColor'>>;
   const { attributes, index } = mesh.geometry;
@@ -110,7 +110,7 @@ function posedGeometry(mesh: Mesh): BufferGeometry {
   return posed;
 }
 
-/** Whether three draws a material with a lightmap as light that falls on it. Unlit materials would become darker. */
+/** Whether three applies a lightmap to the material as incoming light; unlit materials would become darker. */
 export function takesLightmap(material: Material): boolean {
   return 'lightMap' in material && !('isMeshBasicMaterial' in material);
 }
@@ -120,7 +120,7 @@ function readIndex({ index, attributes, drawRange }: BufferGeometry): Uint32Arra
     ? Uint32Array.from(index.array)
     : Uint32Array.from({ length: attributes.position.count }, (_, i) => i);
   const end = Math.min(drawRange.start + drawRange.count, all.length);
-  // what the draw range leaves out has no area, so that groups keep their places
+  // triangles outside the draw range are made empty, so that groups keep their index ranges
   all.fill(0, 0, Math.min(drawRange.start, all.length));
   if (end < all.length) all.fill(0, end);
   return all.subarray(0, 3 * Math.floor(all.length / 3));

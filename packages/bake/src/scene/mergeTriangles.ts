@@ -19,12 +19,12 @@ import type { StaticMesh } from './StaticMesh';
 /** Contiguous triangles of one lightmap and one material. */
 export interface TriangleRange {
   readonly material: Material;
-  /** Lightmap, -1 for none. */
+  /** Index of the lightmap; -1 for none. */
   readonly lightmap: number;
-  /** Light goes to and comes from both sides. */
+  /** Whether the material reflects and emits light on both sides. */
   readonly isDoubleSided: boolean;
   readonly throwsShadow: boolean;
-  /** First triangle, and how many. */
+  /** Index of the first triangle. */
   readonly first: number;
   readonly count: number;
 }

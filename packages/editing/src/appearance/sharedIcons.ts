@@ -1,4 +1,4 @@
-/** Icons that both editors have, as strokes of SVG paths in a square of 16 by 16. */
+/** Icons used by both the editor and the attached editor, as SVG path strokes in a square of 16 by 16. */
 export const sharedIcons = {
   undo: 'M5.4 2.8L2.4 5.8l3 3M2.4 5.8h6.8a4 4 0 0 1 0 8H6',
   redo: 'M10.6 2.8l3 3-3 3M13.6 5.8H6.8a4 4 0 0 0 0 8H10',

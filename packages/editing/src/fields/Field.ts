@@ -11,8 +11,8 @@ export type CurveKey = readonly [time: number, value: number];
 export type Curve = readonly CurveKey[];
 
 /**
- * A key of a gradient: its time, from 0 to 1, the linear colour and the opacity (0 to 1) there. Null for what the key
- * says nothing of, so that colour and opacity can have keys at times of their own.
+ * Key of a gradient: time (0 to 1), linear colour and opacity (0 to 1). Null where the key sets no colour, or no
+ * opacity, so that the two can have keys at times of their own.
  */
 export type GradientKey = readonly [time: number, colour: Vector3Tuple | null, opacity: number | null];
 
@@ -26,7 +26,7 @@ export type Gradient = readonly GradientKey[];
 export interface FieldCondition {
   readonly field: string;
   readonly equals: readonly unknown[];
-  /** Another condition that must hold as well. */
+  /** Second condition that must hold as well. */
   readonly and?: FieldCondition;
 }
 
@@ -39,18 +39,18 @@ export interface FieldVariants {
 interface FieldBase {
   /** Help text of one line, shown as a tooltip. */
   readonly help: string;
-  /** Shown in place of the field's name. */
+  /** Label in place of the field's name. */
   readonly label?: string;
   readonly visibleWhen?: FieldCondition;
-  /** Shown with another label or unit while another field has a value. */
+  /** Other labels or units, while another field has certain values. */
   readonly variants?: FieldVariants;
-  /** Title of the group of fields that it stands in; none when absent. */
+  /** Title of the group in which the inspector shows the field; none when absent. */
   readonly group?: string;
-  /** Not to be filled by hand, as for older files: shown only where it is not the default. */
+  /** Whether the field is only for older files: shown only where its value is not the default. */
   readonly deprecated?: boolean;
-  /** Shows a part of another field of the owner, which is what files hold. */
+  /** Name of another field of the owner, of whose value this field edits a part; files hold only that other field. */
   readonly viewOf?: string;
-  /** Shown, but not to be edited by hand. */
+  /** Whether the field is shown, but cannot be edited by hand. */
   readonly readOnly?: boolean;
 }
 
@@ -70,7 +70,7 @@ export interface NumberField extends FieldBase {
   readonly integer?: boolean;
 }
 
-/** Radians; the apps show degrees. */
+/** Angle in radians; the apps show degrees. */
 export interface AngleField extends FieldBase {
   readonly kind: 'angle';
   readonly default: number;
@@ -120,7 +120,7 @@ export interface EulerField extends FieldBase {
   readonly unit: 'rad';
 }
 
-/** Linear sRGB primaries; each channel 0 or more, above 1 allowed. */
+/** Colour with linear sRGB primaries; each channel 0 or more, above 1 allowed. */
 export interface ColourField extends FieldBase {
   readonly kind: 'colour';
   readonly default: Vector3Tuple;
@@ -173,17 +173,17 @@ export interface ObjectField extends FieldBase {
   readonly noneLabel?: string;
 }
 
-/** A type of fields that the engine does not know by itself. */
+/** A kind of field defined outside of the engine. */
 export interface FieldType {
   /** Name by which editors find a control for the type's fields. */
   readonly name: string;
   /** Allowed values in words, as the end of "must be …". */
   readonly allows: string;
-  /** Whether it allows a value. NaN and infinities are no values in any case. */
+  /** Whether the type allows a value. NaN and infinities are always refused. */
   check(value: FieldValue): boolean;
 }
 
-/** A field of a type of its own, with its own check. */
+/** Field of a custom type, which checks its own values. */
 export interface CustomField extends FieldBase {
   readonly kind: 'custom';
   readonly type: FieldType;

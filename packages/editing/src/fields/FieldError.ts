@@ -1,6 +1,6 @@
 import { shortText } from '../shortText';
 
-/** A value that a field does not allow, or a field that does not exist. */
+/** Error for a value that a field does not allow, or for a field that does not exist. */
 export class FieldError extends Error {
   /**
    * @param owner - type of the component, such as 'Light'

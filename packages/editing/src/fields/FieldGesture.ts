@@ -16,7 +16,7 @@ export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((befor
 export class FieldGesture<Item = string> {
   private gesture: Gesture<Item> | null = null;
   private before: readonly FieldValue[] = [];
-  /** The step that the last commit made; null when it made none. */
+  /** Step of history that the last commit made; null when it made none. */
   private step: Command<Item> | null = null;
 
   /**
@@ -30,18 +30,18 @@ export class FieldGesture<Item = string> {
     private readonly whose?: () => string,
   ) {}
 
-  /** Whether an edit is under way: previewed, and neither kept nor discarded, by an undo for example. */
+  /** Whether an edit is under way: previewed, and neither committed, discarded nor ended by an undo. */
   get isOpen(): boolean {
     return this.gesture?.isOpen ?? false;
   }
 
-  /** Shows what the field would be. @throws Error when the value is not allowed; the preview before stays */
+  /** Previews a new value. */
   preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
     if (!this.gesture) {
       this.before = this.owners.map((owner) => this.commands.valueOf(owner, this.name));
       this.gesture = this.commands.begin();
     }
-    // a gesture that an undo has ended takes nothing more
+    // does nothing once an undo has ended the gesture
     this.gesture.preview(this.setTo(update));
   }
 
@@ -55,8 +55,8 @@ export class FieldGesture<Item = string> {
   }
 
   /**
-   * A value of the edit that was committed last, which comes late: part of the same step. An undo of the step, and a step
-   * after it, let such a value pass.
+   * Adds a late value to the edit that was committed last, as part of the same step. Ignored after an undo of that
+   * step, or after a later step.
    * @throws Error when the value is not allowed
    */
   amend<Value extends FieldValue>(update: FieldUpdate<Value>): void {
@@ -70,7 +70,10 @@ export class FieldGesture<Item = string> {
     this.gesture = null;
   }
 
-  /** @throws Error when an owner does not allow its value */
+  /**
+   * Makes the command that sets the field on all owners.
+   * @throws Error when an owner does not allow its value
+   */
   private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
     const { name } = this;
     const edits = this.owners.map((owner, i) => {
@@ -81,7 +84,10 @@ export class FieldGesture<Item = string> {
     return new SetFields(this.labelOf(edits), edits);
   }
 
-  /** 'Set intensity of Lamp to 5', 'Switched on cast shadow of Sun', 'Set position of 3 objects'. */
+  /**
+   * Label of a step in the history: 'Set intensity of Lamp to 5', 'Switched on cast shadow of Sun', 'Set position of 3
+   * objects'.
+   */
   private labelOf(edits: readonly FieldEdit[]): string {
     const { owners, name: field } = this;
     const [{ fields, ownerName }] = owners;

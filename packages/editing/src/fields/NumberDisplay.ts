@@ -4,11 +4,11 @@ import { stepOf } from './stepOf';
 
 /** How the numbers of a field are shown and typed: unit, limits and step as shown, and the way there and back. */
 export interface NumberDisplay {
-  /** Undefined for a pure number. */
+  /** Unit as shown, such as '°'; undefined for a pure number. */
   readonly unit?: string;
   readonly min?: number;
   readonly max?: number;
-  /** Above 0. */
+  /** Step of arrow keys and dragging, in the shown unit; above 0. */
   readonly step: number;
   /** Converts from the field's unit to the shown unit. */
   toShown(value: number): number;
@@ -16,7 +16,7 @@ export interface NumberDisplay {
   fromShown(shown: number): number;
 }
 
-/** Half of the last digit that `toDegrees` keeps, and some (rad). */
+/** Slightly more than half of the last digit that `toDegrees` keeps (rad). */
 const ROUNDING = 1e-10;
 
 const same = (value: number): number => value;
@@ -34,7 +34,7 @@ export function numberDisplay(field: FieldDescription): NumberDisplay {
     max: max === undefined ? undefined : toDegrees(max),
     step: field.step === undefined ? 1 : toDegrees(field.step),
     toShown: toDegrees,
-    // a limit that was rounded to be shown is the limit again, and not a little beyond it
+    // a shown limit is rounded: converted back, it must give the exact limit, and not a value beyond it
     fromShown(shown) {
       const radians = toRadians(shown);
       return limits.find((limit) => Math.abs(limit - radians) < ROUNDING) ?? radians;

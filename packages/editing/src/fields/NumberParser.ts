@@ -2,15 +2,15 @@ import { t } from '../language/translate';
 import { NumberSyntaxError, type Token, tokensOf } from './numberTokens';
 import { isAlike, isPure, multiplyUnits, noUnit, type Unit, unitOf } from './units';
 
-/** A number in a unit. */
+/** A number with its unit. */
 export interface Quantity {
   readonly value: number;
   readonly unit: Unit;
-  /** A unit without a number, as the second in m/s. */
+  /** Whether the quantity is a unit without a number, such as the second in m/s. */
   readonly isBareUnit?: boolean;
 }
 
-/** Brackets and signs within one another. */
+/** Greatest nesting of brackets and signs. */
 const MAXIMUM_DEPTH = 50;
 
 const constants: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI, tau: 2 * Math.PI };
@@ -32,8 +32,8 @@ export class NumberParser {
   private depth = 0;
 
   /**
-   * @param units - what the field's numbers are in; a number without a unit is in the first one
-   * @param fieldUnit - the same as text
+   * @param units - units of the field; a number without a unit is in the first one
+   * @param fieldUnit - the field's unit as text
    * @throws NumberSyntaxError
    */
   constructor(
@@ -44,7 +44,10 @@ export class NumberParser {
     this.tokens = tokensOf(text);
   }
 
-  /** @throws NumberSyntaxError */
+  /**
+   * Reads the whole expression.
+   * @throws NumberSyntaxError
+   */
   read(): Quantity {
     const value = this.sum();
     const next = this.peek();

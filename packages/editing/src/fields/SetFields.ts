@@ -3,7 +3,7 @@ import type { FieldValue } from './Field';
 import type { FieldTarget } from './FieldTarget';
 import { sameValue } from './sameValue';
 
-/** A field of a component, of a scene's settings or of an object, and what it shall be. */
+/** A new value for one field of a component, of a scene's settings or of an object. */
 export interface FieldEdit<Owner extends FieldTarget = FieldTarget> {
   readonly owner: Owner;
   readonly name: string;
@@ -17,13 +17,16 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
 });
 
 /**
- * The edit that undoes another one: of the field that holds the whole value, where the edited field views a part of it. The
- * holder may have a value that the field does not allow and shows as its default.
+ * Edit that undoes another one. Where the edited field views a part of another field, it restores that whole field,
+ * also to a value that the field does not allow.
  */
 const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
   authored({ owner, name: owner.fields[name]?.viewOf ?? name, value: null });
 
-/** Sets all, or none when one is refused. @param before - values before the call, in the same order */
+/**
+ * Sets all fields, or none when one value is refused.
+ * @param before - values before the call, in the same order
+ */
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
   try {
@@ -34,7 +37,7 @@ function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void
   }
 }
 
-/** Sets fields of one or of many owners: authored values, which simulation does not touch. */
+/** Command that sets authored values of fields, of one or many owners; simulated values are not touched. */
 export class SetFields<Owner extends FieldTarget = FieldTarget> implements Command<never> {
   /** Values before the first `do`; null until then. */
   private before: readonly FieldEdit<Owner>[] | null = null;
@@ -61,7 +64,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   }
 
   undo(): void {
-    // backwards: one field may decide which others there are
+    // in reverse order: a field may decide which other fields exist
     setAll(this.undoes.toReversed(), this.edits.toReversed());
   }
 

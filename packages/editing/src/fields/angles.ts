@@ -1,6 +1,6 @@
 const DEGREES = 180 / Math.PI;
 
-/** Radians as degrees, without the digits that the conversion adds: π / 3 is 60. */
+/** Converts radians to degrees, without the digits that the conversion adds: π / 3 is 60. */
 export const toDegrees = (radians: number): number => Number((radians * DEGREES).toFixed(9));
 
 export const toRadians = (degrees: number): number => degrees / DEGREES;

@@ -1,7 +1,7 @@
 import { shortText } from '../shortText';
 import type { Curve, Field, FieldValue, Gradient } from './Field';
 
-/** Keys that a curve or a gradient may have. */
+/** Greatest number of keys in a curve or a gradient. */
 export const MOST_KEYS = 64;
 
 const isFiniteNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
@@ -20,7 +20,7 @@ export function describeValue(value: unknown, depth = 0): string {
   return typeof value === 'function' ? 'a function' : shortText(String(value));
 }
 
-/** A text of a user's in quotes, for messages. */
+/** Text of a user's in quotes, for messages. */
 const quoted = (text: string): string => `"${shortText(text).replaceAll('"', '\\"')}"`;
 
 function describeRange(field: { min?: number; max?: number; unit?: string }): string {
@@ -74,7 +74,7 @@ const isTriple = (value: unknown, test: (coordinate: unknown) => boolean): boole
 
 const isColour = (value: unknown): boolean => isTriple(value, (channel) => isFiniteNumber(channel) && channel >= 0);
 
-/** Whether a value is keys, at most `MOST_KEYS`, each of `size` parts, the first of which is an ascending time. */
+/** Whether a value is a list of 1 to `MOST_KEYS` keys, each of `size` parts, with ascending times. */
 function isKeys(value: unknown, size: number): value is readonly (readonly unknown[])[] {
   if (!Array.isArray(value) || value.length < 1 || value.length > MOST_KEYS) return false;
   let before = 0;

@@ -1,20 +1,20 @@
 import type { NumberRange } from './readNumber';
 import { roundToStep } from './roundToStep';
 
-/** A range of numbers as they are shown, and what they go by. */
+/** Range of a number as shown in the editor, with its step. */
 export type SteppedRange = NumberRange & { readonly step: number };
 
-/** Most steps of a range that has a slider; with more, a slider would be too coarse. */
+/** Greatest number of steps in a range that gets a slider; with more, a slider would be too coarse. */
 const STEPS = 2048;
 
-/** Whether a slider stands for a range: it has two ends, and not too many steps between them. */
+/** Whether a range gets a slider: it has both limits, and not too many steps between them. */
 export const suitsSlider = ({ min, max, step }: SteppedRange): boolean =>
   min !== undefined && max !== undefined && (max - min) / step <= STEPS;
 
 /**
- * The number at a place of a slider. The ends are reached although no whole number of steps may lead there.
- * @param part - of the way from `min` to `max`; beyond 0 and 1 it is one of them
- * @param isFine - by a tenth of the step
+ * Number at a position of a slider. Both limits are reached, even if no whole number of steps leads there.
+ * @param part - position from `min` (0) to `max` (1); clamped
+ * @param isFine - rounds to a tenth of the step
  */
 export function valueOnSlider(part: number, range: { min: number; max: number; step: number }, isFine = false): number {
   const { min, max, step } = range;
@@ -30,6 +30,6 @@ export function addToNumber(before: number, amount: number, { min, max, step }: 
   return Math.min(Math.max(next, min ?? -Infinity), max ?? Infinity);
 }
 
-/** How many steps a pixel or a key is worth: 10 with Shift, a tenth with Alt. */
+/** Factor on steps for modifier keys: 10 with Shift, a tenth with Alt. */
 export const stepFactor = ({ shiftKey, altKey }: { shiftKey: boolean; altKey: boolean }): number =>
   shiftKey ? 10 : altKey ? 0.1 : 1;

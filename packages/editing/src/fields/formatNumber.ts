@@ -1,7 +1,10 @@
-/** How many decimals are shown at most: where there is room, and in the three parts of a vector, fewer of large ones. */
+/**
+ * Greatest number of decimals shown: `long` in a single field, `short` in the three fields of a vector; large numbers
+ * show fewer.
+ */
 export const shownDecimals = { long: 5, short: 3 } as const;
 
-/** Smaller numbers are shown as 0: they come of calculating. */
+/** Numbers below this are shown as 0: they are rounding errors. */
 const SMALLEST = 1e-8;
 
 /** A number as text, without zeros at the end. One that would be shown as 0 and is not 0 keeps two digits. */

@@ -8,7 +8,10 @@ export function isFieldVisible(fields: FieldTable, name: string, get: (field: st
   return holds(fields, name, get, null);
 }
 
-/** @param above - fields whose conditions led here: what comes back to one of them ends there */
+/**
+ * Whether the condition of a field holds.
+ * @param above - fields already visited, which ends cycles of conditions
+ */
 function holds(
   fields: FieldTable,
   name: string,

@@ -7,7 +7,7 @@ function keyAfter(keys: readonly (readonly [number, ...unknown[]])[], time: numb
   return i;
 }
 
-/** How much of the way from one key to the next is done. */
+/** Share of the way from one key's time to the next that a time has reached, 0 to 1. */
 const shareOf = (from: number, to: number, time: number): number => (time - from) / (to - from);
 
 /** The value of a curve at a time. */
@@ -27,7 +27,7 @@ export const colourKeys = (gradient: Gradient): ColourKey[] =>
 export const opacityKeys = (gradient: Gradient): Curve =>
   gradient.flatMap(([time, , opacity]) => (opacity === null ? [] : [[time, opacity] as const]));
 
-/** The gradient of stops of colour and of opacity, each by ascending time: one at the time of another shares its key. */
+/** Joins stops of colour and of opacity, each by ascending time, to a gradient: stops of equal time share a key. */
 export function joinKeys(colours: readonly ColourKey[], opacities: Curve): Gradient {
   const keys: GradientKey[] = [];
   for (let c = 0, o = 0; c < colours.length || o < opacities.length;) {

@@ -1,10 +1,12 @@
 import { t } from '../language/translate';
 
-/** Why a text is no number. */
+/** Error that tells why a text is no number. */
 export class NumberSyntaxError extends Error {
   override readonly name = 'NumberSyntaxError';
 
-  /** @param isIncomplete - whether more text may mend it */
+  /**
+   * @param isIncomplete - whether typing on may make the text valid
+   */
   constructor(
     message: string,
     readonly isIncomplete = false,
@@ -13,7 +15,7 @@ export class NumberSyntaxError extends Error {
   }
 }
 
-/** A piece of an expression. */
+/** Token of a number expression. */
 export type Token =
   | { readonly kind: 'number'; readonly text: string; readonly value: number }
   | { readonly kind: 'word' | 'sign'; readonly text: string };
@@ -21,7 +23,10 @@ export type Token =
 const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?/i;
 const WORD = /^(?:[\p{L}µ]+|[°%"'])/u;
 const SIGN = /^(?:\*\*|[-+*/^()²³])/;
-/** The pieces of an expression. @throws NumberSyntaxError */
+/**
+ * Splits an expression into tokens.
+ * @throws NumberSyntaxError
+ */
 export function tokensOf(text: string): Token[] {
   const tokens: Token[] = [];
   let rest = text;
@@ -39,7 +44,9 @@ export function tokensOf(text: string): Token[] {
   return tokens;
 }
 
-/** @param rest - what stands after it */
+/**
+ * @param rest - text after the number
+ */
 function numberToken(text: string, rest: string): Token {
   if (/^[.,]/.test(rest)) {
     throw new NumberSyntaxError(t('“{text}” has two decimal points.', { text: `${text}${rest}`.split(' ', 1)[0] }));

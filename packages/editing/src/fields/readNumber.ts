@@ -3,26 +3,26 @@ import { NumberParser, type Quantity } from './NumberParser';
 import { NumberSyntaxError } from './numberTokens';
 import { isAlike, isPure, type Unit, unitsOfField } from './units';
 
-/** Why a text that was typed is no number. */
+/** Reason why a typed text is no number. */
 export interface NumberProblem {
   /** The problem as one short sentence. */
   readonly problem: string;
-  /** Whether it may become a number by typing on: '1/'. */
+  /** Whether typing on may make the text a number, as with '1/'. */
   readonly isIncomplete: boolean;
 }
 
-/** A number that was typed. */
+/** Result of a typed text: a number, or a change of the present one. */
 export interface NumberEdit {
   readonly problem: null;
-  /** Whether it goes by the value there was: '+=0.5'. */
+  /** Whether the result depends on the present value, as with '+=0.5'. */
   readonly isRelative: boolean;
-  /** The new value, of the value before; both in the field's unit. Finite for finite values. */
+  /** New value from the present one; both in the field's unit. Finite for finite values. */
   valueFor(before: number): number;
 }
 
 /** Range and unit of a number as the editor shows it. */
 export interface NumberRange {
-  /** Unit of numbers that are typed without one. */
+  /** Unit of numbers typed without a unit. */
   readonly unit?: string;
   readonly min?: number;
   readonly max?: number;
@@ -34,14 +34,14 @@ const SIGNS: Readonly<Record<string, string>> = { '−': '-', '–': '-', '×': 
 
 const finite = (value: number): number => Math.min(Math.max(value, -Number.MAX_VALUE), Number.MAX_VALUE);
 
-/** Without the digits that calculating adds: 0.1 + 0.2 is 0.3. */
+/** Rounds away the digits that arithmetic adds: 0.1 + 0.2 is 0.3. */
 const tidied = (value: number): number => Number(value.toPrecision(15));
 
 /** A quantity as a number in the field's unit. @throws NumberSyntaxError where its unit is of another kind */
 function inUnitOf({ value, unit }: Quantity, units: readonly Unit[], fieldUnit: string | undefined): number {
   const own = units.find((each) => isAlike(each, unit));
   if (own) return value * (unit.factor / own.factor);
-  // without a unit: in the field's
+  // a number without a unit is in the field's unit
   if (isPure(unit)) return value * unit.factor;
   if (!fieldUnit) throw new NumberSyntaxError(t('This number has no unit: leave the unit out.'));
   throw new NumberSyntaxError(t('The unit does not fit: this number is in {unit}.', { unit: fieldUnit }));
@@ -89,7 +89,10 @@ function relativeEdit(operator: string, text: string, unit: string | undefined):
   return { problem: null, isRelative: true, valueFor: (before) => finite(tidied(before + amount)) };
 }
 
-/** @throws NumberSyntaxError when `value` is not finite */
+/**
+ * Returns the value, rounded.
+ * @throws NumberSyntaxError when `value` is not finite
+ */
 function checked(value: number, text: string): number {
   if (!Number.isFinite(value)) {
     throw new NumberSyntaxError(

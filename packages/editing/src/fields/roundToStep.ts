@@ -1,4 +1,4 @@
-/** Decimals that are kept beyond those of the step. */
+/** Decimals kept beyond those of the step. */
 const BEYOND = 9;
 
 /**

@@ -7,7 +7,7 @@ const decode = (encoded: number): number => (encoded <= 0.04045 ? encoded / 12.9
 
 const HEX = /^#?([0-9a-f]{6}|[0-9a-f]{3})$/i;
 
-/** A linear colour as a screen shows it, and by how much it is brighter. */
+/** Linear colour split into a colour that a screen can show, and a factor of brightness. */
 export interface ScreenColour {
   /** sRGB, '#rrggbb'. */
   readonly hex: string;

@@ -7,11 +7,14 @@ export interface SharedValue {
   readonly value: FieldValue;
   /** Whether the values differ. */
   readonly mixed: boolean;
-  /** The coordinates of differing triples: those that all share, null for the others; absent for all other values. */
+  /** For vectors that differ: the coordinates that all owners share, null for the others; absent for other values. */
   readonly parts?: readonly (number | null)[];
 }
 
-/** @param values - of each owner; at least one */
+/**
+ * Compares one field's values over several owners.
+ * @param values - one for each owner; at least one
+ */
 export function sharedValue(values: readonly FieldValue[]): SharedValue {
   const [first] = values;
   if (values.every((value) => sameValue(value, first))) return { value: first, mixed: false };

@@ -1,7 +1,7 @@
-/** A unit as a factor of SI units, and the powers of those: of km/h 1/3.6, and m to the 1st, s to the -1st. */
+/** A unit as a factor and powers of SI units: km/h is 1/3.6, with m to the power 1 and s to the power -1. */
 export interface Unit {
   readonly factor: number;
-  /** Powers other than 0, by the name of the SI unit. Angles count as one. */
+  /** Non-zero powers, by the name of the SI unit. Angles have none. */
   readonly powers: Readonly<Record<string, number>>;
 }
 
@@ -47,7 +47,7 @@ export function multiplyUnits(a: Unit, b: Unit, power: number): Unit {
 
 export const isPure = ({ powers }: Unit): boolean => Object.keys(powers).length === 0;
 
-/** Whether both measure the same, such as lengths. */
+/** Whether two units measure the same quantity, such as length. */
 export function isAlike(a: Unit, b: Unit): boolean {
   const names = Object.keys(a.powers);
   return names.length === Object.keys(b.powers).length && names.every((name) => a.powers[name] === b.powers[name]);

@@ -1,6 +1,6 @@
 import type { Field } from './Field';
 
-/** Variants by field, then by the value of the field that selects the variant. */
+/** Cache of variants, by field, then by the value of the field that selects the variant. */
 const made = new WeakMap<Field, Map<unknown, Field>>();
 
 /**

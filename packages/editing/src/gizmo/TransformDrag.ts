@@ -2,22 +2,22 @@ import { Matrix4, type Object3D, Quaternion, Vector3 } from 'three';
 
 export type TransformMode = 'translate' | 'rotate' | 'scale';
 
-/** How a drag is taken on. */
+/** Options of a gizmo drag of several objects. */
 export interface DragOptions {
-  /** Whether each object turns and grows in its place, not round the pivot. */
+  /** Whether each object rotates and scales about its own origin, not about the pivot. */
   readonly each?: boolean;
-  /** Whether objects that move turn with the pivot too. */
+  /** Whether objects that move also rotate with the pivot. */
   readonly turns?: boolean;
 }
 
-/** Place, rotation and size of an object in its parent. */
+/** Position, rotation and scale of an object relative to its parent. */
 export interface Pose {
   readonly position: Vector3;
   readonly quaternion: Quaternion;
   readonly scale: Vector3;
 }
 
-/** An object when a drag begins, with its parent's matrix in the world. */
+/** Pose of an object when a drag begins, with its parent's world matrix. */
 export interface DragStart extends Pose {
   readonly parentWorld: Matrix4;
 }
@@ -42,7 +42,10 @@ export class TransformDrag {
   private readonly pivotInverse: Matrix4;
   private readonly pivotRotationInverse: Quaternion;
 
-  /** @param pivot - below nothing but objects at the origin, of scale 1; its matrix in the world is up to date */
+  /**
+   * @param pivot - object that the gizmo moves, below parents at the origin without scale; its world matrix is up to
+   * date
+   */
   constructor(
     private readonly pivot: Object3D,
     starts: readonly DragStart[],
@@ -102,8 +105,8 @@ export class TransformDrag {
 const matrix = new Matrix4();
 
 /**
- * Puts the pivot of a gizmo to a place in the world, turned as an object is.
- * @param like - that object's matrix in the world
+ * Places a gizmo's pivot in the world, with the rotation of an object.
+ * @param like - world matrix of that object
  */
 export function placePivot(pivot: Object3D, place: Vector3, like: Matrix4): void {
   pivot.position.copy(place);

@@ -2,7 +2,7 @@ import { Euler, type EulerOrder, Quaternion, Vector3 } from 'three';
 import type { Vector3Tuple } from '../fields/Field';
 
 const TURN = 2 * Math.PI;
-/** Below this cosine of the middle angle the other two turn about one axis. */
+/** Cosine of the middle angle below which the other two rotate about one axis (gimbal lock). */
 const LOCKED = 1e-6;
 
 const euler = new Euler();
@@ -10,7 +10,7 @@ const rest = new Quaternion();
 const part = new Quaternion();
 const axis = new Vector3();
 
-/** The angle, of all that are whole turns apart, that is nearest to another one. */
+/** Angle nearest to another one, among those that differ by whole turns. */
 const nearest = (angle: number, before: number): number => angle - TURN * Math.round((angle - before) / TURN);
 
 const distance = (angles: Vector3Tuple, before: Vector3Tuple): number =>
@@ -26,7 +26,7 @@ export function nearestEuler(quaternion: Quaternion, before: Vector3Tuple, order
   const [first, middle, last] = [...order].map((letter) => 'XYZ'.indexOf(letter));
   const found = [x, y, z];
   if (Math.abs(Math.cos(found[middle])) < LOCKED) {
-    // the last angle stays, and the first makes up for it
+    // gimbal lock: the last angle is kept, and the first makes up for it
     found[last] = before[last];
     const turned = (index: number): Quaternion =>
       part.setFromAxisAngle(axis.set(0, 0, 0).setComponent(index, 1), -found[index]);

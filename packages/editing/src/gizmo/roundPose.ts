@@ -4,28 +4,31 @@ import type { Vector3Tuple } from '../fields/Field';
 import { nearestEuler } from './nearestEuler';
 import type { Pose } from './TransformDrag';
 
-/** Place, rotation (rad) and size of an object in its parent, as numbers. */
+/** Position, rotation (rad) and scale of an object relative to its parent, as plain numbers. */
 export interface PoseValues {
   readonly position: Vector3Tuple;
   readonly rotation: Vector3Tuple;
   readonly scale: Vector3Tuple;
 }
 
-/** Digits that are kept of the length of a drag, and of a size. */
+/** Significant digits kept of the length of a drag, and of a scale. */
 const DIGITS = 5;
-/** Decimals that are kept of degrees. */
+/** Decimals kept of angles in degrees. */
 const DEGREE_DECIMALS = 3;
-/** Smaller changes, in parts of the value or of 1, come of calculating. */
+/** Changes below this are rounding errors (relative to the value, or to 1). */
 const NOISE = 1e-9;
 
-/** @param decimals - kept of each number that changes; what does not keeps all its digits */
+/**
+ * Rounds the numbers of a vector that have changed; others keep all their digits.
+ * @param decimals - kept of each changed number
+ */
 const rounded = (after: Vector3Tuple, before: Vector3Tuple, decimals: (value: number) => number): Vector3Tuple =>
   after.map((value, i) => {
     if (Math.abs(value - before[i]) <= NOISE * Math.max(1, Math.abs(before[i]))) return before[i];
     return Number(value.toFixed(Math.min(Math.max(decimals(value), 0), 20))) + 0;
   }) as unknown as Vector3Tuple;
 
-/** Decimals with which a number has so many digits. */
+/** Number of decimals that give a value a number of significant digits. */
 const decimalsOf = (value: number, digits: number): number => digits - 1 - Math.floor(Math.log10(Math.abs(value) || 1));
 
 /**
@@ -37,7 +40,7 @@ const decimalsOf = (value: number, digits: number): number => digits - 1 - Math.
 export function roundPose(before: PoseValues, pose: Partial<Pose>, order: EulerOrder = 'XYZ'): Partial<PoseValues> {
   const { position, quaternion, scale } = pose;
   const far = position ? Math.max(...position.toArray().map((value, i) => Math.abs(value - before.position[i]))) : 0;
-  // of a drag by 1 m a tenth of a millimetre; never less than a millimetre of a long one
+  // a drag by 1 m keeps tenths of a millimetre; a long one never less than millimetres
   const decimals = Math.max(decimalsOf(far, DIGITS), 3);
   return {
     ...(position && { position: rounded(position.toArray(), before.position, () => decimals) }),

@@ -11,9 +11,9 @@ export interface CommandSelection<Item = string> {
 export interface Command<Item = string> {
   /** Name in menus, as in 'Undo move'. */
   readonly label: string;
-  /** True when nothing differs before and after; such a command is not kept. */
+  /** Whether the command changes nothing; such a command is not kept in the history. */
   readonly isEmpty?: boolean;
-  /** The selection stays as it is when absent. */
+  /** Selection after `do` and after `undo`; unchanged when absent. */
   readonly selection?: CommandSelection<Item>;
   do(): void;
   undo(): void;

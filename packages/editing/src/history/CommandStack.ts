@@ -9,7 +9,7 @@ import { Signal } from '../Signal';
 export class CommandStack<Item = string> {
   /** Emits when the history changes. */
   readonly changed = new Signal();
-  /** Makes other commands of those that are run and previewed; null for none. */
+  /** Replaces commands that are run or previewed by others, as recording an animation does; null for none. */
   recorder: EditRecorder<Item> | null = null;
 
   private readonly done: Command<Item>[] = [];
@@ -17,7 +17,7 @@ export class CommandStack<Item = string> {
   private gesture: Gesture<Item> | null = null;
   /** Command at the saved state, null at the start; undefined when no undo or redo leads to the saved state. */
   private savedAt: Command<Item> | null | undefined = null;
-  /** Steps below this number stay: see `hold`. */
+  /** Number of oldest steps that `undo` leaves alone, see `hold`. */
   private held = 0;
   private isHeld = false;
 
@@ -60,12 +60,12 @@ export class CommandStack<Item = string> {
     return (this.done.at(-1) ?? null) !== this.savedAt;
   }
 
-  /** Whether a gesture is under way. */
+  /** Whether a gesture (an edit of many previews) is under way. */
   get isGestureOpen(): boolean {
     return this.gesture !== null;
   }
 
-  /** The value that an edit of a field begins from: the authored one, unless a recorder has another. */
+  /** Value from which an edit of a field begins: the authored one, unless the recorder supplies another. */
   valueOf(owner: FieldTarget, name: string): FieldValue {
     return this.recorder?.valueOf(owner, name) ?? owner.getAuthored(name);
   }
@@ -167,7 +167,7 @@ export class CommandStack<Item = string> {
         failed(command, error);
       }
     }
-    // what was undone meanwhile came after them
+    // steps undone before came after these, and can no longer be redone
     if (taken.length > 0) for (const command of this.undone.splice(0)) command.forget?.(false);
     this.held = 0;
     this.isHeld = false;
@@ -175,14 +175,14 @@ export class CommandStack<Item = string> {
     return taken.toReversed();
   }
 
-  /** The document is saved as it was after a step: the last one, unless another is named. */
+  /** Marks the document as saved in its state after a step: the last one, unless another is given. */
   markSaved(step?: Command<Item> | null): void {
     this.gesture?.commit();
     this.savedAt = step === undefined ? this.last : step;
     this.changed.emit();
   }
 
-  /** The document is in no file as it is now, whatever is undone. */
+  /** Marks the document as unsaved in every state that undo and redo can reach. */
   markUnsaved(): void {
     this.savedAt = undefined;
     this.changed.emit();

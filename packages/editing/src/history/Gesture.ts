@@ -9,15 +9,15 @@ export class Gesture<Item = string> {
   private open = true;
 
   /**
-   * @param finish - takes the command of a committed gesture; null when nothing is to be kept
-   * @param instead - gives for each command the one to do in its place; see `EditRecorder`
+   * @param finish - called with the command of a committed gesture; null when there is nothing to keep
+   * @param instead - replaces each command before it is run, see `EditRecorder`
    */
   constructor(
     private readonly finish: (command: Command<Item> | null) => void,
     private readonly instead: (command: Command<Item>) => Command<Item> = (command) => command,
   ) {}
 
-  /** False once the gesture was committed or discarded; calls do nothing then. */
+  /** Whether the gesture is under way: neither committed nor discarded. Calls do nothing otherwise. */
   get isOpen(): boolean {
     return this.open;
   }

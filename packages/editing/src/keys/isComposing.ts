@@ -1,4 +1,4 @@
-/** The part of a KeyboardEvent, or of React's around one, that tells whether an input method has the key. */
+/** Parts of a KeyboardEvent, or of React's event around one, that tell whether an input method has the key. */
 export interface ComposedKey {
   readonly isComposing?: boolean;
   readonly keyCode?: number;

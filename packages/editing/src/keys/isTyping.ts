@@ -1,4 +1,4 @@
-/** An event's target, as far as it tells whether text is typed into it. */
+/** Properties of an event's target that tell whether text is typed into it. */
 interface TypedInto {
   readonly tagName?: string;
   readonly isContentEditable?: boolean;

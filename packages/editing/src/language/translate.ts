@@ -1,7 +1,4 @@
-/**
- * Texts of a language: by the English text, which the code holds, that of the language. `{name}` stands for a value
- * that is filled in.
- */
+/** Texts of a language: its text for each English text in the code. `{name}` stands for a value that is filled in. */
 export type Texts = Readonly<Record<string, string>>;
 
 let texts: Texts = {};
@@ -50,8 +47,7 @@ function withoutNote(english: string): string {
 }
 
 /**
- * A text of a number of things, of which English and Spanish have one for 1 and one for the rest. `{count}` is filled
- * in.
+ * Text for a number of things, with one form for 1 and one for all other counts. `{count}` is filled in.
  * @param one - for a count of 1, such as '{count} light'
  * @param many - for any other, such as '{count} lights'
  */

@@ -26,11 +26,11 @@ export type Asset =
 export interface DecodedPart {
   /** Decoded size of the part (bytes). */
   readonly bytes: number;
-  /** The texture, when the asset is one; assets of equal bytes share its image. */
+  /** Texture, when the part is one; textures read from equal bytes share one image. */
   readonly texture?: Promise<Texture>;
 }
 
-/** Memory of an asset that is read from a file, in bytes. */
+/** Memory account of an asset that is read from a file, in bytes. */
 export interface AssetMemory {
   /** Size of the asset's file (bytes); 0 until known. */
   file: number;
@@ -66,7 +66,7 @@ export interface AssetFile {
   readonly blob: Blob;
 }
 
-/** Asset that `AssetLibrary.take` took out; `AssetLibrary.restore` puts it back. */
+/** Asset removed by `AssetLibrary.take`, for `AssetLibrary.restore` to put back. */
 export interface TakenAsset {
   readonly name: string;
   readonly source: AssetSource;
@@ -95,7 +95,7 @@ export type AssetChange =
       readonly error?: undefined;
     };
 
-/** User of a library's material. */
+/** Component that uses a material of a library. */
 export interface MaterialUser {
   /** Called when three's material was replaced and must be fetched again. */
   materialReplaced(): void;

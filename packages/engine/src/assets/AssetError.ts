@@ -1,5 +1,5 @@
-/** An asset that is unknown, of another type, not loaded yet, or that failed to load. */
 import { shortText } from '@farol/editing';
+/** Error for an asset that is unknown, of another type, not loaded yet, or that failed to load. */
 export class AssetError extends Error {
   constructor(
     readonly asset: string,

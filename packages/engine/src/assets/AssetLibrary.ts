@@ -20,7 +20,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   readonly materials = new MaterialCache(this);
   /** @internal Materials of objects with a surface of their own. */
   readonly layered = new LayeredMaterials(this);
-  /** Time (s) of the scene, by which surfaces move. */
+  /** Scene time (s) that is passed to the shaders of surfaces. */
   readonly surfaceTime = { value: 0 };
   /** Users of shared geometries and textures. */
   readonly uses = new UseCounter();
@@ -28,8 +28,8 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   private readonly materialUsers = new Map<string, Set<MaterialUser>>();
 
   /**
-   * Adds a material that is made of fields, to be shared by objects and edited.
-   * @param values - in place of the defaults; named textures may be added later
+   * Adds a material defined by field values, which objects share and editors can change.
+   * @param values - values in place of the defaults; named textures may be added later
    * @throws AssetError when the name is taken; FieldError for a value that is not allowed
    */
   addMaterial(name: string, values: Readonly<Record<string, FieldValue>> = {}): MaterialAsset {
@@ -37,8 +37,8 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Adds an asset that is made of fields.
-   * @param values - in place of the defaults; named assets may be added later
+   * Adds an asset defined by field values.
+   * @param values - values in place of the defaults; named assets may be added later
    * @throws AssetError when the name is taken; FieldError for a value that is not allowed
    */
   addFieldAsset(type: FieldAssetType, name: string, values: Readonly<Record<string, FieldValue>> = {}): FieldAsset {
@@ -127,8 +127,8 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   }
 
   /**
-   * Removes an asset with its parts so that `restore` can put it back; present users keep it.
-   * @throws AssetError when there is none of this name
+   * Removes an asset with its parts so that `restore` can put it back; objects that use it keep it.
+   * @throws AssetError when there is no asset of this name
    */
   take(name: string): TakenAsset {
     const source = this.sources.get(name);
@@ -150,7 +150,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
     if (source.type === 'surface') this.surface(name)?.begin();
   }
 
-  /** Removes an added asset with its parts; present users keep it. The asset itself is not disposed of. */
+  /** Removes an added asset with its parts; objects that use it keep it. The asset itself is not disposed of. */
   unregister(name: string): void {
     const source = this.sources.get(name);
     if (!source) return;

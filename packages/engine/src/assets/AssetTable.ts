@@ -7,7 +7,7 @@ import type { FieldAsset, FieldAssetType } from './FieldAsset';
 import type { MaterialAsset } from './MaterialAsset';
 import type { SurfaceAsset } from './SurfaceAsset';
 
-/** Names of a list for a message: at most eight. */
+/** Names of a list for a message: at most eight of them. */
 export const sample = (names: readonly string[]): string =>
   names
     .slice(0, 8)
@@ -17,7 +17,7 @@ export const sample = (names: readonly string[]): string =>
 /** Table of assets by name with their sources, the folders, and the listeners of changes. */
 export abstract class AssetTable {
   protected readonly sources = new Map<string, AssetSource>();
-  /** Names of parts by their model's name; some parts may no longer exist. */
+  /** Names of a model's parts, by the model's name; some parts may no longer exist. */
   protected readonly parts = new Map<string, Set<string>>();
   protected readonly listeners = new Set<(change: AssetChange) => void>();
   protected readonly ownFolders = new Set<string>();
@@ -65,7 +65,7 @@ export abstract class AssetTable {
     );
   }
 
-  /** The model that an asset is a part of; null when it is none. */
+  /** Name of the model that an asset is a part of; null for an asset that is no part. */
   modelOf(name: string): string | null {
     const source = this.sources.get(name);
     return (source && 'partOf' in source && source.partOf) || null;
@@ -114,7 +114,7 @@ export abstract class AssetTable {
     return asset?.type === 'surface' ? (asset as SurfaceAsset) : null;
   }
 
-  /** Whether the library has anything of the user's: files, materials, folders. */
+  /** Whether the library has assets of the user's: files, materials, folders. */
   get hasOwn(): boolean {
     return this.ownFolders.size > 0 || this.files.length > 0 || this.fieldAssets().length > 0;
   }

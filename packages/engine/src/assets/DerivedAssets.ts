@@ -13,7 +13,7 @@ const DEFAULT_CREASE = Math.PI / 6;
 /** Typed access to assets, with derived ones: meshes with normals, repeated textures. */
 export abstract class DerivedAssets extends LoadedAssets {
   protected readonly normals = new MeshNormals();
-  /** Textures by repeat and by whether they are data, for each name. */
+  /** Copies of textures, by texture name, then by repeat and by whether their texels are data. */
   protected readonly repeated: Map<string, Map<string, Texture>> = new Map();
 
   /**
@@ -24,7 +24,7 @@ export abstract class DerivedAssets extends LoadedAssets {
     return this.normals.get(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
   }
 
-  /** Whether `mesh` returns this geometry without a long computation. */
+  /** Whether `mesh` returns at once, its normals being present or computed. */
   isMeshReady(name: string, creaseAngle = DEFAULT_CREASE): boolean {
     return this.isReady('mesh', name) && this.normals.isReady(this.getAs<BufferGeometry>('mesh', name), creaseAngle);
   }

@@ -1,7 +1,7 @@
 import { type AssetType, type FieldValue, sameValue } from '@farol/editing/fields';
 import { type AssetNames, FieldOwner, copyValue } from '../fields/FieldOwner';
 
-/** The types of assets that are made of fields, and edited as components are. */
+/** Types of assets that are defined by fields, and edited as components are. */
 export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;
 
 /** Part of an AssetLibrary that its field assets use. */
@@ -11,8 +11,7 @@ export interface FieldAssetHost extends AssetNames {
 }
 
 /**
- * An asset of a library that is made of fields: kept in files as their values, edited by the same commands as
- * components.
+ * Asset of a library that is defined by fields: files store its values, and the commands that edit components edit it.
  */
 export abstract class FieldAsset extends FieldOwner {
   readonly isFieldAsset = true;

@@ -8,7 +8,7 @@ import { entryOf, readStored, storedValue } from '../fields/storedValues';
 import { UNIFORM, uniformValues } from './uniformFields';
 import { type TextureHost, writeSurfaceMaps } from './writeSurfaceMaps';
 
-/** Values of a surface, as files hold them. */
+/** Values of a surface (GLSL on top of a material), as files store them. */
 export interface LayerValues {
   /** Uniform values as JSON: see `surfaceValueFields`. */
   readonly text: string;
@@ -16,7 +16,7 @@ export interface LayerValues {
   readonly maps: readonly (string | null)[];
 }
 
-/** Uniform that a field writes: one component of it, such as 'x', or all. */
+/** Uniform that a field writes, in full or one component such as 'x'. */
 interface Target {
   readonly uniform: string;
   readonly axis: 'x' | 'y' | 'z' | 'w' | null;
@@ -38,8 +38,8 @@ function targetsOf(table: FieldTable): ReadonlyMap<string, Target> {
 }
 
 /**
- * A material with a further surface on top of its source's, for some of the source's objects. Everything else it
- * inherits live from the source, which is never changed.
+ * Copy of a material with one more surface (GLSL) on top, for some of the objects that use the material. It inherits
+ * everything else live from that source material, which is never changed.
  */
 export class LayeredMaterial {
   readonly material: Material;
@@ -78,7 +78,7 @@ export class LayeredMaterial {
     const given = uniformValues(surface.uniforms, (name) => storedValue(surfaceFields[name], stored[entryOf(name)]));
     this.uniforms = code.layerSurface(this.material, this.source, surface, given);
     const worn = code.getSurfaces(this.material).map((each) => each.surface.name);
-    // for readers of three's materials, such as an exporter
+    // lists the surfaces for readers of three's materials, such as an exporter
     this.material.userData.surface = worn.join(', ');
     writeSurfaceMaps(code, surface.uniforms, this.uniforms, maps, this.textures, () => {
       if (this.users > 0) this.refresh();

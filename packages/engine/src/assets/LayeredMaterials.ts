@@ -3,17 +3,17 @@ import { LayeredMaterial, type LayerValues } from './LayeredMaterial';
 import type { SurfaceAsset } from './SurfaceAsset';
 import type { TextureHost } from './writeSurfaceMaps';
 
-/** Object with a surface of its own, on top of its material's. */
+/** Object that puts a surface (GLSL) of its own on top of its material's. */
 export interface LayerUser {
   /** Name of the surface; null for none. */
   readonly surfaceName: string | null;
-  /** The surface, or its text, is another one. */
+  /** Called when another surface, or another text of it, is to be used. */
   surfaceChanged(): void;
 }
 
 /** Materials of objects with surfaces of their own; users with equal values share one. */
 export class LayeredMaterials {
-  /** Users, called when their surface changes. */
+  /** Objects that are called when their surface changes. */
   readonly users = new Set<LayerUser>();
   private readonly all = new Set<LayeredMaterial>();
   /** Shared materials by source material, then by surface and values. */
@@ -68,13 +68,13 @@ export class LayeredMaterials {
     layered.dispose();
   }
 
-  /** The surface, or its text, is another one. */
+  /** Tells the users of a surface that it, or its text, has changed. */
   surfaceChanged(asset: SurfaceAsset): void {
     for (const layered of this.all) if (layered.asset === asset) layered.refresh();
     for (const user of [...this.users]) if (user.surfaceName === asset.name) user.surfaceChanged();
   }
 
-  /** Called when a source material has another surface. */
+  /** Updates the copies of a source material after its own surface has changed. */
   sourceChanged(source: Material): void {
     for (const layered of this.all) if (layered.source === source) layered.refresh();
   }

@@ -185,13 +185,13 @@ export abstract class LoadedAssets extends AssetTable {
     return promise;
   }
 
-  /** Begins to load an asset and calls back once it is there. A failure is reported to `onChange` only. */
+  /** Loads an asset if necessary, and calls back when it is available. A failure is reported to `onChange` only. */
   whenReady(type: AssetType, name: string, callback: () => void): void {
     if (this.isReady(type, name)) callback();
     else this.load(name).then(callback, () => {});
   }
 
-  /** The name of an asset that was made or loaded; null when it is not in the library. */
+  /** Name of an asset that was made or loaded; null when the library does not have it. */
   nameOf(asset: Asset): string | null {
     for (const [name, value] of this.values) if (value === asset) return name;
     return null;

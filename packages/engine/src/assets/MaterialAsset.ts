@@ -30,7 +30,9 @@ export interface MaterialHost extends FieldAssetHost {
   whenReady(type: 'texture', name: string, callback: () => void): void;
   texture(name: string): Texture;
   surface(name: string): SurfaceAsset | null;
-  /** @internal Called when a material has another surface. */
+  /**
+   * @internal Called when the surface (GLSL) of a material was replaced.
+   */
   materialWears(material: Material): void;
   /** @internal */
   materialShapeChanged(name: string): void;
@@ -38,7 +40,7 @@ export interface MaterialHost extends FieldAssetHost {
 
 const wraps = { repeat: RepeatWrapping, mirror: MirroredRepeatWrapping, clamp: ClampToEdgeWrapping };
 
-/** Property of three's MeshPhysicalMaterial by field, for fields that are copied unchanged. */
+/** Property of three's MeshPhysicalMaterial for each field that is copied unchanged. */
 const numbers: Readonly<Record<string, keyof MeshPhysicalMaterial>> = {
   sheen: 'sheen',
   sheenRoughness: 'sheenRoughness',
@@ -53,7 +55,7 @@ const numbers: Readonly<Record<string, keyof MeshPhysicalMaterial>> = {
   retroreflectivity: 'retroreflectivity' as keyof MeshPhysicalMaterial,
 };
 
-/** Properties of MeshPhysicalMaterial that three compiles a program with when above 0, without at 0. */
+/** Properties of MeshPhysicalMaterial for which three compiles another program when they are above 0. */
 const lobes = [
   'clearcoat',
   'sheen',
@@ -197,7 +199,7 @@ export class MaterialAsset extends FieldAsset {
       () => this.surfaceChanged(),
     );
     if (surface !== before) host?.materialWears(material);
-    // for what reads three's materials, such as an export
+    // lists the surface for readers of three's materials, such as an exporter
     material.userData.surface = surface?.name ?? null;
     const reach = code.surfaceReach(material);
     if (reach === (material.userData.reach ?? 0)) return;

@@ -39,7 +39,7 @@ export class MeshNormals {
   }
 
   /**
-   * As `get`, with normals computed in slices, so that the page stays responsive.
+   * Computes normals like `get`, in slices, so that the page stays responsive.
    * @param signal - cancels the wait, and the work when nobody else waits for it
    * @throws what the signal was aborted with (as a rejection)
    */

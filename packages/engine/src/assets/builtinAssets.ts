@@ -20,9 +20,9 @@ const mesh = (make: () => ReturnType<Extract<AssetSource, { make: unknown }>['ma
 export const builtinAssets: Readonly<Record<string, AssetSource>> = {
   box: mesh(() => new BoxGeometry()),
   sphere: mesh(() => new SphereGeometry(0.5, 48, 24)),
-  /** Faces up (+Y). */
+  /** Square in the xz plane that faces up (+Y). */
   plane: mesh(() => new PlaneGeometry().rotateX(-Math.PI / 2)),
-  /** As `plane`, of 64 by 64 squares: for surfaces that move vertices. */
+  /** The plane with 64 × 64 squares, for surfaces that move vertices. */
   grid: mesh(() => new PlaneGeometry(1, 1, 64, 64).rotateX(-Math.PI / 2)),
   cylinder: mesh(() => new CylinderGeometry(0.5, 0.5, 1, 48)),
   cone: mesh(() => new ConeGeometry(0.5, 1, 48)),

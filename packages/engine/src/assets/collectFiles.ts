@@ -1,4 +1,4 @@
-/** Files by their path from what was dropped, with `/`: 'room/textures/wall.png'. */
+/** Dropped files, by their path with `/`: 'room/textures/wall.png'. */
 export type FileMap = ReadonlyMap<string, File>;
 
 /** All files of a drop, folders with everything in them. */

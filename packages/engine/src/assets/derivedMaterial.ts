@@ -1,8 +1,8 @@
 import { Material } from 'three';
 
 /**
- * A material that has everything from another one, live, which is not changed: a program cache and listeners of its
- * own, and what it is given.
+ * A material that inherits all properties of another one, live, but for the given values; it has a program cache and
+ * listeners of its own. The source is not changed.
  */
 export function derivedMaterial(source: Material, values: Readonly<Record<string, unknown>>): Material {
   const material = Object.create(source) as Material;

@@ -5,6 +5,7 @@ import { materialAssetFields } from './materialAssetFields';
 import { scriptFields } from './ScriptAsset';
 import { surfaceFields } from './SurfaceAsset';
 
+/** Field table of each type of asset that is defined by fields. */
 export const fieldAssetFields: { readonly [T in FieldAssetType]: FieldTable } = {
   material: materialAssetFields,
   script: scriptFields,
@@ -12,6 +13,6 @@ export const fieldAssetFields: { readonly [T in FieldAssetType]: FieldTable } = 
   surface: surfaceFields,
 };
 
-/** Whether assets of a type are made of fields. */
+/** Whether assets of a type are defined by fields. */
 export const isFieldAssetType = (type: unknown): type is FieldAssetType =>
   typeof type === 'string' && Object.hasOwn(fieldAssetFields, type);

@@ -3,9 +3,9 @@ import type { Light, Object3D, PointLight, SpotLight } from 'three';
 
 /** Properties of a light that KHR_lights_punctual cannot hold, written to `extras.farolLight` of the light's node. */
 export interface LightExtras {
-  /** In place of the intensity in the file, which is chosen for light that fades as in nature. */
+  /** Intensity of the light, in place of the file's, which is chosen for physical falloff. */
   readonly intensity: number;
-  /** In place of the colour in the file, where that has to be a smaller one: channels there are at most 1. */
+  /** Colour of the light, in place of the file's, whose channels are at most 1. */
   readonly color?: LinearRGB;
   /** three's `distance` (m; 0: unlimited) and `decay` of the light. */
   readonly distance?: number;
@@ -15,8 +15,8 @@ export interface LightExtras {
 }
 
 /**
- * The extras of a light; null for one that glTF has room for.
- * @param hasOwnColour - whether the file has another colour
+ * Extras of a light; null for a light that glTF can express.
+ * @param hasOwnColour - whether the file has another colour than the light
  */
 export function lightExtrasOf(light: Light, hasOwnColour = false): LightExtras | null {
   const { distance, decay, penumbra } = light as SpotLight;

@@ -21,7 +21,7 @@ function textOfData(uri: string): string | null {
  */
 export class LightsIes implements GLTFLoaderPlugin {
   readonly name = LIGHTS_IES;
-  /** In the order of the file. */
+  /** Profiles of the file, in the file's order. */
   profiles: readonly PhotometricProfile[] = [];
   private readonly lists: GltfLists;
 

@@ -5,11 +5,11 @@ import type { AssetMemory } from './Asset';
 
 export interface FetchOptions {
   /**
-   * The address leads away from the page, by leave: no cookies, no referrer, and no going on to a third place, which
-   * nobody was asked about.
+   * Whether the address is of another origin, which the user has allowed: fetched without cookies and referrer, and
+   * redirects to a third origin are refused.
    */
   readonly isLimited?: boolean;
-  /** The address is beside the page, and of a scene, which may not have it go on to another place either. */
+  /** Whether redirects to another origin are refused, as for addresses beside the page that a scene names. */
   readonly staysHere?: boolean;
 }
 

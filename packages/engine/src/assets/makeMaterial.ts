@@ -29,7 +29,7 @@ type LitMaterial = MeshStandardMaterial | MeshPhongMaterial | MeshLambertMateria
 /** An empty material of a kind. */
 export const makeMaterial = (kind: MaterialValues['kind']): Material => new constructors[kind]();
 
-/** The values that matter for the kind of material, in the order of the declaration, then the blending. */
+/** Values that matter for the kind of material, in the order of declaration, then the blending. */
 export function materialSettings(values: MaterialValues): unknown[] {
   const get = (name: string): unknown => (name === 'material' ? null : values[name as keyof MaterialValues]);
   const settings = Object.keys(materialFields).map((name) =>

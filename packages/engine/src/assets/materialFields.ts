@@ -79,9 +79,9 @@ export const materialFields = {
   vertexColours: boolean(false, { help: 'Multiply by the colours of the vertices.', label: 'Vertex colours', ...made }),
 };
 
-/** The values of `materialFields`, and what no field of an ObjectRenderer holds. */
+/** Values of `materialFields`, with properties of a material that no field of an ObjectRenderer holds. */
 export type MaterialValues = Readonly<ValuesOf<typeof materialFields>> & {
-  /** three's constant. Default NormalBlending. */
+  /** Blending as three's constant. Default NormalBlending. */
   readonly blending?: Blending;
 };
 

@@ -3,17 +3,17 @@ import type { materialKinds } from './materialFields';
 
 type Kind = (typeof materialKinds)[number];
 
-/** A place of a material that a texture goes to. */
+/** Texture slot of three's materials. */
 export interface MaterialMap {
-  /** The property of three's material. */
+  /** Name of the property of three's material. */
   readonly property: string;
   readonly label: string;
   readonly help: string;
-  /** The kinds of material that have it. */
+  /** Kinds of material that have this map. */
   readonly kinds: readonly Kind[];
-  /** Whether it holds colours, which are kept as sRGB; else data, which are linear. */
+  /** Whether the texture holds colours, stored as sRGB; otherwise data, which are linear. */
   readonly isColour?: boolean;
-  /** Whether it holds normals in tangent space. */
+  /** Whether the texture holds normals in tangent space. */
   readonly isNormals?: boolean;
 }
 
@@ -168,7 +168,7 @@ export const materialMapNames = Object.keys(materialMaps) as readonly MaterialMa
 /** How a texture continues beyond its edges. */
 export const wrapModes = ['repeat', 'mirror', 'clamp'] as const;
 
-/** How a map lies on the surface: the endings of the names of its fields, 'normalMapRepeatX'. */
+/** Endings of the names of fields that place a map on the surface, such as 'RepeatX' in 'normalMapRepeatX'. */
 export const uvFieldEndings = [
   'OffsetX',
   'OffsetY',
@@ -180,7 +180,7 @@ export const uvFieldEndings = [
   'Channel',
 ] as const;
 
-/** The fields of one map: its texture, and how it lies on the surface. */
+/** Fields of one map: its texture, and the texture's placement on the surface. */
 export function fieldsOfMap(name: MaterialMapName): FieldTable {
   const { label, help, kinds } = materialMaps[name] as MaterialMap;
   const shown = kinds.length === all.length ? {} : { visibleWhen: { field: 'kind', equals: kinds } };

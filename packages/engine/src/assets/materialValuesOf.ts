@@ -29,7 +29,7 @@ function kindOf(material: AnyMaterial): MaterialValues['kind'] | null {
   return material.isMeshBasicMaterial ? 'basic' : null;
 }
 
-/** Fields by three's property where that is a number, true or false, and means the same. */
+/** Field for each three property that is copied unchanged: a number or a flag of equal meaning. */
 const plain: Readonly<Record<string, string>> = {
   ...{ roughness: 'roughness', metalness: 'metalness', shininess: 'shininess', emissiveIntensity: 'emissiveIntensity' },
   ...{ bumpScale: 'bumpScale', displacementScale: 'displacementScale', displacementBias: 'displacementBias' },
@@ -49,7 +49,7 @@ const wrapOf = (wrapping: number): string => {
   return wrapping === MirroredRepeatWrapping ? 'mirror' : 'repeat';
 };
 
-/** A value that its field allows: a number out of range is moved to the end of it. */
+/** Limits a value to the range of its field. */
 function allowed(name: string, value: FieldValue): FieldValue {
   const field = materialAssetFields[name];
   if (typeof value !== 'number' || checkFieldValue(field, value) === null) return value;

@@ -50,13 +50,13 @@ export function reserve({ memory }: ReadOptions, content: string, bytes: number)
   }
 }
 
-/** Equal for equal bytes; null where the browser makes no hashes. */
+/** Hash of an asset's bytes; null where the browser offers no hashes. */
 async function contentOf(bytes: ArrayBuffer): Promise<string | null> {
   if (!globalThis.crypto?.subtle) return null;
   return new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)).join();
 }
 
-/** A texture of the same bytes that another asset has. */
+/** Texture that another asset has read from equal bytes. */
 async function equalTexture(all: Iterable<AssetMemory>, content: string): Promise<Required<DecodedPart> | null> {
   for (const { decoded } of all) {
     const part = decoded.get(content);

@@ -7,13 +7,13 @@ export interface ModelSubtree {
   readonly nodes: readonly Object3D[];
   /** `nodes` as a set. */
   readonly tops: ReadonlySet<Object3D>;
-  /** Nodes from the root down to them, with those of their children that lead there. */
+  /** Nodes on the paths from the root to `nodes`, each with those of its children that are on a path. */
   readonly between: ReadonlyMap<Object3D, readonly Object3D[]>;
 }
 
 const nameOf = (node: Object3D): string => encode(node.name || node.type);
 
-/** A name without what paths are made of. */
+/** Escapes the characters that paths are made of in a name. */
 const encode = (name: string): string =>
   name.replaceAll(/[%/;#]/g, (letter) => `%${letter.charCodeAt(0).toString(16)}`);
 
@@ -45,7 +45,7 @@ function indexOf(parent: Object3D): ChildIndex {
   return index;
 }
 
-/** A node of a model by names from the top down, 'Arm/Hand'; the second child of a name is 'Hand#2'. */
+/** Path of a node in a model: names from the top down, 'Arm/Hand'; the second child of a name is 'Hand#2'. */
 export function pathOfNode(scene: Object3D, node: Object3D): string {
   const names: string[] = [];
   for (let each = node; each !== scene && each.parent; each = each.parent)
@@ -66,18 +66,21 @@ function nodeAt(scene: Object3D, path: string): Object3D | null {
   return node;
 }
 
-/** The nearest of a node and those above it that is one of some; null when none is. */
+/** The nearest of a node and its ancestors that is in a set; null when none is. */
 export function nearestOf(node: Object3D, some: ReadonlySet<Object3D>): Object3D | null {
   for (let each: Object3D | null = node; each; each = each.parent) if (some.has(each)) return each;
   return null;
 }
 
-/** Those of some nodes that are below none of the others. */
+/** Nodes of a set that have no ancestor in the set. */
 export function topsOf(nodes: ReadonlySet<Object3D>): Object3D[] {
   return [...nodes].filter((node) => !node.parent || nearestOf(node.parent, nodes) === null);
 }
 
-/** The nearest node that is, or is above, all of some. @param nodes - at least one, of one tree */
+/**
+ * The nearest common ancestor of nodes, or the node itself when there is one.
+ * @param nodes - at least one, of one tree
+ */
 export function commonAncestor(nodes: readonly Object3D[]): Object3D {
   const chain: Object3D[] = [];
   for (let each: Object3D | null = nodes[0]; each; each = each.parent) chain.push(each);
@@ -122,7 +125,7 @@ export function subtreeOf(scene: Object3D, parts: string): ModelSubtree | null {
   return { root, nodes, tops: new Set(nodes), between };
 }
 
-/** Whether a node is one of a subtree's, or below one. */
+/** Whether a node is one of the subtree's nodes, or a descendant of one. */
 export const isDrawnBy = (node: Object3D, { tops }: ModelSubtree): boolean => nearestOf(node, tops) !== null;
 
 /** Whether a node is drawn with a subtree: it is below one of its nodes, or between them and its root. */

@@ -1,7 +1,7 @@
 import { shortText } from '@farol/editing';
 import { ClampToEdgeWrapping, DataTexture, LinearFilter, NoColorSpace } from 'three';
 
-/** Largest side of a table: 64 is usual. */
+/** Greatest side of a colour table (LUT); 64 is usual. */
 const MOST = 128;
 
 /**

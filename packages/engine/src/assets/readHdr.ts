@@ -2,25 +2,28 @@ import { DataTexture, DataUtils, HalfFloatType, LinearSRGBColorSpace, RGBAFormat
 import { counted } from '../base/counted';
 import { checkPixels } from '../guard/pictures/imageSize';
 
-/** Widths of rows in run lengths of each channel; others are flat. */
+/** Narrowest row (pixels) that may be run-length encoded by channel. */
 const LEAST_WIDTH = 8;
 const MOST_WIDTH = 0x7fff;
 /** Largest half float. */
 const MOST = 65_504;
 
 interface HdrHeader {
-  /** Length of what the file calls a row, and how many there are; columns where `isTurned`. */
+  /** Pixels of a scan line; `count` is the number of scan lines. Columns where `isTurned`. */
   readonly length: number;
   readonly count: number;
   readonly isTurned: boolean;
-  /** Whether rows go down, and columns to the right, in the file. */
+  /** Whether scan lines go from top to bottom, and columns from left to right, in the file. */
   readonly goesDown: boolean;
   readonly goesRight: boolean;
-  /** Byte after the header. */
+  /** Offset of the first byte after the header. */
   readonly end: number;
 }
 
-/** @throws Error when the header is not whole, or says colours of another kind */
+/**
+ * Reads the text header.
+ * @throws Error when the header is incomplete, or tells another format of colours
+ */
 function readHeader(bytes: Uint8Array): HdrHeader {
   let at = 0;
   const readLine = (): string => {
@@ -70,7 +73,10 @@ class RowReader {
     this.row = new Uint8Array(length * 4);
   }
 
-  /** @throws Error when the row is not whole */
+  /**
+   * Reads the next scan line.
+   * @throws Error when the scan line is incomplete
+   */
   next(): void {
     const { bytes, at, length } = this;
     const isPacked =
@@ -84,7 +90,7 @@ class RowReader {
     else this.readFlat();
   }
 
-  /** Channel by channel: runs, and bytes as they are. */
+  /** Reads a scan line channel by channel, as runs and plain bytes. */
   private readPacked(): void {
     const { bytes, row, length } = this;
     let at = this.at + 4;
@@ -93,7 +99,7 @@ class RowReader {
         const code = bytes[at++];
         const isRun = code > 128;
         const count = isRun ? code - 128 : code;
-        // a comparison with what is not there is false
+        // written so that undefined bytes beyond the end of the file fail the test
         if (!(count > 0 && x + count <= length && at + (isRun ? 1 : count) <= bytes.length))
           throw new Error('a row of it is cut short');
         for (const end = x + count; x < end; x++) row[x * 4 + channel] = isRun ? bytes[at] : bytes[at++];
@@ -103,7 +109,10 @@ class RowReader {
     this.at = at;
   }
 
-  /** Pixel by pixel; 1 1 1 n repeats the last one n times, more of them after one another 256 times as often each. */
+  /**
+   * Reads a scan line pixel by pixel; the pixel 1 1 1 n repeats the last pixel n times, consecutive ones of these count
+   * 256 times as much each.
+   */
   private readFlat(): void {
     const { bytes, row, length } = this;
     let { at } = this;

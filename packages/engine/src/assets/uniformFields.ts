@@ -12,18 +12,18 @@ import {
 } from '@farol/editing/fields';
 import type { SurfaceUniform, SurfaceValues } from '@farol/renderer/surfaces';
 
-/** Before the names of fields that are uniforms of a surface. */
+/** Prefix of field names for uniforms of a surface. */
 export const UNIFORM = 'surface.';
 /** Fields of a material that hold the textures of a surface, in the order in which it declares them. */
 export const surfaceMaps = ['surfaceMap1', 'surfaceMap2', 'surfaceMap3', 'surfaceMap4'] as const;
 
-/** Shown by the fields of the surface's uniforms. */
+/** Condition that no owner fulfils: these fields are shown by the fields of the surface's uniforms instead. */
 const hidden = { visibleWhen: { field: 'surface', equals: [] } };
 const map = asset('texture', null, { ...hidden, help: 'A texture of the surface.', label: 'Surface texture' });
 
 /** Fields that store a surface's uniform values, for owners with a field `surface`. */
 export const surfaceValueFields = {
-  /** JSON of the uniforms of the surface that are not as it declares them, by name. */
+  /** JSON of uniform values that differ from the surface's defaults, by uniform name. */
   surfaceValues: string('', { ...hidden, help: 'Values of the surface.', readOnly: true }),
   surfaceMap1: map,
   surfaceMap2: map,
@@ -66,7 +66,7 @@ export function uniformFieldsOf(uniforms: readonly SurfaceUniform[]): FieldTable
   return fields;
 }
 
-/** A step of a hundredth or so of a range. */
+/** Step of an arrow key: about a hundredth of a range. */
 const stepOf = (least: number, most: number): number => 10 ** Math.round(Math.log10((most - least) / 100));
 
 const triple = (value: SurfaceUniform['default']): Vector3Tuple => {

@@ -14,7 +14,7 @@ export interface PlayOptions {
   readonly wrap?: ClipWrap;
   /** Factor of the speed; negative runs backwards. */
   readonly speed?: number;
-  /** Seconds of the clip to begin at. */
+  /** Time within the clip at which to begin (s). */
   readonly time?: number;
 }
 
@@ -70,18 +70,18 @@ export class Animation
     return [...own, ...scene.assets.list('clip')];
   }
 
-  /** Whether a clip plays: neither paused nor finished. */
+  /** Whether a clip is playing: neither paused nor finished. */
   get isPlaying(): boolean {
     const { current } = this;
     return current !== null && !current.isPaused && !current.isFinished(this.scene?.time ?? 0);
   }
 
-  /** The name of the clip that plays or pauses; null for none. */
+  /** Name of the clip that is playing or paused; null for none. */
   get playing(): string | null {
     return this.current?.name ?? null;
   }
 
-  /** Seconds within the clip that plays; 0 for none. */
+  /** Time within the clip that is playing (s); 0 for none. */
   get time(): number {
     return this.current?.timeAt(this.scene?.time ?? 0) ?? 0;
   }
@@ -120,7 +120,10 @@ export class Animation
     this.players.push(player);
   }
 
-  /** Stops all clips: the object returns to its authored values. @param options - `fade`: in so many seconds */
+  /**
+   * Stops all clips: the object returns to its authored values.
+   * @param options - `fade`: duration of the fade-out (s)
+   */
   stop(options?: { readonly fade?: number }): void {
     this.hasStarted = true;
     const fade = options?.fade ?? 0;
@@ -210,7 +213,7 @@ export class Animation
     this.players.push(new ClipPlayer(this.clip!, this, this.system!, this.since, options));
   }
 
-  /** Another clip was chosen while one plays. */
+  /** Plays a newly chosen clip in place of the one that is playing. */
   private replaceClip(): void {
     this.clear();
     this.hasStarted = true;
@@ -245,7 +248,7 @@ export class Animation
     );
   }
 
-  /** The clip of a model that is not loaded yet. */
+  /** Loads the model of a clip, if it is not loaded yet. */
   private loadClip(): void {
     const { scene, clip } = this;
     // the library reports a model that cannot be loaded

@@ -56,7 +56,7 @@ export class AudioSource extends component({
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
   private state: 'stopped' | 'playing' | 'paused' = 'stopped';
-  /** Scene time (s) at which the sound would have begun at its present rate. */
+  /** Scene time (s) at which the sound would have begun, had it always had its present rate. */
   private beganAt = 0;
   /** Playback position at the pause (s). */
   private pausedAt = 0;
@@ -75,7 +75,7 @@ export class AudioSource extends component({
     return this.beginnings;
   }
 
-  /** Grows when a field gets another value. @internal */
+  /** Number of changes of field values. @internal */
   get revision(): number {
     return this.changes;
   }

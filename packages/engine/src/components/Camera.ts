@@ -84,13 +84,16 @@ export class Camera extends component({
   private camera: PerspectiveCamera | OrthographicCamera | null = null;
   private canvasAspect = 16 / 9;
 
-  /** The three camera; another one after a change of `projection`. @throws Error when the component is on no GameObject */
+  /**
+   * The three camera; replaced when `projection` changes.
+   * @throws Error when the component is on no GameObject
+   */
   get three(): PerspectiveCamera | OrthographicCamera {
     if (!this.camera) throw new Error('This Camera is on no GameObject: add it with gameObject.addComponent.');
     return this.camera;
   }
 
-  /** The matrix from the world to the camera's space: a copy, up to date. */
+  /** View matrix (world to camera space): a copy, up to date. */
   get viewMatrix(): Matrix4 {
     this.updateViewMatrix();
     return this.three.matrixWorldInverse.clone();

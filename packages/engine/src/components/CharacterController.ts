@@ -9,14 +9,14 @@ import { physicsComponent } from '../physics/physicsComponent';
 
 const UP = new Vector3(0, 1, 0);
 const RIGHT = new Vector3(1, 0, 0);
-/** Length of a finger's drag for full speed (CSS pixels). */
+/** Length of a finger's drag that gives full walking speed (CSS pixels). */
 const STICK_REACH = 60;
-/** Greatest duration (s) and movement (CSS pixels) of a tap that jumps. */
+/** Greatest duration of a tap that makes the character jump (s). */
 const TAP_TIME = 0.25;
 const TAP_REACH = 10;
-/** Share of a gamepad's stick that counts as none. */
+/** Deflection of a gamepad's stick that is ignored, 0 to 1. */
 const DEAD_ZONE = 0.15;
-/** Turn for a second of a gamepad's full stick (rad). */
+/** Turning speed at full deflection of a gamepad's stick (rad/s). */
 const PAD_TURN = 2.5;
 
 const turn = new Quaternion();
@@ -81,7 +81,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     return this.control.isGrounded;
   }
 
-  /** In the world (m/s): a copy. */
+  /** Velocity in the world (m/s): a copy. */
   get velocity(): Vector3 {
     return this.control.velocity.clone();
   }
@@ -213,7 +213,10 @@ export class CharacterController extends physicsComponent(characterFields) {
     if (right !== 0 || down !== 0) this.turnBy(right * way, down * way);
   }
 
-  /** @param right - CSS pixels, as `down` */
+  /**
+   * Turns the character and its camera by a pointer movement.
+   * @param right - movement to the right (CSS pixels); `down`: downwards
+   */
   private turnBy(right: number, down: number): void {
     const { object3D } = this.gameObject;
     object3D.quaternion.premultiply(turn.setFromAxisAngle(UP, -right * this.lookSpeed));

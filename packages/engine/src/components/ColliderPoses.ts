@@ -2,9 +2,9 @@ import { type Matrix4, type Object3D, Vector3 } from 'three';
 
 /** Pose of a collider that particles bounce off, in world space. */
 export interface ColliderPose {
-  /** Metres. */
+  /** World position (m). */
   readonly position: readonly [number, number, number];
-  /** Its +Y, of length 1. */
+  /** World direction of the collider's +Y, unit length. */
   readonly up: readonly [number, number, number];
   /** Greatest scale factor of the object's axes, above 0. */
   readonly scale: number;
@@ -13,15 +13,15 @@ export interface ColliderPose {
 const LEAST_SCALE = 1e-6;
 const axis = new Vector3();
 
-/** The poses of some objects, made anew only when one has moved. */
+/** World poses of some objects, recomputed only when an object has moved. */
 export class ColliderPoses {
   poses: readonly ColliderPose[] = [];
   private readonly matrices: Matrix4[] = [];
   private count = 0;
 
   /**
-   * Takes over where objects are; their world matrices are brought up to date.
-   * @returns whether one has moved, come or gone
+   * Updates the poses from the objects' world matrices, which it brings up to date.
+   * @returns whether an object has moved, come or gone
    */
   follow(objects: readonly (Object3D | null)[]): boolean {
     let changed = false;

@@ -135,7 +135,7 @@ export class EventTrigger extends component({
   /** Scene time (s) from which the timer counts; null until started. */
   private countsFrom: number | null = null;
   private calls = 0;
-  /** Last reported fault, so that each is reported once. */
+  /** Last reported error, so that each is reported once. */
   private toldOf = '';
 
   /** Names of methods that can be called on the target. */
@@ -300,7 +300,7 @@ export class EventTrigger extends component({
     this.calls = 0;
   }
 
-  /** Reports a fault once; the scene continues. */
+  /** Reports an error once; the scene continues. */
   private tell(fault: string, mend = 'choose another in its field Call'): void {
     if (fault === this.toldOf) return;
     this.toldOf = fault;

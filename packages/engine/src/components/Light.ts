@@ -54,7 +54,7 @@ export class Light extends component(lightFields) {
     'Ambient, hemisphere, directional, point or spot light, or one that shines from a rectangle, a disc or a tube.';
 
   private light: AnyLight | null = null;
-  /** The photometric profile that is waited for. */
+  /** Name of the photometric profile that is being loaded; null for none. */
   private waitsFor: string | null = null;
 
   /** The three light; another one after a change of `type`. @throws Error when the component is on no GameObject */
@@ -129,7 +129,7 @@ export class Light extends component(lightFields) {
     if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
   }
 
-  /** Photometric profile that the field names; null for none, and until loaded. */
+  /** Loaded photometric profile that the field names; null for none, and until loaded. */
   private takeProfile(): PhotometricProfile | null {
     const { scene, profile: name } = this;
     if (!scene || name === null) return null;
@@ -144,7 +144,7 @@ export class Light extends component(lightFields) {
     return null;
   }
 
-  /** Light that was baked is not drawn besides. */
+  /** Whether the light is drawn: a light in the baked lightmaps is not. */
   private get isDrawn(): boolean {
     return this.enabled && !(this.mode === 'baked' && this.scene?.baked.hides(this.id));
   }

@@ -121,7 +121,7 @@ export class ModelRenderer extends component({
     return this.inUse;
   }
 
-  /** The node of `three` that stands for one of the model's own. */
+  /** Node of `three` that is the copy of a node of the model. */
   copyOf(node: Object3D): Object3D | null {
     return this.copies.get(node) ?? null;
   }

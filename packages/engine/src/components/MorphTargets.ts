@@ -2,13 +2,13 @@ import { type Field, type FieldTable, type FieldValue, number, string } from '@f
 import { Mesh, type Object3D } from 'three';
 import type { Model } from '../assets/Model';
 
-/** Before the names of fields that are weights of morph targets, such as 'morph.Smile'. */
+/** Prefix of field names for weights of morph targets, such as 'morph.Smile'. */
 const MORPH = 'morph.';
 
-/** Title of the group of these fields. */
+/** Title of the group of morph target fields in the inspector. */
 const GROUP = 'Morph targets';
 
-/** The field that is the weight of a morph target. */
+/** Name of the field for the weight of a morph target. */
 export const morphField = (name: string): string => MORPH + name;
 
 /** Greatest number of a model's morph targets that get fields; models of faces have 50 to 80. */
@@ -56,7 +56,7 @@ function fieldsOf(defaults: ReadonlyMap<string, number>): FieldTable | null {
  * weight.
  */
 export class MorphTargets {
-  /** A field for each, see `Field.viewOf`; null where there are none. */
+  /** Field for each morph target, see `Field.viewOf`; null where there are none. */
   readonly fields: FieldTable | null;
   private readonly uses = new Map<string, Use[]>();
 
@@ -86,7 +86,7 @@ export class MorphTargets {
     this.fields = known.get(parts)!;
   }
 
-  /** Gives the meshes all weights. */
+  /** Writes all weights to the meshes. */
   show(): void {
     for (const name of this.uses.keys()) this.showOne(name);
   }

@@ -54,9 +54,9 @@ export class ObjectRenderer extends component({
   private inGroup = false;
   /** Name of the library material whose changes are listened to. */
   private watched: string | null = null;
-  /** The mesh that the geometry is of. */
+  /** Name of the mesh asset whose geometry is drawn; null for another geometry. */
   private shown: string | null = null;
-  /** Ends the wait for normals that are being computed. */
+  /** Cancels the computation of normals that the component waits for; null when it does not wait. */
   private waiting: AbortController | null = null;
 
   /**
@@ -101,7 +101,7 @@ export class ObjectRenderer extends component({
     this.applyFlags();
   }
 
-  /** A component of the object has another shape, has come or has gone. @internal */
+  /** Called when a component that gives the object its shape has changed, was added or removed. @internal */
   shapeChanged(): void {
     this.refreshGeometry();
   }

@@ -28,7 +28,7 @@ type Bounded = Mesh & { boundingSphere?: Sphere | null };
 export class ObjectSurface implements LayerUser {
   readonly views: StoredViews;
   private worn: LayeredMaterial[] = [];
-  /** Whether simulation has the values. */
+  /** Whether simulation has changed the values, so that the object has a material of its own. */
   private isOwn = false;
 
   /**

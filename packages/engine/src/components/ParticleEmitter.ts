@@ -10,7 +10,7 @@ import { type ColliderPose, ColliderPoses } from './ColliderPoses';
 import { particleFields } from './particleFields';
 import { colliderObjects, type ParticleParts } from './particleSettings';
 
-/** Times of the scene and of the emitter that differ by less are the same (s). */
+/** Difference below which scene time and emitter time count as equal (s). */
 const SAME_TIME = 1e-4;
 
 /**
@@ -103,7 +103,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter) return;
     this.followSurface();
     this.followColliders();
-    // a scene that was put back to an earlier time
+    // the scene was put back to an earlier time
     if (time < this.beganAt) this.beganAt = time;
     const due = time - this.beganAt;
     if (Math.abs(emitter.time + deltaSeconds - due) < SAME_TIME) {
@@ -142,7 +142,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (this.emitter) this.emitter.visible = this.enabled;
   }
 
-  /** Gives the emitter the setting that a field is part of. */
+  /** Applies the emitter setting that a field belongs to. */
   private apply(field: string): void {
     const { emitter, scene } = this;
     if (!emitter || !scene) return;
@@ -186,7 +186,7 @@ export class ParticleEmitter extends component(particleFields) {
     this.apply('surface');
   }
 
-  /** Takes over where the objects are that particles bounce off. */
+  /** Updates the poses of the objects that particles bounce off. */
   private followColliders(): void {
     const { colliderObjects: objects, scene } = this;
     for (let i = 0; i < objects.length; i++) {

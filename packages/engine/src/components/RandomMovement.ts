@@ -61,7 +61,11 @@ export class RandomMovement extends component({
     );
   }
 
-  /** Two waves along an axis, after `way` metres at full speed. */
+  /**
+   * Sum of the two waves of an axis.
+   * @param extent - greatest offset (m)
+   * @param way - distance travelled at full speed (m)
+   */
   private wave(axis: number, extent: number, way: number): number {
     if (extent === 0) return 0;
     const { rates } = this;

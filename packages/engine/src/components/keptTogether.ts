@@ -2,7 +2,7 @@ import type { InstancedMesh, Object3D, SkinnedMesh } from 'three';
 import type { Model } from '../assets/Model';
 import { commonAncestor, nearestOf, topsOf } from '../assets/modelNodes';
 
-/** Why a part of a model stays one object. */
+/** Reason why a part of a model cannot be split into GameObjects. */
 export type KeptFor = 'a skeleton' | 'morph targets' | 'instances of a mesh' | 'points or lines';
 
 /** Nodes of a model that only a ModelRenderer draws, with all below them. */
@@ -12,7 +12,7 @@ export interface KeptPart {
   readonly reason: KeptFor;
 }
 
-/** More instances of a mesh than this stay one object. */
+/** Number of instances above which an instanced mesh is kept as one object. */
 const MOST_INSTANCES = 2000;
 
 type Flags = Object3D & {
@@ -43,7 +43,7 @@ const isSeen = (node: Flags): boolean =>
 /** Nodes in traversal order: descendants directly follow their ancestor. */
 class Order {
   readonly places = new Map<Object3D, number>();
-  /** By place: the first place that is not below the node. */
+  /** For each node's index, the index after its last descendant. */
   private readonly ends: number[] = [];
   /** Number of meshes, lights and cameras before each index. */
   private readonly seen = [0];
@@ -131,7 +131,7 @@ export function keptTogether({ scene }: Model): KeptPart[] {
     if (nodes) nodes.push(node);
     else nodesOf.set(group, [node]);
   }
-  /** Number of these nodes before each index. */
+  /** Number of the kept nodes before each index. */
   const before = [0];
   const isTop = new Set(tops);
   for (const node of order.places.keys()) before.push(before.at(-1)! + Number(isTop.has(node)));

@@ -17,8 +17,9 @@ const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial']
 const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
-/** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 import { angle, asset, boolean, choice, colour, number } from '@farol/editing/fields';
+
+/** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
   type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube'], {
     help: 'How the light spreads.',

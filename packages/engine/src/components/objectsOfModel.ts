@@ -41,9 +41,9 @@ export interface ObjectsOfModel {
 export interface UnpackOptions {
   /** Prefix of each material's name: 'robot/'. */
   readonly materialFolder?: string;
-  /** Default true. */
+  /** Whether the objects cast shadows. Default true. */
   readonly castShadow?: boolean;
-  /** Default true. */
+  /** Whether the objects receive shadows. Default true. */
   readonly receiveShadow?: boolean;
   /**
    * Values for ObjectRenderers by the name of their material in the model, or for all: the surface that the material
@@ -59,7 +59,7 @@ type Flags = Object3D & {
   readonly isCamera?: boolean;
 };
 
-/** Values as a text that is the same for the same ones. */
+/** Field values as a text that is equal for equal values, as a key. */
 const textOf = (values: Values): string =>
   JSON.stringify(Object.entries(values).toSorted(([a], [b]) => (a < b ? -1 : 1)));
 
@@ -95,7 +95,7 @@ export function objectsOfModel(
   const parts = modelParts(model, name);
   const kept = keptTogether(model);
   const alone = new Map<Object3D, KeptPart>();
-  /** Kept parts that have several nodes, by those nodes' common parent. */
+  /** Kept parts that consist of several nodes, by the common parent of those nodes. */
   const several = new Map<Object3D, KeptPart[]>();
   const placesOfSeveral = new Set<Object3D>();
   for (const part of kept) {
@@ -248,7 +248,7 @@ function lightValues(light: ThreeLight): Record<string, FieldValue> | null {
   };
   if (type === 'point' || type === 'spot') {
     const { distance, decay, userData } = light as SpotLight;
-    // those of another attenuation are three's nearest to it, and no fields
+    // with another attenuation, three's `distance` and `decay` are only a nearest fit, so they are not copied
     const isPhysical = (userData.farol as FarolLightData | undefined)?.attenuation === undefined;
     if (isPhysical) Object.assign(values, { range: distance, decay });
   }

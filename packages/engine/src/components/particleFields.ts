@@ -10,8 +10,9 @@ const light = { group: 'Light' } as const;
 const collider = (label: string) =>
   object(null, { ...motion, help: 'An object that particles bounce off as well.', label, ...when('collides', true) });
 
-/** The fields of a ParticleEmitter: ParticleSettings of @farol/renderer, each range as two numbers. */
 import { angle, asset, boolean, choice, curve, gradient, number, object, vector3 } from '@farol/editing/fields';
+
+/** The fields of a ParticleEmitter: ParticleSettings of @farol/renderer, each range as two numbers. */
 export const particleFields = {
   emitting: boolean(true, { ...emission, help: 'Whether particles begin; those that live go on either way.' }),
   rate: number(100, { ...emission, unit: '1/s', min: 0, step: 5, help: 'Particles that begin in a second.' }),

@@ -25,7 +25,7 @@ type Vector = readonly [number, number, number];
 type FieldName = keyof typeof particleFields;
 
 interface Rule<Name extends keyof ParticleSettings> {
-  /** Fields that the setting is made of. */
+  /** Names of the fields from which the setting is computed. */
   readonly fields: readonly FieldName[];
   make(values: ParticleValues, parts: ParticleParts): ParticleSettings[Name];
 }
@@ -35,10 +35,10 @@ const same = <Name extends FieldName & keyof ParticleSettings>(name: Name): Rule
   make: (values) => values[name] as unknown as ParticleSettings[Name],
 });
 
-/** Two numbers in any order. */
+/** Range from two numbers in any order. */
 const between = (from: number, to: number): readonly [number, number] => (from <= to ? [from, to] : [to, from]);
 
-/** How each setting is made of the fields. */
+/** For each setting: the fields that it depends on, and how its value is computed from them. */
 const rules: { readonly [Name in keyof ParticleSettings]: Rule<Name> } = {
   capacity: same('capacity'),
   seed: same('seed'),
@@ -141,13 +141,13 @@ export function particleSettings(values: ParticleValues, parts: ParticleParts): 
   return settings as unknown as ParticleSettings;
 }
 
-/** The setting that a field is part of, at present; nothing for a field that is part of none. */
+/** Setting that depends on a field at present; nothing for a field without a setting. */
 export function changedSetting(field: string, values: ParticleValues, parts: ParticleParts): Partial<ParticleSettings> {
   const name = settingOf.get(field);
   return name === undefined ? {} : { [name]: rules[name].make(values, parts) };
 }
 
-/** The values of fields that stand for settings; of a texture, a geometry and a mesh there are none. */
+/** Field values for given settings; textures, geometries and meshes have none. */
 export function particleValues(settings: Partial<ParticleSettings>): Partial<ParticleValues> {
   const { bursts, shape, life, speed, size, initialRotation, spin, colliders, flipBook, colorOverLife, lightEvery } =
     settings;

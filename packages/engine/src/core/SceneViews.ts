@@ -1,5 +1,6 @@
-/** Named camera bookmark of an editor. */
 import { describeValue, type Vector3Tuple } from '@farol/editing/fields';
+
+/** Named camera bookmark of an editor. */
 export interface SceneView {
   readonly name: string;
   /** Eye position in world space (m). */

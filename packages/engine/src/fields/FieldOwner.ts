@@ -1,4 +1,3 @@
-/** Knows the names of assets. */
 import {
   type AssetType,
   checkFieldValue,
@@ -9,6 +8,8 @@ import {
   isTriple,
   sameValue,
 } from '@farol/editing/fields';
+
+/** Knows the names of assets. */
 export interface AssetNames {
   /** Null when `name` is an asset of this type, else the problem with its remedy. */
   problemWith(type: AssetType, name: string): string | null;

@@ -1,5 +1,6 @@
-/** A field that names an asset. */
 import type { AssetType, FieldTable } from '@farol/editing/fields';
+
+/** A field that names an asset. */
 export interface NamedAssetField {
   readonly name: string;
   readonly assetType: AssetType;

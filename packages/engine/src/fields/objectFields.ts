@@ -1,7 +1,8 @@
 const known = new WeakMap<FieldTable, readonly string[]>();
 
-/** The names of the fields of a table that refer to objects: found once for each table. */
 import type { FieldTable } from '@farol/editing/fields';
+
+/** The names of the fields of a table that refer to objects: found once for each table. */
 export function objectFields(fields: FieldTable): readonly string[] {
   let list = known.get(fields);
   if (!list) {

@@ -2,8 +2,9 @@
 const timesOf = (random: () => number): number[] =>
   Array.from({ length: 1 + Math.floor(random() * 6) }, () => Math.round(random() * 20) / 20).toSorted((a, b) => a - b);
 
-/** A value that a field allows, other than its default wherever that is possible; for tests. */
 import type { Field, FieldValue, GradientKey } from '@farol/editing/fields';
+
+/** A value that a field allows, other than its default wherever that is possible; for tests. */
 export function randomFieldValue(field: Field, random: () => number, assetNames: readonly string[] = []): FieldValue {
   const between = (min = -100, max = min + 200): number => {
     const value = min + random() * (max - min);

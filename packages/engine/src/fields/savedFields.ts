@@ -1,5 +1,6 @@
-/** A field that a file holds. */
 import type { Field, FieldTable } from '@farol/editing/fields';
+
+/** A field that a file holds. */
 export interface SavedField {
   readonly name: string;
   readonly field: Field;

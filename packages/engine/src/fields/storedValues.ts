@@ -1,8 +1,9 @@
+import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/editing/fields';
+
 /**
  * Values of views, see `Field.viewOf`, in the field that holds them: a string field holds those of its views that are
  * not the default, as JSON by entry; an asset field is what its view shows.
  */
-import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/editing/fields';
 export type StoredValues = Readonly<Record<string, FieldValue>>;
 
 /** The entry of a view in what holds it: 'height' of 'surface.height'. */

@@ -1,5 +1,6 @@
-/** A path in a file, as object or text. */
 import { shortText } from '@farol/editing';
+
+/** Path of a value in a scene file: text, or an object that makes the text on demand. */
 export type PathLike = string | FilePath;
 
 /**

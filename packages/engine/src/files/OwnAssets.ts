@@ -1,10 +1,10 @@
 import type { AssetUse } from './assetUses';
 import type { FileAsset } from './FarolFile';
 
-/** How many '/' of a name are looked at: a part of a model is 'robot.glb/mesh-1', the model's name may be a path. */
+/** Greatest number of '/' in a name that are tried as the end of a model's name, as in 'robot.glb/mesh-1'. */
 const SLASHES = 32;
 
-/** The assets that a file brings along, by name. */
+/** Assets that a scene file contains, by name. */
 export class OwnAssets {
   private readonly byName: ReadonlyMap<string, FileAsset>;
 
@@ -12,12 +12,15 @@ export class OwnAssets {
     this.byName = new Map(assets.map((asset) => [asset.name, asset]));
   }
 
-  /** The asset of this name, else the model that it may be a part of; null when there is neither. */
+  /** Asset of this name, else the model that it may be a part of; null when there is neither. */
   find(name: string): FileAsset | null {
     return this.byName.get(name) ?? this.modelOf(name);
   }
 
-  /** Whether an asset of the file matches a use, or is a model that may contain it, which is known once loaded. */
+  /**
+   * Whether the file has the named asset with the right type, or a model that may contain it, which is known once the
+   * model is loaded.
+   */
   mayHold({ name, type }: AssetUse): boolean {
     const own = this.byName.get(name);
     return own ? own.type === type : this.modelOf(name) !== null;

@@ -1,7 +1,7 @@
 import type { FileObject } from './FarolFile';
 import type { Prefab } from '../core/Prefab';
 
-/** Prefabs, each once, that objects hold whole instances of, by how often. */
+/** Counts the prefab instances among objects, by prefab id. */
 function innerOf(objects: readonly FileObject[]): Map<string, number> {
   const inner = new Map<string, number>();
   for (const { prefab: link } of objects) {
@@ -19,11 +19,11 @@ interface Step {
 }
 
 /**
- * How deep prefabs are nested, and how many objects each comes to when every instance in it holds all that its prefab
- * does. Each prefab is visited once, without recursion; nothing is made.
+ * Nesting depth of prefabs, and number of objects in an instance of each, nested instances included. Each prefab is
+ * visited once, without recursion; no objects are made.
  */
 export class PrefabSizes {
-  /** Prefabs that hold themselves: their ids, first and last the same. */
+  /** Cycles of prefabs that contain themselves: their ids, first and last the same. */
   readonly rings: string[][] = [];
 
   private readonly found = new Map<string, { readonly depth: number; readonly size: number }>();
@@ -32,17 +32,17 @@ export class PrefabSizes {
     for (const prefab of prefabs.values()) this.visit(prefab);
   }
 
-  /** How many prefabs are within one another: 1 for one that holds none. 0 where there is no such prefab. */
+  /** Nesting depth of a prefab: 1 without nested prefabs. 0 for an unknown prefab. */
   depthOf(id: string): number {
     return this.found.get(id)?.depth ?? 0;
   }
 
-  /** Objects of an instance of a prefab. 0 where there is no such prefab. */
+  /** Number of objects in an instance of a prefab, nested instances included. 0 for an unknown prefab. */
   sizeOf(id: string): number {
     return this.found.get(id)?.size ?? 0;
   }
 
-  /** How many objects some come to, with all that is in their instances. */
+  /** Number of objects in a list, with all objects of their prefab instances. */
   sizeOfObjects(objects: readonly FileObject[]): number {
     let size = objects.reduce((sum, { prefab }) => sum + (prefab ? 0 : 1), 0);
     for (const [id, times] of innerOf(objects)) size += times * this.sizeOf(id);

@@ -15,7 +15,7 @@ export class ProblemList {
 
   private count = 0;
 
-  /** Whether more problems would be counted only. */
+  /** Whether the list is full: further problems are only counted. */
   get isFull(): boolean {
     return this.problems.length >= fileLimits.problems;
   }
@@ -59,7 +59,7 @@ export class ProblemList {
     return fallback;
   }
 
-  /** Names keys that do not belong. */
+  /** Reports keys that are not allowed. */
   onlyKeys(record: JsonRecord, path: PathLike, keys: readonly string[]): void {
     for (const key of Object.keys(record)) {
       if (!keys.includes(key)) this.add(join(path, key), `is unknown here; known are ${keys.join(', ')}. Remove it.`);
@@ -70,7 +70,10 @@ export class ProblemList {
 /** Path of a member. */
 export const join = (path: PathLike, key: string | number): FilePath => new FilePath(path, key);
 
-/** A few names of many, for messages. */
+/**
+ * A few of many names as text, for messages.
+ * @param most - greatest number of names
+ */
 export function sampleOf(names: Iterable<string>, most = 8): string {
   const shown: string[] = [];
   for (const name of names) {

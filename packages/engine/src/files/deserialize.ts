@@ -21,7 +21,7 @@ import { checkAssets, missingAssets, readFile } from './parseFile';
 import { ProblemList } from './ProblemList';
 
 export interface DeserializeOptions {
-  /** Library of the assets; the scene makes one of its own when absent. */
+  /** Library for the scene's assets; the scene makes a library of its own when absent. */
   assets?: AssetLibrary;
   registry?: ComponentRegistry;
   /** The bytes of a file of the container that the scene came in, such as 'assets/robot.glb'; null when it has none. */
@@ -37,7 +37,7 @@ export interface DeserializeOptions {
   signal?: AbortSignal;
 }
 
-/** Foreign origins that may be fetched from: all of those asked about, none, or these. */
+/** Foreign origins that may be fetched from: true for all that were asked about, false for none, or a list. */
 export type MayFetch = boolean | Iterable<string>;
 
 /** Registers the file's own assets that the library does not have, their names in `registered`. */

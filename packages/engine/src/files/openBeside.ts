@@ -1,5 +1,6 @@
-/** A scene to be handed to another page. */
 import { shortText } from '@farol/editing';
+
+/** A scene to be handed to another page. */
 export interface HandedScene {
   readonly name: string;
   /** A scene file: see `writeContainer`. Asked for each time the other page asks; the bytes are given away. */

@@ -1,5 +1,6 @@
-/** One problem of a file. */
 import { shortText } from '@farol/editing';
+
+/** One problem of a file. */
 export interface FileProblem {
   /** Place in the file: 'objects[3].components[1].values.roughness'; '' for the file as a whole. */
   readonly path: string;

@@ -1,8 +1,9 @@
 const body = { group: 'Body' };
 const looks = { visibleWhen: { field: 'look', equals: ['drag', 'move'] }, group: 'Look' };
 
-/** The fields of a CharacterController. */
 import { angle, boolean, choice, number, vector3 } from '@farol/editing/fields';
+
+/** The fields of a CharacterController. */
 export const characterFields = {
   walkSpeed: number(3, { unit: 'm/s', min: 0, step: 0.1, help: 'Speed of walking.', label: 'Walk speed' }),
   runFactor: number(2, {

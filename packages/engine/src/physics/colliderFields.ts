@@ -3,8 +3,9 @@ const standing = { visibleWhen: { field: 'shape', equals: ['capsule', 'cylinder'
 const byHand = { visibleWhen: { field: 'fit', equals: [false] } };
 const solid = { visibleWhen: { field: 'sensor', equals: [false] }, group: 'Surface' };
 
-/** The fields of a Collider. */
 import { boolean, choice, number, vector3 } from '@farol/editing/fields';
+
+/** The fields of a Collider. */
 export const colliderFields = {
   shape: choice('box', [...simple, 'hull', 'mesh'], {
     help: 'A hull is the smallest shape without hollows round the mesh; a mesh has every triangle, and cannot be that of a dynamic body.',

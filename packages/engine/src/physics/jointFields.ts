@@ -7,8 +7,9 @@ const limit = { group: 'Limits' };
 const motor = { group: 'Motor' };
 const spring = { visibleWhen: { field: 'type', equals: ['spring'] }, group: 'Spring' };
 
-/** The fields of a Joint. */
 import { angle, boolean, choice, number, object, vector3 } from '@farol/editing/fields';
+
+/** The fields of a Joint. */
 export const jointFields = {
   type: choice('hinge', ['fixed', 'hinge', 'ball', 'slider', 'spring'], {
     help: 'What the two bodies may do to each other: nothing, turn about an axis or a point, slide along an axis, or keep a distance.',

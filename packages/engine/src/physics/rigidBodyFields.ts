@@ -2,8 +2,9 @@ const dynamic = { visibleWhen: { field: 'type', equals: ['dynamic'] } };
 const start = { ...dynamic, group: 'At the start' };
 const locked = { ...dynamic, group: 'Locked axes' };
 
-/** The fields of a RigidBody. */
 import { boolean, choice, number, vector3 } from '@farol/editing/fields';
+
+/** The fields of a RigidBody. */
 export const rigidBodyFields = {
   type: choice('dynamic', ['dynamic', 'kinematic', 'fixed'], {
     help: 'Moved by forces and collisions, moved by animation and scripts, or never.',

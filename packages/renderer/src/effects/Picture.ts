@@ -28,7 +28,7 @@ import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
 import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
-/** Picture of each renderer, by an object that each renderer has one of. */
+/** Picture of each renderer, by the renderer's twin cache. */
 const pictures = new WeakMap<Frame['twins'], Picture>();
 
 /**
@@ -87,7 +87,7 @@ export class Picture {
       this.users++;
       return;
     }
-    this.users = 1; // a failed frame may have left users
+    this.users = 1; // an exception in the last frame may have left a count
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;
@@ -109,7 +109,10 @@ export class Picture {
     if (!this.clears) frame.clear(1, true);
   }
 
-  /** Whether the rest of a frame can be drawn over the host's target: one effect uses the picture, and pixels are the same. */
+  /**
+   * Whether the rest of a frame can be drawn over the host's target: a single effect uses the picture, and pixels
+   * have equal coordinates in the picture and in the target.
+   */
   get isAlone(): boolean {
     return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
   }
@@ -131,7 +134,7 @@ export class Picture {
     uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     uniforms.farol_encode.value = this.toDisplay && !this.encoded;
     const material = this.present.material(frame);
-    // over what the host kept, or in its place
+    // blended over the host's earlier content, or replacing it
     material.blending = this.clears ? NoBlending : CustomBlending;
     material.depthFunc = this.clears ? AlwaysDepth : LessEqualDepth;
     frame.bindTarget();

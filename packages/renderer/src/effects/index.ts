@@ -1,9 +1,9 @@
 import type { FarolEffect } from '../frame/FarolEffect';
 
-/** A number of an effect, as menus and files have it. */
+/** A numeric setting of an effect, for menus and scene files. */
 export interface EffectField {
   readonly kind: 'number';
-  /** Property of the effect that it sets. */
+  /** Name of the effect's property. */
   readonly property: string;
   /** Name in menus. */
   readonly label: string;
@@ -12,7 +12,7 @@ export interface EffectField {
   readonly default: number;
   /** SI unit; none for a pure number. */
   readonly unit?: string;
-  /** Range of allowed values, and the step of sliders. */
+  /** Smallest allowed value. */
   readonly min: number;
   readonly max: number;
   readonly step: number;
@@ -21,7 +21,7 @@ export interface EffectField {
 /** Makes an effect with its defaults. */
 type EffectClass = new () => FarolEffect;
 
-/** An effect as menus and files have it. Its code is fetched by `load`. */
+/** An effect as menus and scene files list it; `load` fetches its code. */
 export interface EffectEntry {
   /** Name in menus. */
   readonly label: string;
@@ -29,7 +29,7 @@ export interface EffectEntry {
   readonly help?: string;
   /** At most one of the entries of a group is used at a time. Default: it stands alone. */
   readonly group?: 'antialiasing';
-  /** Name of its switch in the settings of a scene. Default: it has none there. */
+  /** Name of the effect's switch in the settings of a scene. Default: no switch. */
   readonly setting?: string;
   /** Short name of the switch, for addresses. Default: `setting`. */
   readonly short?: string;
@@ -41,7 +41,10 @@ export interface EffectEntry {
   readonly needs?: 'depth' | 'gbuffer';
   /** Frames of a still scene after which its picture changes no more. Default 1. */
   readonly stillFrames?: number;
-  /** Fetches its class. @throws Error (as a rejection) when it cannot be fetched; try again */
+  /**
+   * Fetches the class of the effect.
+   * @throws Error (as a rejection) when it cannot be fetched; try again
+   */
   load(): Promise<EffectClass>;
 }
 

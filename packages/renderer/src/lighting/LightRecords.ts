@@ -30,22 +30,24 @@ const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 const colour = new Color();
 
-/** Masks of lights (shadow maps, cookies, layers) and their records. */
+/**
+ * Source of mask records: per-light data of shadow map, cookie and layers, stored in the light table beside the lights.
+ */
 export interface LightMasks {
   /** Number of mask records of the frame. */
   readonly records: number;
   /**
-   * Record of a light's mask, counted from the first mask; -1 for none. Plus ELSEWHERE for a point light that has moved
-   * since its map was drawn, so that `isMaskedPoint` is false for it.
+   * Index of a light's mask record, counted from the first mask record; -1 for a light without a mask. ELSEWHERE is
+   * added for a point light that has moved since its shadow map was drawn, so that `isMaskedPoint` is false for it.
    */
   recordOf(light: Light): number;
-  /** Writes the mask records to the table, from record `first` on. */
+  /** Writes the mask records to the light table, beginning at record `first`. */
   write(table: DataTable, first: number, camera: Camera): void;
 }
 
-/** Settings of masks, with the area lights that write records. */
+/** Settings of shadow maps, cookies and layers, with the area lights whose extra records are written too. */
 export interface RecordSettings extends MaskSettings {
-  /** Area lights; null until their code is loaded. Default null. */
+  /** Writer of area-light records; null until the code of area lights is loaded. Default null. */
   readonly areas?: AreaLightTable | null;
 }
 
@@ -175,7 +177,7 @@ export class LightRecords {
   }
 }
 
-/** Infinity as a finite number, whose difference from itself is 0 and not NaN; NaN as 0. */
+/** Replaces NaN by 0 and an infinity by a large finite number, so that `x - x` is 0 and not NaN. */
 function finite(value: number): number {
   return Math.max(-1e30, Math.min(1e30, value || 0));
 }

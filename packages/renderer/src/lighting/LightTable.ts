@@ -13,7 +13,7 @@ import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords, type RecordSettings } from './LightRecords';
 
-/** Lights of a quad, four 32-bit words, in tile lists. */
+/** Lights in one group of tile lists: four 32-bit words, a bit a light. */
 export const QUAD = 128;
 
 const position = new Vector3();
@@ -24,7 +24,7 @@ const position = new Vector3();
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 
-/** Sets `order` and `bounded` of a table for an order other than 'by-volume'. */
+/** Sorts the lights of a table: sets its `order` and `bounded`. Used for every order but 'by-volume'. */
 export type RankLights = (lights: LightTable, camera: Camera, size: PictureSize) => void;
 
 /**
@@ -51,11 +51,11 @@ export class LightTable extends VisibleLights {
   plainQuads = 0;
   /** Tile masks and depth bins, up to date after a write 'by-grid'; null before the first such write. */
   grid: LightGrid | null = null;
-  /** Record of the first mask. */
+  /** Record of the light table at which the mask records (shadow map, cookie, layers of a light) begin. */
   firstMask = 0;
   /**
-   * Number of records for the lights of fields, which the GPU writes before record `firstSlot` of the texture that
-   * shaders read. 0 without fields: shaders then read `table` itself.
+   * Number of light-table records kept free for the lights of light fields, which the GPU writes before record
+   * `firstSlot` of the texture that shaders read. 0 without fields: shaders then read `table` itself.
    */
   slots = 0;
   /** Whether all lights of LightFields are plain point lights: without cones. */
@@ -63,7 +63,7 @@ export class LightTable extends VisibleLights {
   firstSlot = 0;
   /** Number of records of `table`. */
   recordCount = 0;
-  /** Order of the lights with a range, as last written. */
+  /** Order in which the last write put the lights with a range. */
   lightOrder: LightOrder = 'by-volume';
   declare protected settings: RecordSettings | null;
   private orders: Uint32Array = new Uint32Array(64);
@@ -114,7 +114,7 @@ export class LightTable extends VisibleLights {
     this.firstMask = this.firstBounded + this.bounded;
     const firstExtension = this.firstMask + (masks?.records ?? 0);
     const { records, table } = this;
-    // every light may need an extension record
+    // room for the worst case: an extension record for every light
     table.reserve((firstExtension + this.firstBounded + this.bounded) * FLOATS_PER_RECORD);
     records.begin(masks, this.firstMask, this.settings, this.slots);
     let record = 0;
@@ -165,8 +165,8 @@ export class LightTable extends VisibleLights {
   }
 
   /**
-   * Finds the first record for lights of fields: plain ones follow the quads of plain point lights, others the last
-   * light.
+   * Finds the first of the records kept for lights of light fields: plain ones follow the quads of plain point lights,
+   * others the last light.
    */
   private placeSlots(lightOrder: LightOrder): void {
     const { slots, plainQuads, bounded } = this;
@@ -186,7 +186,7 @@ export class LightTable extends VisibleLights {
     const to = record * FLOATS_PER_RECORD;
     const at = i * 4;
     if (i === NO_LIGHT) {
-      // lights nothing, for loops that know no lists
+      // radius 0: an empty record lights nothing, even in loops that do not read tile lists
       table.set4(to + LIGHT.sphere, 0, 0, 0, 1);
       table.set4(to + LIGHT.emission, 0, 0, 0, emissionDecay(2, true));
     } else if (emissions[at + 3] >= 0) {

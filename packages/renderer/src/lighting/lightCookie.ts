@@ -1,8 +1,8 @@
 import type { CubeTexture, Light, SpotLight, Texture } from 'three';
 
 /**
- * The image that a light with a cookie (`hasCookie`) throws: a spot light's own `map`, a point light's cube texture as
- * `setLightOptions` gave it. Null for none.
+ * Texture that a light projects (its cookie): a spot light's own `map`, or the cube texture that `setLightOptions` gave
+ * a point light; null for none.
  */
 export function cookieOf(light: Light): Texture | null {
   const spot = light as SpotLight;

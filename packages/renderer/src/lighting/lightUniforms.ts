@@ -7,17 +7,17 @@ import type { IUniform, Texture } from 'three';
 export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_lightTable: IUniform<Texture | null>;
   /**
-   * Numbers of directional lights, local lights without a range, those with a range, and of these all but plain point
-   * lights.
+   * Four counts of lights: directional; local without a range; local with a range; and, of those with a range, the ones
+   * that are not plain point lights.
    */
   readonly farol_lightCounts: { value: number[] };
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
   readonly farol_ambient: { value: Float32Array };
   /** Record of the light that lightLoopOne.glsl shades by. */
   readonly farol_lightIndex: { value: number };
-  /** Linearly transformed cosines; null without area lights. */
+  /** Table of linearly transformed cosines, by which area lights are shaded; null without area lights. */
   readonly farol_ltc: IUniform<Texture | null>;
-  /** Number of plain point lights and of area lights, among those with a range. */
+  /** Two counts among the lights with a range: plain point lights, and area lights. */
   readonly farol_areaCounts: { value: number[] };
 }
 

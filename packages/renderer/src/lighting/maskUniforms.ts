@@ -1,10 +1,13 @@
 import { type IUniform, Matrix3 } from 'three';
 
-/** Uniforms of lightImage.glsl, lightShadow.glsl, shadowMask.glsl and lightMaskLayers.glsl, and of tiles in lightLoopClustered.glsl. */
+/**
+ * Uniforms of shadow maps, cookies and layers of lights: those of lightImage.glsl, lightShadow.glsl, shadowMask.glsl
+ * and lightMaskLayers.glsl, and of the tiles in lightLoopClustered.glsl.
+ */
 export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_shadowAtlas: IUniform;
   readonly farol_lightAtlas: IUniform;
-  /** Textures that spot lights throw, by sampler. */
+  /** Textures that spot lights project, one for each sampler. */
   readonly farol_images: IUniform;
   readonly farol_atlasTexel: { value: number[] };
   /** Rotation from view space to the world's axes. */

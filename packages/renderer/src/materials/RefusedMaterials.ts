@@ -1,7 +1,7 @@
 import type { Material, Object3D, ShaderMaterial } from 'three';
 import { threeChunks } from '../three/ThreeChunks';
 
-/** Frames for which three goes on lighting a scene in which no refused material is seen any more. */
+/** Frames for which three keeps lighting a scene after its last refused material went out of sight. */
 const KEPT_FRAMES = 600;
 
 /** Matches GLSL that reads three's arrays of lights or its ambient light. */
@@ -17,7 +17,7 @@ export class RefusedMaterials {
   private readonly versions = new WeakMap<Material, number>();
   private readonly readers = new WeakMap<Material, { readonly text: string; readonly reads: boolean }>();
   private readonly scenes = new WeakMap<Object3D, number>();
-  /** Whether the frame has met a refused material. */
+  /** Whether a refused material was drawn in the frame. */
   private met = false;
 
   refuse(material: Material): void {

@@ -3,7 +3,7 @@ import type { Material, WebGLProgramParametersWithUniforms } from 'three';
 /** Shader that a twin patches; the object of `Material.onBeforeCompile`. */
 export type TwinShader = Pick<WebGLProgramParametersWithUniforms, 'uniforms' | 'vertexShader' | 'fragmentShader'>;
 
-/** Writes the G-buffer; shades an item by a light loop; shades an item by the light buffer. */
+/** Purpose of a draw: write the G-buffer, shade by a light loop, or shade by the light buffer. */
 export type TwinRole = 'gbuffer' | 'forward' | 'light-buffer';
 
 /** One way in which a pass draws three's materials; a twin is made for each source material and kind. */

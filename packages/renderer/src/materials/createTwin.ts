@@ -43,11 +43,11 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   const twin = standInOf(source, BaseMaterial.prototype);
   const chunks = kind.chunks(source);
   const registry = context.microshaders as MicroShaderRegistry;
-  /** Grows with each change of the twin that is none of its source. */
+  /** Number of changes of the twin that its source's version does not count. */
   const changes = () =>
     registry.revision(chunks) +
     (surfacesOf(source)?.version(registry) ?? 0) +
-    // a value between two versions of the source
+    // fraction, so that it lies between two versions of the source
     (shadingOf(source) === 'flat' ? 0.5 : 0);
   const first = changes();
   // equal to the source's while nothing else has changed: see SourceDraws

@@ -2,9 +2,9 @@ import type { Material, WebGLRenderer } from 'three';
 import type { MicroShaderRegistry } from '../microshaders';
 import type { TwinShader } from './TwinKind';
 
-/** The surfaces of one material. Made by `setSurface` of the entry `surfaces` alone. */
+/** Surfaces (GLSL hooks) that one material uses. Made by `setSurface` of the entry `surfaces` alone. */
 export interface WornSurfaces {
-  /** Whether vertices are displaced; whether pixels may be discarded. */
+  /** Whether vertices are displaced. */
   readonly displaces: boolean;
   readonly discards: boolean;
   /** Number that changes with the list of surfaces and with their texts. */
@@ -13,7 +13,7 @@ export interface WornSurfaces {
   key(registry: MicroShaderRegistry): string;
   /** Adds the surfaces to a shader of three's, before any other patch. */
   rewrite(shader: TwinShader, registry: MicroShaderRegistry, webgl: WebGLRenderer): void;
-  /** Number that changes when a GLSL text, uniform value or time changes pixels' colours; `shape`: the vertices. */
+  /** Number that changes when a GLSL text, uniform value or time changes the colours of pixels. */
   look(): number;
   shape(): number;
   /** Writes the times (s) of the surfaces to a list. */
@@ -34,14 +34,14 @@ export function surfacesOf(material: Material): WornSurfaces | undefined {
 
 function inherited(material: Material): WornSurfaces | undefined {
   const above = Object.getPrototypeOf(material) as Material;
-  // of three's classes there is no id
+  // material classes of three, at the end of the prototype chain, have no id
   return Object.hasOwn(above, 'id') ? surfacesOf(above) : undefined;
 }
 
 /** Surfaces of a material, without those of a prototype. */
 export const ownSurfacesOf = (material: Material): WornSurfaces | undefined => worn.get(material);
 
-/** Sets the surfaces of a material. For the entry `surfaces` alone. */
+/** Sets the surfaces of a material. Called by the entry `surfaces` alone. */
 export function wearSurfaces(material: Material, surfaces: WornSurfaces): void {
   some = true;
   worn.set(material, surfaces);

@@ -3,20 +3,26 @@ import type { Light, Object3D } from 'three';
 type Drawn = Object3D & { isMesh?: boolean; isLine?: boolean; isPoints?: boolean };
 
 /**
- * Which lights reach only some of a scene's objects, where a light reaches only objects that share a layer with it: the sets of
- * layers that objects have, and the most frequent set. Ambient and hemisphere lights reach all objects.
+ * Finds lights that reach only some of a scene's objects, where a light reaches only objects that share a layer with
+ * it: collects the sets of layers that objects have, and the most frequent set. Ambient and hemisphere lights reach all
+ * objects.
  */
 export class LightLayers {
-  /** Most frequent set of layers among objects, as bits; 0 when each light of the frame reaches all objects. */
+  /**
+   * Most frequent set of layers among the scene's objects, as bits; 0 when each light of the frame reaches all objects.
+   */
   reference = 0;
   private enabled = false;
-  /** Sets of layers that objects have, as bits, and how many objects have each. */
+  /** Sets of layers that the scene's objects have, as bits; `counts` tells how many objects have each. */
   private readonly sets: number[] = [];
   private readonly counts: number[] = [];
-  /** Whether a light of the frame does not reach all objects. */
+  /** Whether some light of the frame does not reach all objects. */
   private hasLimited = false;
 
-  /** Begins a frame. @param enabled - whether lights keep to their layers */
+  /**
+   * Begins a frame.
+   * @param enabled - whether lights reach only objects that share a layer with them
+   */
   begin(root: Object3D, enabled: boolean): void {
     this.enabled = enabled;
     this.sets.length = this.counts.length = 0;
@@ -36,7 +42,7 @@ export class LightLayers {
     return false;
   }
 
-  /** Finds `reference`. Call after `separates` was called for all lights. */
+  /** Sets `reference` to the most frequent set of layers. Call after `separates` was called for all lights. */
   end(): void {
     if (!this.hasLimited) return;
     let most = 0;

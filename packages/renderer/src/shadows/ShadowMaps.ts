@@ -44,23 +44,25 @@ const SMALLEST_ATLAS = 512;
  * have to be drawn, `render` draws those. README.md tells a frame step by step.
  */
 export class ShadowMaps implements LightMasks, TileShadows {
-  /** How materials that show nothing but shadows are recognised and drawn. */
+  /** Test for materials that show nothing but shadows (such as ShadowMaterial), and the twin that draws them. */
   readonly maskMaterials: ShadowMaskMaterials = { shows: showsShadowMask, twin: shadowMaskTwin };
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
-  /** Greatest side of the atlas of depths (texels); null: chosen by the size of pictures, see `atlasLimit`. */
+  /**
+   * Greatest side of the atlas of shadow-map depths (texels); null: chosen by the size of pictures, see `atlasLimit`.
+   */
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
-  /** Gives the range of area lights; null while no scene has had such a light. */
+  /** Area lights, asked for the range of those that cast shadows; null while no scene has had an area light. */
   areas: AreaLightTable | null = null;
-  /** Layers of casters, as bits, for shadows whose camera names none: the layers of the frame's camera. */
+  /** Layers of the frame's camera, as bits: layers of casters for shadows whose own camera names none. */
   layersSeen = 1;
   /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
-  /** Number of maps that the frame uses as earlier frames drew them. */
+  /** Number of shadow maps that the frame uses but does not draw, as they are still valid. */
   kept = 0;
-  /** Number of texels of maps that the frame draws. */
+  /** Number of shadow-map texels that the frame draws. */
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();
@@ -69,7 +71,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private readonly slots: LightSlots;
   private readonly samplers: ImageSamplers;
   private readonly casters = new WeakMap<Object3D, ShadowCasters>();
-  /** Scenes whose maps are held. */
+  /** Scenes whose shadow maps are in the atlas, the longest unused of them released first. */
   private readonly scenes = new RecentlyUsed<Object3D>((root) => this.releaseScene(root));
   private readonly atlases: ShadowAtlases;
   private readonly planned: PlannedDraws;
@@ -77,13 +79,13 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private readonly hostMaps: HostShadowMaps;
   private readonly shaders: MaskShaders;
   private readonly masks: MaskRecords;
-  /** `shadowMap.type` of the frame, and whether that is VSMShadowMap, whose maps lie in the atlas of colours. */
+  /** `shadowMap.type` of the frame. */
   private type = -1;
   private isVariance = false;
   private frame = 0;
   /** Size of the frame's picture (pixels). */
   private picture: PictureSize = { width: 1, height: 1 };
-  /** Number of maps that the last frame needed. */
+  /** Number of shadow maps that the last frame needed. */
   private mapCount = 0;
 
   constructor(
@@ -106,13 +108,13 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.masks = new MaskRecords(this.slots, this.layers, this.shaders);
   }
 
-  /** Depths of the maps, to be compared by the sampler; null before the first is drawn. */
+  /** Depths of all shadow maps, for a comparing sampler; null before the first map is drawn. */
   get depthTexture(): Texture | null {
     const draws = this.planned.maps.length > 0 && !this.isVariance;
     return this.atlases.textureOf(this.atlases.depths, draws);
   }
 
-  /** Colours of cookies, moments of variance shadow maps; null before the first is drawn. */
+  /** Colours of cookies and moments of variance shadow maps, in one texture; null before the first is drawn. */
   get colourTexture(): Texture | null {
     const { images, maps } = this.planned;
     const draws = images.length > 0 || (maps.length > 0 && this.isVariance);
@@ -178,16 +180,16 @@ export class ShadowMaps implements LightMasks, TileShadows {
     const { shadowMap } = this.webgl;
     const updates = shadowMap.autoUpdate || shadowMap.needsUpdate;
 
-    // collect
+    // collect the lights
     this.followType();
     for (const light of lights) this.collect(light, root, camera);
 
-    // keep
+    // keep the maps that are still valid
     this.noteLoss();
     this.noteChanges(root, camera);
     this.followLights(updates, camera);
 
-    // assign
+    // assign regions and records
     this.picture = picture;
     this.chooseSizes(camera, picture);
     this.place();
@@ -201,7 +203,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.planned.render(this.type);
   }
 
-  /** Finds which lights light all, or none, of tiles of the screen. */
+  /** Finds the screen tiles that a light's shadow map leaves wholly lit, or wholly dark. */
   findTileShadows(frame: Frame, gbuffer: GBuffer): void {
     this.tiles.render(frame, gbuffer, this.bounds.target);
   }
@@ -247,7 +249,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.isVariance = type === VSMShadowMap;
   }
 
-  /** Adds a light of the frame to the slots; one that only keeps to layers needs none. */
+  /**
+   * Adds a light of the frame to those with shadow map or cookie; a light that is only limited to layers needs neither.
+   */
   private collect(light: Light, root: Object3D, camera: Camera): void {
     if (isAreaLight(light)) {
       if (!hasShadowMap(light, shadowedLights(this.webgl))) this.masks.addLayered(light);
@@ -317,12 +321,12 @@ export class ShadowMaps implements LightMasks, TileShadows {
       if (!this.isVariance) for (const slot of this.slots.all()) this.releaseMap(slot);
       depths.clear();
     }
-    // the limit only grows: cameras may take turns, and the largest picture counts
+    // the limit only grows: cameras may take turns, and the largest picture decides
     depths.raiseLimit(Math.min(asked, capabilities.maxTextureSize));
     chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
   }
 
-  /** Gives each map and image of the frame its region; releases the regions of lights that have not been lit for long. */
+  /** Gives each shadow map and cookie of the frame its atlas region; releases regions of lights not lit for long. */
   private place(): void {
     const { slots, atlases } = this;
     slots.sortOut(this.isVariance);
@@ -352,7 +356,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
-    // soft shadows look up places far from the receivers
+    // soft shadows of area lights look up places far from the receivers
     const isSoft = softSizeOf(slot.light) > 0;
     const isPart = !isSoft && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {

@@ -33,9 +33,9 @@ export class MaterialSurfaces implements WornSurfaces {
   list: readonly Worn[] = [];
   private names: readonly string[] = [];
   private stamp = 0;
-  /** All surfaces that the material ever wore. */
+  /** Values of all surfaces that the material uses or has used. */
   private readonly known = new Map<Surface, Worn>();
-  /** Uniforms of those surfaces, by their names in shaders. */
+  /** Uniforms of these surfaces, by their names in shaders. */
   private readonly uniforms: Record<string, IUniform> = {};
 
   /** `Surface.version` of each surface for which `uniforms` is complete. */
@@ -57,7 +57,10 @@ export class MaterialSurfaces implements WornSurfaces {
     return this.set([...others.map((worn) => worn.surface), surface], surface, values);
   }
 
-  /** @returns the values of `shown`, with `values` set */
+  /**
+   * Makes surfaces with given values the material's.
+   * @returns the values of `shown`, with `values` set
+   */
   set(
     surfaces: readonly Surface[],
     shown: Surface | null,

@@ -13,7 +13,7 @@ export type SurfaceValue = number | boolean | Color | Vector2 | Vector3 | Vector
 /** Values of the declared uniforms, by name. */
 export type SurfaceValues = Readonly<Record<string, SurfaceValue | readonly number[]>>;
 
-/** Parts of a FarolRenderer that surfaces use. */
+/** Parts of a FarolRenderer that a surface needs for compiling. */
 export interface SurfaceRenderer {
   readonly webgl: WebGLRenderer;
   readonly microshaders: MicroShaderRegistry;

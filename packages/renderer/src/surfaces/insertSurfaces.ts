@@ -9,7 +9,7 @@ type ChunkName = keyof typeof ShaderChunk;
 const MAIN = /\bvoid\s+main\s*\(/;
 const STRUCTURES = /^\/\/ <surfaceData>\n[^]*?^\/\/ <\/surfaceData>\n/m;
 
-/** Whether a surface names a member of a hook's data. */
+/** Tells whether a surface's text uses a member of SurfaceData or VertexData. */
 type Names = (member: string) => boolean;
 
 /**
@@ -117,7 +117,7 @@ function insertVertices(
     text = text.replace(found, () => `${found}\n${statements}`);
   };
   const wants = (name: string) => varyings.includes(name);
-  // lit shaders transform normals before positions; the others may have none
+  // lit shaders transform normals before positions; other shaders may have no normals
   const hasNormals = findChunk(text, 'normal_vertex') !== null;
   const normal = hasNormals ? 'objectNormal' : 'vec3(normal)';
   let hook = '';

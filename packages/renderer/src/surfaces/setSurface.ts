@@ -6,7 +6,7 @@ import type { Surface, SurfaceValue, SurfaceValues } from './Surface';
 /** The values of a surface's declared uniforms on one material, by name: `uniforms.height.value = 0.4`. */
 export type SurfaceUniforms = Readonly<Record<string, IUniform<SurfaceValue>>>;
 
-/** A surface that a material wears. */
+/** One of the surfaces (GLSL hooks) of a material, with its values. */
 export interface WornSurface {
   readonly surface: Surface;
   readonly uniforms: SurfaceUniforms;
@@ -16,7 +16,7 @@ type AnyMaterial = Material & Record<`is${string}Material`, boolean | undefined>
 
 const WEARERS = ['Standard', 'Lambert', 'Phong', 'Toon', 'Basic', 'Matcap'] as const;
 
-/** Whether a material can wear surfaces: three's own mesh materials but for depths, distances and normals. */
+/** Whether a material can use surfaces: three's own mesh materials but for depths, distances and normals. */
 export function canWearSurface(material: Material): boolean {
   return WEARERS.some((name) => (material as AnyMaterial)[`isMesh${name}Material`] === true);
 }

@@ -18,7 +18,7 @@ export interface RivalScene {
   readonly textures: readonly RivalTexture[];
   readonly materials: readonly RivalMaterial[];
   readonly geometries: readonly RivalGeometry[];
-  /** In the order of drawing if `isOrdered`. */
+  /** Visible meshes; in the order of drawing if `isOrdered`. */
   readonly meshes: readonly RivalMesh[];
   /** Whether the scene sets the order of its opaque meshes (three's `renderOrder`); engines sort by themselves otherwise. */
   readonly isOrdered: boolean;
@@ -107,7 +107,7 @@ export interface RivalMap {
 
 export interface RivalMaterial {
   readonly name: string;
-  /** Whether it is lit; otherwise it has the colour alone. */
+  /** Whether the material is lit; otherwise its colour alone is shown. */
   readonly isLit: boolean;
   readonly colour: Rgb;
   readonly map: RivalMap | null;
@@ -139,7 +139,7 @@ export interface RivalGeometry {
   readonly uvs: Float32Array | null;
   /** [n, 4], linear; null without vertex colours. */
   readonly colours: Float32Array | null;
-  /** Three for each triangle, counter-clockwise from its front. */
+  /** Vertex indices, three for each triangle, counter-clockwise seen from its front. */
   readonly indices: Uint16Array | Uint32Array;
 }
 

@@ -20,7 +20,7 @@ import { describeTexture } from './describeTexture';
 import { placementOf } from './placementOf';
 import type { Rgb, RivalCamera, RivalInstances, RivalMaterial, RivalMesh, RivalScene } from './RivalScene';
 
-/** A list of values, each made once for its key. */
+/** A list of values without duplicates: each is made once for its key. */
 class Indexed<K, V> {
   readonly values: V[] = [];
   private readonly indices = new Map<K, number>();
@@ -94,7 +94,7 @@ function describeInstances(mesh: Mesh): RivalInstances | null {
 /** A scene as plain data, and the meshes of three that it was made of. */
 export interface Described {
   readonly scene: RivalScene;
-  /** By index in `scene.meshes`. */
+  /** Source mesh of each mesh in `scene.meshes`, by index. */
   readonly sources: readonly Mesh[];
 }
 

@@ -1,4 +1,4 @@
-/** Whole numbers as bytes, small ones in few: seven bits a byte, signs in the last bit. */
+/** Writes whole numbers as bytes, small numbers in few: seven bits a byte, the sign in the last bit. */
 export class NumberWriter {
   private bytes = new Uint8Array(1024);
   private length = 0;
@@ -25,7 +25,7 @@ export class NumberWriter {
   }
 }
 
-/** Reads what a `NumberWriter` wrote. */
+/** Reads the bytes that a `NumberWriter` wrote. */
 export class NumberReader {
   private at = 0;
 
@@ -35,7 +35,10 @@ export class NumberReader {
     return this.at === this.bytes.length;
   }
 
-  /** @throws TypeError at the end */
+  /**
+   * Reads the next number.
+   * @throws TypeError at the end of the bytes
+   */
   read(): number {
     let rest = 0;
     for (let factor = 1; ; factor *= 128) {

@@ -1,9 +1,9 @@
 import { unpack } from '../../guard/unpack';
 import type { LightmapData } from './BakeData';
 
-/** Bits of a half float's ten of mantissa that are left out: each channel is kept to 1/256 of itself. */
+/** Mantissa bits dropped from each half float: a channel keeps a precision of 1/256. */
 const DROPPED = 3;
-/** Largest number that a channel has, of 12 bits: half floats up to 65504. */
+/** Largest quantised channel value (12 bits), for the half float 65504. */
 const LARGEST = 0x7bff >> DROPPED;
 const PLANES = 6;
 
@@ -21,7 +21,8 @@ export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise
   });
 
 /**
- * The nearest number of 12 bits to a half float; 0 for what is negative or no number. They grow as the logarithm does.
+ * Quantises a half float to 12 bits; 0 for negative values and NaN. Quantised values grow with the logarithm of the
+ * channel.
  */
 function quantised(half: number): number {
   if (half >= 0x8000 || half > 0x7c00) return 0;
@@ -35,7 +36,7 @@ function predicted(left: number, above: number, corner: number): number {
   return left + above - corner;
 }
 
-/** The prediction of each texel of a plane before it is known: those before it must be. */
+/** Prediction of a texel of a plane from its left, upper and upper-left neighbours, which must be known. */
 function predictionAt(plane: Int32Array, i: number, x: number, y: number, width: number): number {
   if (y === 0) return x === 0 ? 0 : plane[i - 1];
   if (x === 0) return plane[i - width];
@@ -91,6 +92,6 @@ export async function unpackLightmap(
       }
     }
   }
-  for (let i = 0; i < count; i++) data[4 * i + 3] = 0x3c00; // 1
+  for (let i = 0; i < count; i++) data[4 * i + 3] = 0x3c00; // alpha is 1, as a half float
   return { width, height, data };
 }

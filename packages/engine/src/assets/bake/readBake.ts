@@ -7,11 +7,11 @@ import { inflate, unpackLightmap } from './lightmapCode';
 import { NumberReader } from './NumberStream';
 import { BAKE_MAGIC, BAKE_VERSION, type BakeHead, UV_STEPS } from './writeBake';
 
-/** Texels of a lightmap along a side, at most. */
+/** Greatest side of a lightmap (texels). */
 const MOST_TEXELS = 8192;
-/** Texels of all lightmaps, at most: sixteen lightmaps of 4096 × 4096 take 2 GB of GPU memory. */
+/** Greatest number of texels of all lightmaps: sixteen of 4096 × 4096 take 2 GB of GPU memory. */
 const MOST_IN_ALL = 2 ** 28;
-/** Cells of a grid of probes along an axis, at most. */
+/** Greatest number of probe-grid cells along an axis. */
 const MOST_CELLS = 64;
 const MOST_VERTICES = 2 ** 28;
 
@@ -25,7 +25,7 @@ const isCount = (value: unknown, most: number): value is number =>
 const isTriple = (value: unknown): value is [number, number, number] =>
   Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 
-/** The parts of a file one after another. */
+/** Reader of a file's parts, which follow one another. */
 class Parts {
   private at = 0;
 
@@ -108,7 +108,7 @@ export async function readBake(bytes: ArrayBuffer): Promise<BakedLight> {
     const head = readHead(parts);
     const packed = head.lightmaps.map((lightmap) => parts.take(lightmap.bytes));
     const lightmaps: LightmapData[] = [];
-    // one after another: each takes several times its size meanwhile
+    // one after another: unpacking takes several times a lightmap's size
     for (const [i, { width, height }] of head.lightmaps.entries()) {
       lightmaps.push(await unpackLightmap(packed[i], width, height));
     }

@@ -9,7 +9,7 @@ export const BAKE_VERSION = 1;
 /** Steps between 0 and 1 to which lightmap UVs are quantised (16 bits). */
 export const UV_STEPS = 65535;
 
-/** The head of a file of baked light, as JSON; the packed parts follow in this order. */
+/** JSON header of a file of baked light; the packed parts follow in this order. */
 export interface BakeHead {
   readonly version: number;
   readonly signature: string;
@@ -25,7 +25,7 @@ export interface BakeHead {
     readonly vertices: number;
     readonly triangles: number;
   }[];
-  /** Packed and unpacked bytes of the second UVs. */
+  /** Sizes of the lightmap UVs: packed, then unpacked (bytes). */
   readonly uvs: readonly [number, number];
   readonly probes: {
     readonly min: readonly number[];

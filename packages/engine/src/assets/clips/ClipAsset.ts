@@ -11,7 +11,7 @@ export const clipFields = {
   frameRate: number(30, { unit: 'Hz', min: 1, max: 240, integer: true, help: 'Frames that the timeline snaps to.' }),
 };
 
-/** A clip of a library: how values of fields go with time. */
+/** Animation clip of a library: keyframes for fields of components, and events. */
 export class ClipAsset extends DataAsset {
   static readonly fields = clipFields;
   override readonly type = 'clip';
@@ -19,7 +19,7 @@ export class ClipAsset extends DataAsset {
   private parsedText: string | null = null;
   private parsed: ClipData | null = null;
 
-  /** Seconds. */
+  /** Duration (s). */
   get duration(): number {
     return this.get('duration') as number;
   }
@@ -30,8 +30,8 @@ export class ClipAsset extends DataAsset {
   }
 
   /**
-   * Its tracks and events: the same object as long as its text is the same.
-   * @throws ClipError when the text is none of a clip
+   * Tracks and events; the same object as long as the text is the same.
+   * @throws ClipError when the text is no valid clip
    */
   get clip(): ClipData {
     const text = this.get('data') as string;

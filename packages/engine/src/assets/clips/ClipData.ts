@@ -1,13 +1,14 @@
-/** How a value goes from a key to the next one. */
 import type { FieldValue } from '@farol/editing/fields';
+
+/** Interpolation of an animated value from a key to the next. */
 export type Easing = 'linear' | 'step' | 'bezier';
 
-/** A value at a time. */
+/** Key of an animation track. */
 export interface ClipKey {
-  /** Seconds from the beginning of the clip, 0 or more. */
+  /** Time from the beginning of the clip (s), 0 or more. */
   readonly time: number;
   readonly value: FieldValue;
-  /** On the way to the next key; 'linear' when absent. Flags, choices and texts always step. */
+  /** Interpolation to the next key; 'linear' when absent. Flags, choices and texts always step. */
   readonly easing?: Easing;
   /**
    * With 'bezier': the two inner control points of the curve to the next key, as shares of the way in time (0 to 1) and
@@ -16,24 +17,24 @@ export interface ClipKey {
   readonly control?: readonly [x1: number, y1: number, x2: number, y2: number];
 }
 
-/** How one field of one component goes with time. */
+/** Animation track: keys for one field of one component. */
 export interface ClipTrack {
-  /** Names from below the animated object down, 'Arm/Hand'; '' for that object itself. */
+  /** Path of names from the animated object to a descendant, 'Arm/Hand'; '' for the animated object itself. */
   readonly path: string;
   /** Type name of the component: the first of the type on the object. */
   readonly component: string;
   readonly field: string;
-  /** In order of time, each time once. */
+  /** Keys in ascending order of time, each time once. */
   readonly keys: readonly ClipKey[];
 }
 
 /** A method that is called when a clip passes a time. */
 export interface ClipEvent {
-  /** Seconds from the beginning. */
+  /** Time from the beginning of the clip (s). */
   readonly time: number;
   /** Method called on components of the animated object and of its descendants: see `GameObject.callMethod`. */
   readonly method: string;
-  /** Handed to the method, when there is one. */
+  /** Argument of the method; none when absent. */
   readonly value?: FieldValue;
 }
 

@@ -3,7 +3,7 @@ import { describeValue, type FieldValue, isFieldValue, isTriple } from '@farol/e
 import { copyValue } from '../../fields/FieldOwner';
 import type { ClipData, ClipEvent, ClipKey, ClipTrack, Easing } from './ClipData';
 
-/** A clip's text that is none: says clip, track and key. */
+/** Error for a text that is no valid clip: names clip, track and key. */
 export class ClipError extends Error {
   constructor(clip: string, problem: string) {
     super(`The clip '${shortText(clip, 80)}': ${problem}`);
@@ -15,7 +15,7 @@ export const emptyClip: ClipData = Object.freeze({ tracks: Object.freeze([]), ev
 
 const easings: readonly unknown[] = ['linear', 'step', 'bezier'] satisfies Easing[];
 
-/** More of either is no clip that somebody made. */
+/** Greatest number of tracks in a clip; a file with more is refused. */
 const MOST_TRACKS = 20_000;
 const MOST_KEYS = 2_000_000;
 
@@ -105,7 +105,7 @@ function readKey(given: unknown, place: string, fail: Fail): ClipKey {
   return key;
 }
 
-/** A value that nobody else holds; -0 becomes 0, as in fields. */
+/** Copy of a value, so that no other clip shares its arrays; -0 becomes 0, as in fields. */
 const copyOf = (value: FieldValue): FieldValue => {
   if (typeof value === 'number') return value + 0;
   return isTriple(value) ? [value[0] + 0, value[1] + 0, value[2] + 0] : copyValue(value);

@@ -9,7 +9,7 @@ import { fitBounds } from '../ObjectSurface';
 /** A component that is drawn as an instance: an ObjectRenderer. */
 export interface InstanceMember extends Component {
   readonly render: boolean;
-  /** Linear. */
+  /** Linear colour of the instance. */
   readonly colour: Vector3Tuple;
   readonly castShadow: boolean;
   readonly receiveShadow: boolean;
@@ -40,12 +40,12 @@ export class InstanceGroup {
     private readonly shadows: { readonly cast: boolean; readonly receive: boolean },
   ) {}
 
-  /** Instanced mesh as of the last `update`; replaced when the group outgrows its capacity. */
+  /** Instanced mesh of the last `update`; replaced when the group outgrows its capacity. */
   get three(): InstancedMesh | null {
     return this.mesh;
   }
 
-  /** Copies where the members are, and their colours, once their world matrices are up to date. */
+  /** Copies matrices and colours of the members to the instanced mesh. Call when world matrices are up to date. */
   update(): InstancedMesh {
     const members = this.members.array;
     const mesh = this.meshFor(members.length);

@@ -32,7 +32,10 @@ export class FbxTextures {
     this.manager.addHandler(/./, loader as never);
   }
 
-  /** Makes files of the pictures that are inside the FBX. @returns all files */
+  /**
+   * Extracts the images that are embedded in the FBX.
+   * @returns all files, the dropped ones included
+   */
   async unpack(files: FileMap): Promise<FileMap> {
     const all = new Map(files);
     for (const address of this.addresses.values()) {
@@ -50,7 +53,7 @@ export class FbxTextures {
     return all;
   }
 
-  /** A texture of a material as a map of an MTL file, which has the same picture in the same place. */
+  /** Describes a material's texture as a map of an MTL file: equal image, equal placement. */
   mapOf(texture: Texture | null | undefined, bump = 1): MtlMap | undefined {
     const address = texture ? this.addresses.get(texture) : undefined;
     const path = address === undefined ? undefined : this.paths.get(address);

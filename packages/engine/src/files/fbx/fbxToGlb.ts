@@ -25,10 +25,10 @@ import { padded, writeGlb } from '../writeGlb';
 import { checkFbx } from '../../guard/fbx/checkFbx';
 import { FbxTextures } from './FbxTextures';
 
-/** Metres of a unit of FBX: a centimetre. */
+/** Metres in the default unit of FBX files (a centimetre). */
 const UNIT = 0.01;
 
-/** Largest file that is read (bytes): buffers are held twice during packing. */
+/** Greatest size of a file (bytes): buffers are held twice during packing. */
 const LARGEST = 2 ** 30;
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
@@ -74,7 +74,7 @@ function mtlOf(material: MeshPhongMaterial, textures: FbxTextures): MtlMaterial 
     textures.mapOf(texture, bump);
   return {
     name,
-    // rounding leads above 1, which glTF does not allow
+    // rounding may exceed 1, which glTF does not allow
     diffuse: triple(color).map((channel) => Math.min(1, channel)) as unknown as Triple,
     ...(specular ? { specular: triple(specular), shininess } : {}),
     emissive: triple(emissive.clone().multiplyScalar(emissiveIntensity)),
@@ -137,7 +137,7 @@ interface GltfOut {
   extensionsUsed?: string[];
 }
 
-/** See `packFbx`. */
+/** Converts an FBX file to GLB, see `packFbx`. */
 export async function fbxToGlb(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
   const given = files.get(path)!;
   if (given.size > LARGEST)

@@ -16,9 +16,9 @@ export class GltfBuffer {
   }
 
   /**
-   * An attribute of vertices.
-   * @param bounds - with the least and the largest values, as positions need
-   * @returns its number
+   * Adds a vertex attribute.
+   * @param bounds - whether to store least and largest values, as positions need
+   * @returns index of its accessor
    */
   addVertices(values: Float32Array, size: 2 | 3, bounds = false): number {
     const bufferView = this.addBytes(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), 34962);
@@ -26,9 +26,13 @@ export class GltfBuffer {
     return this.accessors.push(bounds ? { ...accessor, ...boundsOf(values, size) } : accessor) - 1;
   }
 
-  /** Indices of triangles. @param vertices - how many there are @returns number of the accessor */
+  /**
+   * Adds triangle indices.
+   * @param vertices - number of vertices
+   * @returns index of the accessor
+   */
   addIndex(index: Uint32Array, vertices: number): number {
-    // the largest of a kind restarts a primitive
+    // the largest value of an index type restarts a primitive, and so is no index
     const short = vertices < 0xffff ? new Uint16Array(index) : null;
     const bufferView = this.addBytes(short ? new Uint8Array(short.buffer) : new Uint8Array(index.buffer), 34963);
     return (

@@ -1,7 +1,10 @@
 const [TAB, LINE_FEED, RETURN, SPACE, PLUS, MINUS, POINT, SLASH, BACKSLASH] = [9, 10, 13, 32, 43, 45, 46, 47, 92];
 const [ZERO, NINE, UPPER_E, LOWER_E] = [48, 57, 69, 101];
 
-/** Digits of a number, and powers of ten, that a double holds whole: their quotient is the nearest number. */
+/**
+ * Greatest number of decimal digits for which a double holds mantissa and power of ten exactly, so that their quotient
+ * is correctly rounded.
+ */
 const DIGITS = 15;
 const POWERS = 22;
 
@@ -12,12 +15,12 @@ const isDigit = (byte: number): boolean => byte >= ZERO && byte <= NINE;
  * the end of a line joins it with the next one, as in OBJ files.
  */
 export class LineReader {
-  /** Number of the line, from 1. */
+  /** Number of the current line, from 1. */
   line = 1;
   private at = 0;
 
   constructor(private readonly bytes: Uint8Array) {
-    // the mark of UTF-8
+    // skips the byte order mark of UTF-8
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
   }
 
@@ -25,7 +28,7 @@ export class LineReader {
     return this.at >= this.bytes.length;
   }
 
-  /** Whether nothing but blanks is left in the line; the blanks are gone then. */
+  /** Skips blanks, and tells whether the line ends after them. */
   get isLineOver(): boolean {
     this.skipBlanks();
     const byte = this.bytes[this.at];
@@ -112,7 +115,7 @@ export class LineReader {
     return isNegative ? -value : value;
   }
 
-  /** Takes a slash, where one is next. */
+  /** Skips a slash; false if the next character is another one. */
   slash(): boolean {
     if (this.bytes[this.at] !== SLASH) return false;
     this.at++;

@@ -28,7 +28,7 @@ export class NumberList<T extends Float32Array | Int32Array> {
     this.array[index] = value;
   }
 
-  /** Numbers pushed until now. */
+  /** Numbers pushed so far. */
   get values(): T {
     return this.array.subarray(0, this.length) as T;
   }

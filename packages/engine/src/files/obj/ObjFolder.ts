@@ -1,6 +1,6 @@
 import type { FileMap } from '../../assets/collectFiles';
 
-/** A path with `/`, small letters, and without `.`, `..` and what a drive or a quote adds. */
+/** Splits a path into parts: separators become `/`, letters small; `.`, `..`, drives and quotes are dropped. */
 function partsOf(path: string): string[] {
   const parts: string[] = [];
   for (const part of path.replaceAll('\\', '/').replaceAll('"', '').toLowerCase().split('/')) {
@@ -15,16 +15,18 @@ const stemOf = (name: string): string => name.replace(/\.\w+$/, '');
 /** Greatest number of trailing path parts by which files are distinguished. */
 const MOST_PARTS = 32;
 
-/** The ends of a path, the longest first: 'a/b/c', 'b/c', 'c'. */
+/** Trailing parts of a path, the longest first: 'a/b/c', 'b/c', 'c'. */
 function endsOf(parts: readonly string[]): string[] {
   const last = parts.slice(-MOST_PARTS);
   return last.map((_, i) => last.slice(i).join('/'));
 }
 
-/** Finds what OBJ and MTL files name among dropped files: by other case, other slashes, another folder. */
+/**
+ * Finds the files that OBJ and MTL files name among dropped files, also where letter case, slashes or folders differ.
+ */
 export class ObjFolder {
   private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
-  /** First file with each whole path, and with each trailing part of a path. */
+  /** First file for each whole path. */
   private readonly wholes = new Map<string, string>();
   private readonly ends = new Map<string, string>();
 

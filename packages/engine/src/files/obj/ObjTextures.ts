@@ -6,7 +6,7 @@ import type { ObjFolder } from './ObjFolder';
 import type { MtlMap } from './parseMtl';
 import { holdsNormals, isCutOut, type Picture, withOpacity } from './pictures';
 
-/** Endings that are tried where a file of the very name is not there: textures are often converted. */
+/** Endings tried for an image that is missing under its own name: textures are often converted. */
 const PICTURES = ['.png', '.jpg', '.jpeg', '.tga', '.webp', '.bmp'];
 
 /** A texture of a glTF, as a material refers to it. */
@@ -20,7 +20,7 @@ export interface TextureInfo {
 export class ObjTextures {
   readonly images: object[] = [];
   readonly textures: object[] = [];
-  /** Repeated, and clamped. */
+  /** Samplers of the glTF: the first repeats, the second clamps. */
   readonly samplers = [
     { wrapS: 10497, wrapT: 10497, magFilter: 9729, minFilter: 9987 },
     { wrapS: 33071, wrapT: 33071, magFilter: 9729, minFilter: 9987 },
@@ -32,7 +32,7 @@ export class ObjTextures {
   usesTransform = false;
 
   private readonly imageNumbers = new Map<string, Promise<number | null>>();
-  /** Results of `isCutOut` by an image's key, and of `holdsNormals` by its path. */
+  /** Cached results of `isCutOut`, by image key. */
   private readonly cutOuts = new Map<string, boolean>();
   private readonly normals = new Map<string, boolean>();
   private readonly textureNumbers = new Map<string, number>();

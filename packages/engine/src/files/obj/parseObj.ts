@@ -258,7 +258,7 @@ class ObjParser {
     return product < 0;
   }
 
-  /** Places of the corners of a face; 0 for vertices that follow later. */
+  /** Positions of a face's corners, three numbers each; 0 for vertices that the file defines later. */
   private pointsOf(face: readonly number[]): readonly number[] {
     const { points, positions } = this;
     points.length = 0;

@@ -26,7 +26,7 @@ import occlusionFilter from './occlusionFilter.glsl?raw';
 import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
-/** Radius on the picture beyond which samples would lie too far apart (pixels at full resolution). */
+/** Greatest radius on screen (pixels at full resolution): with a larger one, samples would lie too far apart. */
 const LARGEST_RADIUS = 256;
 
 /** Attachment for the light that occlusion darkens: ambient, environment, light maps, reflections by roughness. */
@@ -62,7 +62,7 @@ export class AmbientOcclusion implements FarolEffect {
   private warned = false;
   /** Location of the attachment of indirect light; -1 if the device has no room for it. */
   private location = -1;
-  /** Whether the frame's G-buffer lacks that attachment. */
+  /** Whether the frame's G-buffer lacks the attachment of indirect light. */
   private unfit = false;
   private readonly surface = {
     ...unprojectUniforms(),

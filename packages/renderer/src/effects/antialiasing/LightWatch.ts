@@ -1,7 +1,7 @@
 import type { DirectionalLight, Light, SpotLight } from 'three';
 import type { LightTable } from '../../lighting/LightTable';
 
-/** Most lights compared in a frame; of more lights, different ones each frame. */
+/** Greatest number of lights compared in a frame; with more lights, different ones are compared each frame. */
 const LOOKS = 256;
 
 /**

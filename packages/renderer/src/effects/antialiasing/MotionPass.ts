@@ -15,10 +15,10 @@ const clip = new Matrix4();
  * batches. Left out are pixels that move by the camera alone.
  */
 export class MotionPass {
-  /** Whether the pass has drawn in this frame; `changed`: whether an object has changed at all. */
+  /** Whether the pass has drawn in this frame. */
   drawn = false;
   changed = false;
-  /** Whether former positions of all objects are known, and moving ones moved in the last frame too. */
+  /** Whether former positions of all moving objects are known, and each of them also moved in the last frame. */
   known = true;
   /** Whether an object has moved that this pass cannot draw: a transparent one, or one with a shader of the host's. */
   undrawn = false;
@@ -80,7 +80,7 @@ export class MotionPass {
       const { object } = item;
       if ((item.material as ReactiveMaterial).isReactive === true) continue;
       const motion = motions.of(object);
-      if (motion.frame === number) continue; // another group of an object that has not moved
+      if (motion.frame === number) continue; // the object was compared already: this is another material group of it
       const isNew = motion.frame !== number - 1;
       const moved = !isNew && motion.hasMoved(object);
       if (!isNew && !moved) {

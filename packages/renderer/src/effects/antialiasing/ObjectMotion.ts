@@ -21,19 +21,19 @@ const INSTANCES_PER_ROW = 512;
 export class ObjectMotion {
   /** Number of the frame in which the state was copied. */
   frame = -1;
-  /** Whether the object had moved then since the frame before. */
+  /** Whether the object had moved from the frame before to the copied state. */
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
   /** Bone matrices, or null. */
   bones: DataTexture | null = null;
-  /** Matrices of instances; null while they have not changed. */
+  /** Instance matrices of the copied state; null until the matrices first change. */
   instances: DataTexture | null = null;
   morphBase = 1;
   morphs: number[] = [];
-  /** Whether the list of ObjectMotions that frees textures has this object. */
+  /** Whether the object is in the list of those whose textures are to be freed. */
   listed = false;
-  /** Times (s) of the surfaces that displace the object's vertices; `surfaces` is their state, 0 for none. */
+  /** Times (s) of the surface shaders that displace the object's vertices. */
   readonly surfaceTimes: number[] = [];
   private surfaces = 0;
   private instancesVersion = -1;
@@ -101,7 +101,7 @@ export class ObjectMotion {
     this.rememberInstances(object);
   }
 
-  /** Whether the state has textures. */
+  /** Whether any textures are held. */
   get holds(): boolean {
     return this.bones !== null || this.instances !== null;
   }

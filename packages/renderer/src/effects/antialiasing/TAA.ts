@@ -21,19 +21,19 @@ import { contextLists } from '../../three/contextLists';
 
 /** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
-/** Factor on the new frame's share in pixels that do not move while others do. */
+/** Factor on the new frame's weight for pixels that stand still while others move. */
 const STILL = 0.5;
-/** Frames after a change of light or materials in which the past is always clipped to present neighbours. */
+/** Frames after a change of lights or materials in which history is always clipped to present neighbours. */
 const RELIT = 8;
-/** Frames after an object appeared, or began to move, in which still pixels are not trusted to be still. */
+/** Frames after an object appears or begins to move in which pixels without motion are not taken to stand still. */
 const MET = 2;
-/** Frames after any change until the mean of all frames is begun. */
+/** Frames without any change after which all frames begin to be averaged. */
 const SETTLED = 4;
-/** Number of frames as which an accumulated picture counts after objects have moved. */
+/** Number of frames as which the accumulated picture counts after objects have moved. */
 const MOVED = 3;
-/** Size of a picture (pixels) from which on it has one cell a pixel by default. */
+/** Pixels of a picture from which on the default of `cells` is 1. */
 const LARGE = 4e6;
-/** Cosine of the turn of a camera from frame to frame below which it counts as a cut to another shot. */
+/** Cosine of the camera's turn between two frames below which the frame counts as a cut to another shot. */
 const CUT = 0.7;
 
 export interface TAAOptions {
@@ -66,7 +66,8 @@ export class TAA implements FarolEffect {
   readonly smoothsEdges = true;
   readonly movesCamera = true;
   /**
-   * Share of a new sample in its quarter of a moving pixel; half of that in others. Above 0, at most 1. Default 0.65.
+   * Weight of a new sample in its quarter of a moving pixel; half of that in the other quarters. Above 0, at most 1.
+   * Default 0.65.
    */
   share = 0.65;
   /** Clipping distance of an untrusted past, in standard deviations of the pixel's neighbours; above 0. Default 2. */
@@ -236,7 +237,7 @@ export class TAA implements FarolEffect {
     else belief.value = moved ? 4 : 3;
   }
 
-  /** Sets the weights of this frame's samples. */
+  /** Sets the weights of this frame's samples in the history. */
   private setShares(frame: Frame): void {
     const { history, share } = this;
     const { gathered } = history;
@@ -259,7 +260,7 @@ export class TAA implements FarolEffect {
     if (history.isEmpty) gathered.copy(weights);
     else gathered.setScalar(MOVED / parts);
     const first = 1 / (1 + history.count / parts);
-    // in a cell that is a whole pixel, each frame has a sample
+    // a cell that is a whole pixel gets a sample in every frame
     const least = 1 - (1 - share) ** (parts / 4);
     farol_share.value.set(Math.max(first, least), Math.max(first, least * STILL));
   }

@@ -31,16 +31,13 @@ export class TemporalHistory {
   readonly forward = new Vector3();
   /** Frames since the last reset. */
   count = 0;
-  /**
-   * Frames since any change, since a change of light or materials (`sure`), and since unknown motion (`known`);
-   * Infinity after a reset.
-   */
+  /** Frames since any change of the picture; Infinity after a reset. */
   quiet = Infinity;
   sure = Infinity;
   known = Infinity;
   /** Number of the last frame; `reset` does not change it. */
   frame = 0;
-  /** Hash of the last frame's settings, by `looksOf`. */
+  /** Hash of the last frame's materials and surroundings, by `looksOf`. */
   looks = 0;
   /** Sum of the weights of the samples in each cell of a pixel, since anything changed. */
   readonly gathered = new Vector4();
@@ -62,17 +59,17 @@ export class TemporalHistory {
     return targets[0].bytes + targets[1].bytes + reaches[0].bytes + reaches[1].bytes + reactive.bytes;
   }
 
-  /** True when there is no past to look at. */
+  /** Whether there is no earlier frame to use. */
   get isEmpty(): boolean {
     return this.count === 0;
   }
 
-  /** The last frame's cells, linear. */
+  /** History colours: linear, one texel a cell. */
   get texture(): Texture | null {
     return this.last;
   }
 
-  /** The last frame's distances, by taaNear.glsl. */
+  /** Distances of the last frame's surfaces, written by taaNear.glsl. */
   get reach(): Texture | null {
     return this.lastReach;
   }

@@ -9,8 +9,8 @@ type AnyMaterial = MeshStandardMaterial & { isShaderMaterial?: boolean };
 type MovingTexture = Texture & { isVideoTexture?: boolean };
 
 /**
- * Number that changes with the looks of drawn materials: colours, opacity, roughness and the like, versions, textures.
- * NaN, which equals nothing, if a shader of the host's or a video may change by itself.
+ * Number that changes with the drawn materials: colours, opacity, roughness and the like, versions, textures. NaN,
+ * which equals nothing, if a shader of the host's or a video may change by itself.
  */
 export function looksOf(queue: RenderQueue): number {
   return looksOfList(queue.opaque) + looksOfList(queue.transmissive) * 3 + looksOfList(queue.transparent) * 7;
@@ -26,7 +26,7 @@ export function surroundingsOf(lights: Pick<LightTable, 'visible' | 'ambient' | 
   return sum;
 }
 
-/** NaN where the GPU writes the lights. */
+/** Number that changes with a light field's settings; NaN where the GPU writes its lights. */
 function lookOfField({ textures, color, intensity, count, matrixWorld: { elements } }: LightField): number {
   if (textures !== null) return Number.NaN;
   let sum = (colour(color) * 29 + 1) * intensity + count * 31;
@@ -38,7 +38,7 @@ function looksOfList(items: RenderQueue['opaque']): number {
   let sum = items.length;
   for (let i = 0; i < items.length; i++) {
     const m = items[i].material as AnyMaterial & ReactiveMaterial;
-    // the reactive mask covers its pixels
+    // skipped: the reactive mask covers the pixels of reactive materials
     if (m.isReactive === true) continue;
     if (items[i].shading === 'nodes' || m.isShaderMaterial || m.onBeforeCompile !== Material.prototype.onBeforeCompile)
       return Number.NaN;

@@ -35,7 +35,7 @@ import decalGBuffer from './decalGBuffer.glsl?raw';
 import decalSurface from './decalSurface.glsl?raw';
 import { SurfaceCopies } from './SurfaceCopies';
 
-/** Stands for the scale of a missing normal map. */
+/** Normal scale that tells the shader that there is no normal map. */
 const NO_NORMAL_MAP = 1e9;
 const BLENDINGS: readonly Blending[] = [AdditiveBlending, SubtractiveBlending, MultiplyBlending];
 const colour = new Color();
@@ -180,7 +180,7 @@ export class Decals implements FarolEffect {
     light.blendDst = SrcColorFactor;
     surfaces.blendSrc = SrcAlphaFactor;
     surfaces.blendDst = OneMinusSrcAlphaFactor;
-    // alpha holds other things: it stays
+    // keeps alpha, which holds other data
     for (const one of [light, surfaces]) {
       one.blendSrcAlpha = ZeroFactor;
       one.blendDstAlpha = OneFactor;

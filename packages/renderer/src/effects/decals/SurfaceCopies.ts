@@ -41,7 +41,7 @@ export class SurfaceCopies {
     this.albedos = this.albedoTarget.of(width, height);
     this.boxes = 0;
     const whole = this.rectangle(0).set(0, 0, width, height);
-    frame.bind(this.normals); // made by then
+    frame.bind(this.normals); // makes the textures of the target, which the copy needs
     copyAttachment(frame, target, 1, this.normals, whole);
     frame.bind(this.albedos);
     copyAttachment(frame, target, 2, this.albedos, whole);

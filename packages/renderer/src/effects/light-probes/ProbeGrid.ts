@@ -1,9 +1,9 @@
 import { Data3DTexture, DataUtils, HalfFloatType, LinearFilter, RGBAFormat, Vector3 } from 'three';
 import { type ProbeBox, probeCount } from './ProbeBox';
 
-/** Numbers of a probe: nine coefficients of red, green and blue, as three's SphericalHarmonics3 has them. */
+/** Numbers of a probe: nine coefficients each of red, green and blue, in the order of three's SphericalHarmonics3. */
 export const PROBE_NUMBERS = 27;
-/** Texels of a probe. */
+/** Texels of the 3D texture for a probe's 27 numbers. */
 const TEXELS = 7;
 
 /**

@@ -3,7 +3,7 @@ import { findChunk } from '../../three/replaceChunk';
 import type { TwinKind } from '../../materials/TwinKind';
 import probeIrradiance from './probeIrradiance.glsl?raw';
 
-/** Also as the host may write it. */
+/** Matches the head of main(), with any spacing that the host's shader may have. */
 const MAIN = /\bvoid\s+main\s*\(/;
 
 /** Puts declarations before a shader's main(). */

@@ -1,8 +1,8 @@
 import type { ParticleSettings } from './ParticleSettings';
 
-/** Longest step of the simulation (s); longer ones are split. */
+/** Longest step of the particle simulation (s); longer times are split. */
 export const LONGEST_STEP = 1 / 30;
-/** Times closer than this count as equal (s). */
+/** Difference below which two times count as equal (s). */
 const CLOSE = 1e-9;
 
 /** One step of the simulation, at most `LONGEST_STEP` long, with the particles that begin in it. */
@@ -14,7 +14,7 @@ export interface SimulationStep {
   /** Number of particles that begin at the start of the step; `rated` more begin at equal intervals. */
   bursting: number;
   rated: number;
-  /** Time from the start of the step to the first of the `rated` particles; `interval`: time between them (s). */
+  /** Time from the start of the step to the first of the `rated` particles (s). */
   offset: number;
   interval: number;
   /** The emitter's time at the end of the step (s). */
@@ -45,7 +45,8 @@ export class EmissionSchedule {
   /** Fraction of the next particle that `rate` has accumulated, 0 to 1. */
   private share = 0;
   /**
-   * Ring of groups that began together: the number after the group's last particle, and the time when all have ended.
+   * Ring buffer of groups of particles that began together: for each the number after its last particle, and the time
+   * when all of it have ended (s).
    */
   private ends = new Float64Array(4);
   private expiries = new Float64Array(4);

@@ -6,7 +6,7 @@ import particleKeys from './particleKeys.glsl?raw';
 import particleSort from './particleSort.glsl?raw';
 import { sortingNetwork } from './sortingNetwork';
 
-/** Passes of the network in a frame, of few and of many particles: all of it for 1024. */
+/** Sorting passes in a frame for few particles: all that 1024 particles need. */
 const PASSES = 23;
 const FEW_PASSES = 4;
 const MANY = 131_072;

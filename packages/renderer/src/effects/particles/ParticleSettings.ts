@@ -112,7 +112,7 @@ export interface ParticleSettings {
   colliders: readonly ParticleCollider[];
   /** Diameter of a particle (m), multiplied by `sizeOverLife`. Default [0.1, 0.2]. */
   size: readonly [number, number];
-  /** Default [[0, 1], [1, 1]]. */
+  /** Factor on the diameter over a particle's life (0 to 1). Default [[0, 1], [1, 1]]. */
   sizeOverLife: readonly CurveKey[];
   /** Colour and opacity over a particle's life. Default white, fading out. */
   colorOverLife: readonly GradientKey[];
@@ -122,7 +122,7 @@ export interface ParticleSettings {
   initialRotation: readonly [number, number];
   /** Angular speed (rad/s), multiplied by `spinOverLife`. Default [0, 0]. */
   spin: readonly [number, number];
-  /** Default [[0, 1], [1, 1]]. */
+  /** Factor on the angular speed over a particle's life (0 to 1). Default [[0, 1], [1, 1]]. */
   spinOverLife: readonly CurveKey[];
   /** Picture of a particle; stays the caller's. Default null: a soft round dot. */
   texture: Texture | null;
@@ -153,9 +153,9 @@ export interface ParticleSettings {
   /** Distance before a surface, and before the camera, within which a particle fades out (m); 0: hard edges. Default 0.2. */
   softness: number;
   /**
-   * Lit by all lights, as a rough white ball that lets light through (mesh: by its normals), times its colour: what faces a
-   * light is lit as a white surface, what is turned by 90° half as much, what faces away not. Light is found once a particle,
-   * at its centre. Else it shines by itself. Default false.
+   * Whether particles are lit by all lights, as rough white translucent balls (meshes: by their normals), times the
+   * particle's colour: the side towards a light is lit as a white surface, at 90° half as much, the far side not at
+   * all. Light is computed once a particle, at its centre. Otherwise particles are emissive. Default false.
    */
   lit: boolean;
   /** Whether lit particles receive shadows. Default false. */

@@ -8,7 +8,7 @@ export interface PendingStep extends SimulationStep {
   readonly matrix: Matrix4;
 }
 
-/** Most steps kept while the emitter is not drawn. */
+/** Greatest number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
 /** Number of steps from which on those are dropped whose particles have all ended. */
 const FEW = 64;
@@ -57,7 +57,7 @@ export class PendingSteps {
     this.last.copy(matrix);
   }
 
-  /** Forgets the pending steps, since the GPU has made them. */
+  /** Removes the pending steps: the GPU has simulated them. */
   done(): void {
     this.count = 0;
     this.clears = false;

@@ -46,7 +46,9 @@ const oneOf =
   (value) =>
     names.includes(value as string) ? null : `one of: ${names.join(', ')}`;
 
-/** @param what - it is, after "null or" */
+/**
+ * @param what - allowed value in words, put after "null or"
+ */
 const orNull =
   (isIt: (value: object) => boolean, what: string): Check =>
   (value) =>

@@ -1,4 +1,4 @@
-/** Steps of the network in one pass. */
+/** Steps of the sorting network in one pass. */
 const STEPS_PER_PASS = 3;
 
 /**

@@ -38,7 +38,7 @@ export function weightedTwin(kind: TwinKind): TwinKind {
   };
 }
 
-/** True for what is laid over the picture by its opacity; other blending needs no order, or means one. */
+/** True for materials blended by their opacity; other blending is independent of order, or relies on it. */
 export function isWeighted({ material, shading }: RenderItem): boolean {
   const shader = material as ShaderMaterial & { isRawShaderMaterial?: boolean };
   const ownOutputs = shader.isRawShaderMaterial === true || shader.glslVersion === GLSL3;

@@ -7,14 +7,14 @@ import { needShape } from './areaFeatures';
 import { AREA, areaShapes } from './areaRecord';
 import { makeTransforms } from './makeTransforms';
 
-/** Stands for a reach without an end (m). */
+/** Finite stand-in for an infinite range of an area light (m). */
 const ENDLESS = 1e30;
 const NO_DATA: FarolLightData = {};
 const axis = new Vector3();
 
 /** Measures area lights and writes their extension records. */
 export class AreaLightTable implements AreaRadii {
-  /** Irradiance at which a light without `userData.farol.range` ends; 0: none ends. */
+  /** Irradiance below which an area light without `userData.farol.range` is cut off; 0: never cut off. */
   threshold = 0;
   private readonly transforms;
 
@@ -67,7 +67,7 @@ export class AreaLightTable implements AreaRadii {
     const { range, shape } = dataOf(light);
     if (range !== undefined && range >= 0) return range;
     if (!(this.threshold > 0)) return 0;
-    // far off, irradiance is radiance × area / distance²; nearer, less than that
+    // far from the light, irradiance is radiance × area / distance²; near the light it is less than that
     const { r, g, b } = light.color;
     const area = light.width * light.height * (shape === 'disc' ? Math.PI / 4 : 1);
     return Math.sqrt((Math.max(r, g, b) * Math.abs(light.intensity) * area) / this.threshold) || NaN;

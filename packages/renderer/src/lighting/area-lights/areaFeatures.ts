@@ -1,10 +1,13 @@
 import type { MicroShaderRegistry } from '../../microshaders';
 import { parseMicroShader } from '../../microshaders/parseMicroShader';
 
-/** Shapes that the shaders of each registry have code for, as bits by `areaShapes`. They grow, and never shrink. */
+/** Light shapes, as bits of `areaShapes`, that each registry's shaders have code for. Bits are only ever added. */
 const known = new WeakMap<MicroShaderRegistry, number>();
 
-/** Text of the chunk `areaFeatures`. @param shapes - bits, by `areaShapes` */
+/**
+ * GLSL text of the microshader `areaFeatures`.
+ * @param shapes - bits of `areaShapes`
+ */
 export const areaFeaturesChunk = (shapes: number): string =>
   `// What shaders have code for: the shapes of area lights met so far.
 // Farol

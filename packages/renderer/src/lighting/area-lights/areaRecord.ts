@@ -4,7 +4,10 @@ import { recordGetters } from '../recordGetters';
 /** Shape of an area light, as its record stores it. */
 export const areaShapes = { rectangle: 0, disc: 1, tube: 2 } as const;
 
-/** The extension record of an area light. Vectors in view space, of half its size (m). */
+/**
+ * Layout of an area light's extension record in the light table. Vectors are in view space and span half the light's
+ * size (m).
+ */
 export const areaRecord = {
   across: {
     /** Half the light's width; for a tube, half its axis. */
@@ -20,10 +23,10 @@ export const areaRecord = {
   },
 } as const satisfies RecordLayout;
 
-/** Offsets of the texels in the record (floats). */
+/** Offset of each texel in an area light's extension record (floats). */
 export const AREA = texelOffsets(areaRecord);
 
-/** The microshader `areaRecord`. */
+/** GLSL text of the microshader `areaRecord`: functions that read an area light's extension record. */
 export const areaRecordChunk = `// Reads the extensions of area lights: records of the light table.
 // Farol; made from the table in lighting/area-lights/areaRecord.ts
 #include "lightRecord"

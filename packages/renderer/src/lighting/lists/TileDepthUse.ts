@@ -1,2 +1,5 @@
-/** Depths that lists are cut by: none, a tile's nearest and farthest, or also which of 32 slices between hold surfaces. */
+/**
+ * Depth test that cuts the light list of a screen tile: none; the nearest and farthest depth in the tile; or also which
+ * of 32 depth slices between those hold surfaces.
+ */
 export type TileDepthUse = 'none' | 'bounds' | 'slices';

@@ -2,7 +2,10 @@ import type { IUniform, Texture } from 'three';
 
 /** Uniforms of lightLoopClustered.glsl without those of tile shadows (maskUniforms.ts); one set a FarolRenderer. */
 export interface GridUniforms extends Record<string, IUniform> {
-  /** Side of a tile (pixels, as a power of two), tiles in y, words of deep lights, first record of the listed lights. */
+  /**
+   * Light grid: side of a tile (pixels, as a power of two), number of tiles in y, words of deep lights, first record of
+   * the listed lights.
+   */
   readonly farol_grid: { value: number[] };
   /** Mapping of depth to bins: shift (m), the float whose bits are the start, scale. */
   readonly farol_gridDepth: { value: number[] };

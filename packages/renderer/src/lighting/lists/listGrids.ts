@@ -4,8 +4,8 @@ import type { WebGLRenderTarget } from 'three';
 const ROW = 2048;
 
 /**
- * Sets farol_tiles. List textures hold a grid for each quad side by side, if they fit. The number is kept when fewer
- * would do, so that a light more or less needs no new textures.
+ * Sets the uniform `farol_tiles`. List textures hold a grid of tiles for each quad (128 lights) side by side, if they
+ * fit. The number of quads is kept when fewer would do, so that a light more or less needs no new textures.
  * @param tiles - the uniform's value
  * @param x - tiles in x
  * @param y - tiles in y

@@ -11,7 +11,7 @@ export interface TileUniforms extends Record<string, IUniform> {
   readonly farol_tileRun: { value: number[] };
   readonly farol_tileMask: IUniform<Texture | null>;
   readonly farol_tileSummary: IUniform<Texture | null>;
-  /** Corner of the picture (pixels). */
+  /** Lower left corner of the viewport in the render target (pixels). */
   readonly farol_offset: { value: Vector2 };
 }
 

@@ -32,9 +32,9 @@ const AFTER_LOSS: Record<MapState, MapState> = {
   'stale-whole': 'empty',
 };
 
-/** State of a map; only these methods change it. README.md says who calls each. */
+/** State of one shadow map, or cookie, in its atlas; only these methods change it. README.md says who calls each. */
 export class AtlasMap {
-  /** Last frame in which the map was out of date, by `noteAge`. */
+  /** Number of the last frame in which the map was out of date; written by `noteAge`. */
   since = 0;
   private current: MapState = 'none';
   private planned: 'partial' | 'whole' | null = null;
@@ -45,7 +45,7 @@ export class AtlasMap {
     return this.current;
   }
 
-  /** The region holds a map, up to date or not. */
+  /** Whether the atlas region holds a map, up to date or not. */
   get isThere(): boolean {
     const { current } = this;
     return current !== 'none' && current !== 'empty' && current !== 'lost';
@@ -62,12 +62,12 @@ export class AtlasMap {
     return current !== 'partial' && current !== 'whole' && current !== 'lost';
   }
 
-  /** The region holds the map only where receivers could be seen. */
+  /** Whether the region holds only those parts of the map where receivers could be seen. */
   get isPartial(): boolean {
     return this.current === 'partial' || this.current === 'stale-partial';
   }
 
-  /** `ShadowBounds` knows the depths of what is drawn. */
+  /** Whether `ShadowBounds` has found the least and greatest depths of what is drawn. */
   get hasBounds(): boolean {
     return this.bounds;
   }
@@ -77,21 +77,21 @@ export class AtlasMap {
     return this.drawn;
   }
 
-  /** The map has got a region. */
+  /** Notes that the map has got a region of the atlas. */
   place(): void {
     this.current = 'empty';
     this.planned = null;
     this.bounds = false;
   }
 
-  /** The map has no region any more. */
+  /** Notes that the map has no region of the atlas any more. */
   release(): void {
     this.current = 'none';
     this.planned = null;
     this.bounds = false;
   }
 
-  /** Marks the drawn content as lost. */
+  /** Marks the drawn content as lost, with the GL context or the atlas texture. */
   lose(): void {
     this.current = AFTER_LOSS[this.current];
     if (!this.isThere) this.bounds = false;
@@ -102,13 +102,13 @@ export class AtlasMap {
     this.current = AFTER_CHANGE[this.current];
   }
 
-  /** Notes the frame while the map is out of date. */
+  /** Stores the number of the frame in `since` while the map is out of date. */
   noteAge(frame: number): void {
     if (this.isStale) this.since = frame;
   }
 
   /**
-   * The map is to be drawn in this frame.
+   * Notes that the map is to be drawn in this frame.
    * @throws Error when there is no region to draw to
    */
   plan(isPartial: boolean): void {
@@ -118,7 +118,7 @@ export class AtlasMap {
   }
 
   /**
-   * The map is drawn as planned.
+   * Notes that the map is drawn as planned.
    * @throws Error when that was not planned
    */
   draw(): void {
@@ -129,7 +129,7 @@ export class AtlasMap {
   }
 
   /**
-   * The bounds of the depths are found.
+   * Notes that `ShadowBounds` has found the map's least and greatest depths.
    * @throws Error when there are no depths
    */
   bound(): void {

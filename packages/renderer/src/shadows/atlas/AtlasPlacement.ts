@@ -6,7 +6,7 @@ export interface Region {
   height: number;
 }
 
-/** Region of a map in its atlas; written by the atlas alone. */
+/** Rectangle of one shadow map in its atlas; written by the atlas alone. */
 export class AtlasPlacement {
   private rectangle: Region | null = null;
   private width = 0;
@@ -34,12 +34,15 @@ export class AtlasPlacement {
     return this.edge;
   }
 
-  /** How often the map is halved because the atlas is full. */
+  /** How often the atlas, being full, has halved the sides of this map. */
   get halvings(): number {
     return this.halved;
   }
 
-  /** @throws Error when there is a region already */
+  /**
+   * Gives the map its rectangle.
+   * @throws Error when there is a region already
+   */
   take(region: Region, faceWidth: number, faceHeight: number, border: number): void {
     if (this.rectangle !== null) throw new Error('A map has a region already: drop it before another is taken.');
     this.rectangle = region;

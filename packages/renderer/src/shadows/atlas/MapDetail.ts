@@ -1,6 +1,8 @@
-/** Frames (of any camera) for which a map must have more texels than pictures show, before it is halved. */
+/**
+ * Frames (of any camera) in a row for which a shadow map must be finer than pictures show, before its side is halved.
+ */
 const PATIENCE = 30;
-/** Eighths of a halving by which a map must be too fine before it is halved. */
+/** Eighths of a halving by which a shadow map must be too fine before its side is halved. */
 const MARGIN = 2;
 
 /**
@@ -14,17 +16,17 @@ export class MapDetail {
   private patience = 0;
   private least = 0;
 
-  /** The level that the map has, or will have once it is placed. */
+  /** Number of halvings that the map has, or will have once it is placed. */
   get level(): number {
     return this.applied;
   }
 
-  /** The level that the map is to have. */
+  /** Number of halvings that the map is to have. */
   get target(): number {
     return this.wanted;
   }
 
-  /** Sets the level of a map without a region, at once. */
+  /** Sets the number of halvings of a map without a region, at once. */
   start(level: number): void {
     this.patience = 0;
     this.applied = this.wanted = level;
@@ -48,15 +50,15 @@ export class MapDetail {
     this.wanted = this.patience > PATIENCE ? this.least : applied;
   }
 
-  /** Applies the target level. */
+  /** Makes the target the map's number of halvings. */
   reach(): void {
     this.applied = this.wanted;
     this.patience = 0;
   }
 
   /**
-   * Applies the target level while all maps of a full atlas are resized; unlike `reach`, does not restart the wait for
-   * a higher level.
+   * Makes the target the map's number of halvings, while all maps of a full atlas are resized; unlike `reach`, does not
+   * restart the wait for a smaller map.
    */
   settle(): void {
     this.applied = this.wanted;

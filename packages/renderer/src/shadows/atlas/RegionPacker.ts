@@ -8,7 +8,9 @@ import type { Region } from './AtlasPlacement';
 export class RegionPacker {
   private free: Region[] = [];
 
-  /** @param size - texels a side */
+  /**
+   * @param size - side of the square (texels)
+   */
   constructor(public size: number) {
     this.clear(size);
   }
@@ -36,7 +38,7 @@ export class RegionPacker {
     const { x, y, width: w, height: h } = this.free[best];
     this.free[best] = this.free[this.free.length - 1];
     this.free.pop();
-    // the cut that leaves the larger rectangle whole
+    // cut so that the larger of the two remaining rectangles stays whole
     const right = w - width;
     const above = h - height;
     const tall = right > above;

@@ -5,7 +5,7 @@ import { depthTarget } from './depthTarget';
 import { TextureAtlas } from './TextureAtlas';
 import { textureHandle } from '../../three/handles';
 
-/** Greatest side of the atlas of colours (texels). */
+/** Greatest side of the atlas of cookies and variance shadow maps (texels). */
 const LARGEST_COLOURS = 4096;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
@@ -28,7 +28,7 @@ export class ShadowAtlases {
     );
   }
 
-  /** Whether depths have 24 bits, not 16. */
+  /** Whether depths of shadow maps have 24 bits, not 16. */
   get isFine(): boolean {
     return this.fine;
   }
@@ -37,7 +37,7 @@ export class ShadowAtlases {
     return this.depths.bytes + this.colours.bytes;
   }
 
-  /** Switches the atlas of depths to 24 bits; the maps in it are lost. */
+  /** Switches the depths of shadow maps to 24 bits; the maps drawn so far are lost. */
   refine(): void {
     this.fine = true;
     this.depths.remake();

@@ -8,24 +8,24 @@ import { RegionPacker } from './RegionPacker';
 /** Owner of an atlas region: a map, or the six faces of a cube, three by two, with borders. */
 export interface AtlasTenant {
   readonly isCube: boolean;
-  /** Maps along a side, for a square of several maps; 1 when absent. */
+  /** Number of maps along a side, for a tenant that is a square of several shadow maps; 1 when absent. */
   readonly side?: number;
-  /** Side that the light asks for (texels). */
+  /** Side that the light's own settings ask for (texels). */
   readonly wantedWidth: number;
   readonly wantedHeight: number;
   /** Share of the picture that the light covers, 0 to 1. */
   readonly coverage: number;
-  /** Region of the map; written by the atlas. */
+  /** Rectangle of the map in the atlas; written by the atlas. */
   readonly placement: AtlasPlacement;
-  /** State of the region's content. */
+  /** State of what the map's region holds. */
   readonly map: AtlasMap;
-  /** Reduction of the size asked for to what pictures show; none when absent. */
+  /** Halvings of the map, since pictures show no more; none when absent. */
   readonly detail?: MapDetail;
   /** Mipmap levels that lie beside an image, each with a border; no borders when absent. */
   readonly levels?: number;
   /**
-   * Border round each face of a cube of this size (texels): it repeats the neighbouring faces, so that filters cross
-   * edges.
+   * Width of the border round each face of a cube with sides of `faceWidth` texels: it repeats the neighbouring faces,
+   * so that filters cross edges.
    */
   borderOf(faceWidth: number): number;
   /** Called when the map has moved to another region. */
@@ -36,9 +36,9 @@ export interface AtlasTenant {
 const SMALLEST = 512;
 /** Side of an atlas (texels) beyond which it grows in steps of less than its size. */
 const FINE_STEPS = 4096;
-/** Side of a map (texels) below which it is not halved. */
+/** Side of a shadow map (texels) at and below which it is not halved. */
 const SMALLEST_MAP = 16;
-/** One in this many rebalancings of a full atlas may place all maps anew. */
+/** All maps of a full atlas are placed anew at most once in this many rebalancings. */
 const REBALANCINGS = 10;
 /** Share of the atlas that regions of mixed sizes are expected to fill. */
 const FILLED = 0.9;
@@ -55,7 +55,7 @@ export class TextureAtlas {
   reduced = false;
   /** Number of rebalancings so far. */
   private rebalancings = 0;
-  /** Share of the largest atlas that maps are reduced to: lowered when they did not fit. */
+  /** Share of the largest atlas that maps are reduced to, 0 to 1: lowered when they did not fit. */
   private filled = 1;
 
   /**
@@ -105,7 +105,7 @@ export class TextureAtlas {
       order.push(tenant);
     }
     if (order.length > 1) this.sort();
-    // free room may be in pieces: some maps then make do with less, and only now and then are all placed anew
+    // free room may be in pieces: some maps then take less, and only now and then are all placed anew
     const squeezes = rebalancing && kept.length === 0 && ++this.rebalancings % REBALANCINGS !== 0;
     for (const tenant of order) {
       if (this.tryPlace(tenant, mapWidth(tenant, limit), mapHeight(tenant, limit))) continue;
@@ -115,12 +115,15 @@ export class TextureAtlas {
     }
   }
 
-  /** Lets the atlas grow to a size. @param limit - texels a side; a smaller limit than before changes nothing */
+  /**
+   * Raises the greatest side of the atlas.
+   * @param limit - side (texels); a smaller limit than before changes nothing
+   */
   raiseLimit(limit: number): void {
     this.limit = Math.max(this.limit, limit);
   }
 
-  /** Resets the atlas to no target and no limit. All regions must have been released. */
+  /** Resets the atlas: no render target and no limit. All regions must have been released. */
   clear(): void {
     this.dispose();
     this.limit = 0;
@@ -261,7 +264,10 @@ function drop({ placement, map }: AtlasTenant): void {
   map.release();
 }
 
-/** True when a tenant's region fits faces of this size (texels), with the borders and levels that they need now. */
+/**
+ * True when a tenant's region fits faces of this size (texels), with the borders and mipmap levels that the tenant
+ * needs now.
+ */
 function isPlaced(tenant: AtlasTenant, width: number, height: number): boolean {
   const { region, faceWidth, faceHeight } = tenant.placement;
   if (region === null || faceWidth !== width || faceHeight !== height) return false;
@@ -277,8 +283,8 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
 }
 
 /**
- * Side of a face (texels): the lesser of the light's and the pictures' need, limited to the atlas, halved while it is
- * full.
+ * Side of a face of a shadow map (texels): the lesser of the light's and the pictures' need, limited to the atlas,
+ * halved while the atlas is full.
  */
 function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
   const wanted = asked >> (tenant.detail?.level ?? 0);

@@ -14,26 +14,26 @@ export interface Caster {
   hasBox: boolean;
   /** World matrix, 16 numbers. */
   readonly matrix: Float64Array;
-  /** Hash of the state that the shadow depends on, besides the matrix; see `casterSignature`. */
+  /** Hash of all but the matrix that the object's shadow depends on, see `casterSignature`. */
   signature: number;
-  /** Last walk over the scene that met the object, see `ShadowCasters.walks`. */
+  /** Number of the last walk over the scene that met the object, see `ShadowCasters.walks`. */
   lastWalk: number;
   /** Object given to three's traversal, which uploads the buffers of the caster, see `casterProxy`. */
   proxy: Object3D | null;
-  /** Frame for which `proxy` was handed out. */
+  /** Number of the frame for which `proxy` was handed out. */
   proxyFrame: number;
-  /** Counts changes of the world matrix, and other changes of the box. */
+  /** Number of changes of the world matrix, and of other changes of the box. */
   matrixVersion: number;
-  /** Counts changes of the signature; `signatureWalk` is the walk that met the last change. */
+  /** Number of changes of `signature`. */
   signatureVersion: number;
   signatureWalk: number;
-  /** Entry of the object among the merged casters; null while the object is drawn by itself. */
+  /** Copy of the object's triangles among the merged casters; null while the object is drawn by itself. */
   merged: MergedCaster | null;
   /** `signatureVersion` for which the caster last asked to be merged; -1 for none. */
   queuedVersion: number;
 }
 
-/** A caster among the merged ones. */
+/** Shadow caster whose triangles lie in one buffer with those of others. */
 export interface MergedCaster {
   readonly caster: Caster;
   readonly geometry: CasterGeometry;
@@ -42,9 +42,12 @@ export interface MergedCaster {
   readonly object: number;
   /** First of the caster's vertex indices in the page. */
   readonly first: number;
-  /** `Caster.signatureVersion` at the time of merging. */
+  /** Value of `Caster.signatureVersion` when the triangles were merged. */
   signatureVersion: number;
-  /** World-space boxes of the clusters, 6 numbers each; found at `Caster.matrixVersion` = `matrixVersion`. */
+  /**
+   * World-space boxes of the caster's clusters of triangles: centre and half sizes (m), 6 numbers each. Valid while
+   * `Caster.matrixVersion` equals `matrixVersion`.
+   */
   readonly boxes: Float64Array;
   /** World-space boxes of each `CLUSTERS_PER_GROUP` clusters that follow one another, 6 numbers each. */
   readonly groups: Float64Array;

@@ -29,11 +29,11 @@ type CasterMaterial = MeshDepthMaterial | MeshDistanceMaterial;
 
 /** Materials that write depths, or those that write distances. */
 interface CasterMaterialSet {
-  /** Materials by the program that the mesh needs, see `sharedFor`. */
+  /** Materials shared by all casters that need the same program, see `sharedFor`. */
   readonly shared: CasterMaterial[];
   /** Depth materials by the caster's material, for materials that discard or displace. */
   readonly unique: Map<Material, CasterMaterial>;
-  /** Depth materials by the caster's material, for materials whose surfaces discard or displace. */
+  /** Depth materials by the caster's own material, for Farol materials whose surfaces discard or displace. */
   readonly worn: Map<Material, CasterMaterial>;
 }
 
@@ -46,7 +46,7 @@ type AnyMesh = Mesh & Partial<InstancedMesh> & { isSkinnedMesh?: boolean; isBatc
  */
 export class CasterMaterials {
   private readonly depths: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
-  /** Materials that write linear distances, for point lights when the depth buffer is logarithmic. */
+  /** Materials that write linear distances instead of depths, for point lights when the depth buffer is logarithmic. */
   private readonly distances: CasterMaterialSet = { shared: [], unique: new Map(), worn: new Map() };
 
   constructor(
@@ -97,7 +97,7 @@ export class CasterMaterials {
     return needsOwn ? this.uniqueFor(source, set) : this.sharedFor(object as AnyMesh, set);
   }
 
-  /** True for materials that discard or displace. */
+  /** True for materials that need a depth material of their own: they discard or displace. */
   private needsOwn(m: AnyMaterial): boolean {
     return Boolean(
       (this.webgl.localClippingEnabled && m.clipShadows && m.clippingPlanes !== null && m.clippingPlanes.length > 0) ||
@@ -107,7 +107,10 @@ export class CasterMaterials {
     );
   }
 
-  /** Meshes that need different programs have different materials, so that three need not look the program up at each draw. */
+  /**
+   * Shared material for the mesh's kind (instanced, skinned…). Meshes that need different programs have different
+   * materials, so that three need not look the program up at each draw.
+   */
   private sharedFor(mesh: AnyMesh, { shared }: CasterMaterialSet): CasterMaterial {
     const program =
       (mesh.isInstancedMesh ? 1 : 0) +

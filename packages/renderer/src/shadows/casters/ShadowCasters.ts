@@ -15,12 +15,12 @@ export class ShadowCasters {
   count = 0;
   /** Objects that receive shadows but cast none. */
   readonly receivers: Object3D[] = [];
-  /** World-space spheres (m) in which something has changed, 4 numbers each, `changeCount` of them. */
+  /** World-space spheres (m) in which some caster has changed, 4 numbers each; the first `changeCount` are valid. */
   changes = new Float64Array(64);
   changeCount = 0;
   private readonly known = new WeakMap<Object3D, Caster>();
   private previous: Caster[] = [];
-  /** Number of walks over the scene so far; `walked` is the scene of the last walk. */
+  /** Number of walks over the scene so far. */
   walks = 0;
   walked: Object3D | null = null;
   private receiversCast = false;
@@ -61,7 +61,7 @@ export class ShadowCasters {
 
   private meet(object: Object3D): void {
     const { geometry, material } = object as Partial<Mesh>;
-    if (!geometry || !material) return; // three says what is wrong, if it draws the object at all
+    if (!geometry || !material) return; // drawn, such an object makes three say what is wrong
     let caster = this.known.get(object);
     if (caster === undefined) {
       caster = makeCaster(object);

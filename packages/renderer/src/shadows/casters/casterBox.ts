@@ -14,7 +14,7 @@ import { moveBox } from './moveBox';
 
 type AnyMesh = Mesh & { isInstancedMesh?: boolean; isBatchedMesh?: boolean; isPoints?: boolean };
 
-/** Box of each geometry in its own space (m), with the `attributeState` of its positions when the box was found. */
+/** Box of each geometry in its own space (m), with the `attributeState` of its positions when the box was computed. */
 const boxes = new WeakMap<BufferGeometry, { readonly box: Box3; state: number }>();
 
 const own = new Float64Array(6);
@@ -35,7 +35,8 @@ function boxOf(geometry: BufferGeometry): Box3 | null {
 }
 
 /**
- * Greatest displacement of vertices by a material's shaders (m, in the object's own space); Infinity if not declared.
+ * Greatest displacement of vertices by a material's shaders (m, in the object's own space); Infinity if the material
+ * does not declare one.
  */
 function reachOf(material: Material): number {
   return (material as MeshStandardMaterial).displacementMap ? Infinity : (surfacesOf(material)?.reach() ?? 0);
@@ -68,7 +69,11 @@ export function casterBox(object: Object3D, out: Float64Array): boolean {
   return Number.isFinite(out[0] + out[1] + out[2] + out[3] + out[4] + out[5]);
 }
 
-/** True when a box, which starts at index `at`, lies wholly outside one of six planes, as `viewFrustumPlanes` has them. */
+/**
+ * True when a box lies wholly outside one of six planes.
+ * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param box - centre and half sizes, from index `at` on
+ */
 export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
   for (let i = 0; i < 24; i += 4) {
     const x = planes[i];
@@ -80,7 +85,11 @@ export function boxOutsidePlanes(planes: Float64Array, box: Float64Array, at = 0
   return false;
 }
 
-/** True when no part of a box, which starts at index `at`, lies outside any of six planes. */
+/**
+ * True when a box lies wholly inside six planes.
+ * @param planes - 6 × 4 numbers, as `viewFrustumPlanes` has them
+ * @param box - centre and half sizes, from index `at` on
+ */
 export function boxInsidePlanes(planes: Float64Array, box: Float64Array, at = 0): boolean {
   for (let i = 0; i < 24; i += 4) {
     const x = planes[i];

@@ -16,7 +16,7 @@ export function casterProxy(object: Object3D): Object3D {
   own('layers', allLayers);
   own('visible', true);
   own('frustumCulled', false);
-  // three listens for the disposal of instanced meshes, which the caster itself tells of
+  // three listens for `dispose` of instanced meshes, which the caster itself dispatches
   own('addEventListener', object.addEventListener.bind(object));
   own('hasEventListener', object.hasEventListener.bind(object));
   own('isFarolProxy', true);

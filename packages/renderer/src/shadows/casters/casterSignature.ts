@@ -22,7 +22,7 @@ const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
 
 let hash = 0;
 
-/** Mixes a whole number into the hash (FNV-1a). */
+/** Mixes a whole number into the signature (FNV-1a hash). */
 function mix(value: number): void {
   hash = Math.imul(hash ^ value, 16777619);
 }
@@ -31,7 +31,7 @@ function mixFraction(value: number): void {
   mix(value * 65536);
 }
 
-/** Mixes a texture, its transform and its uv attribute into the hash. */
+/** Mixes a texture, its transform and its uv attribute into the signature. */
 function mixTexture(texture: Texture | null | undefined, geometry: BufferGeometry): void {
   if (!texture) return;
   const { id, version, offset, repeat, center, rotation, channel } = texture;

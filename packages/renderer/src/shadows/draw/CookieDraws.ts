@@ -5,7 +5,7 @@ import { LEVEL_BORDER, levelBottom } from '../atlas/mipmapBlock';
 import { COOKIE_BORDER, type CookieSlot } from '../slots/CookieSlot';
 import type { RegionDrawer } from './RegionDrawer';
 
-/** Copies the images that lights throw, and their profiles, into the atlas of colours. */
+/** Copies the textures that lights project (cookies), and photometric profiles, into the atlas of colours. */
 export class CookieDraws {
   private readonly uniforms = {
     farol_cookieImage: { value: null } as IUniform<Texture | null>,
@@ -19,7 +19,7 @@ export class CookieDraws {
 
   constructor(private readonly drawer: RegionDrawer) {}
 
-  /** Copies an image into the image's region. */
+  /** Copies a cookie, or a photometric profile, into its region of the atlas. */
   render(cookie: CookieSlot, atlas: TextureAtlas): void {
     const { uniforms, drawer } = this;
     const { texture, isCube, isProfile } = cookie;

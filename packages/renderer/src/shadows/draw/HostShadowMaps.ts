@@ -32,9 +32,9 @@ const BLACK = [0, 0, 0, 0];
 interface Watched {
   /** `shadowMap.type` for which the map was made. */
   readonly type: number;
-  /** Whether somebody has read the map's texture or depths. */
+  /** Whether the host has read the map's texture or depths. */
   isWanted: boolean;
-  /** The map holds a copy. */
+  /** Whether the map holds a copy of the light's region of the atlas. */
   isFilled: boolean;
 }
 
@@ -64,7 +64,7 @@ function watch(map: RenderTarget, type: number): Watched {
       state.isWanted = true;
       return depthTexture;
     },
-    // stock three makes the map one of another type
+    // three itself sets this when it turns the map into one of another type
     set(other: DepthTexture | null) {
       unwatch(map);
       map.depthTexture = other;
@@ -73,7 +73,7 @@ function watch(map: RenderTarget, type: number): Watched {
   return state;
 }
 
-/** Ends `watch`: the map is then as three makes maps. */
+/** Ends `watch`: the map's texture and depths are plain properties again, as three makes them. */
 function unwatch(map: RenderTarget): void {
   watched.delete(map);
   delete (map as Partial<RenderTarget>).texture;
@@ -87,7 +87,7 @@ function isOfType({ textures, depthTexture, width, height }: RenderTarget, type:
   return textures[0].format !== RGFormat && (depthTexture.compareFunction !== null) === (type !== BasicShadowMap);
 }
 
-/** Makes a map of one texel, to be cleared to what casts no shadow. */
+/** Makes a shadow map of one texel, which the caller clears so that nothing casts a shadow. */
 function makeMap(type: number, reversed: boolean): WebGLRenderTarget {
   const moments = type === VSMShadowMap;
   const depthTexture = new DepthTexture(1, 1, UnsignedIntType);
@@ -126,7 +126,10 @@ export class HostShadowMaps {
     private readonly drawer: RegionDrawer,
   ) {}
 
-  /** Whether a light's map is to be copied in this frame. @param isDrawn - the frame draws the map */
+  /**
+   * Whether a light's map is to be copied in this frame.
+   * @param isDrawn - whether the frame draws the map
+   */
   wants({ shadow, isCube }: ShadowSlot, isDrawn: boolean, type: number): boolean {
     if (isCube) return false;
     const state = shadow.map === null ? undefined : watched.get(shadow.map);
@@ -160,7 +163,7 @@ export class HostShadowMaps {
     state.isFilled = true;
   }
 
-  /** Takes `shadow.map` back from a light whose map has no region any more. */
+  /** Sets `shadow.map` of a light whose map has no region any more back to null. */
   release(slot: ShadowSlot): void {
     const { map } = slot.shadow;
     if (!this.slots.delete(slot) || map === null || !watched.has(map)) return;

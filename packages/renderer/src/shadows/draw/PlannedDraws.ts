@@ -12,7 +12,7 @@ import { MomentDraws } from './MomentDraws';
 import { RegionDrawer } from './RegionDrawer';
 import { ShadowMapDraws } from './ShadowMapDraws';
 
-/** Shadows that a renderer of the page has drawn a map for, since the host asked for it. */
+/** Shadows whose map some renderer of the page has drawn since the host asked for it. */
 const drawnShadows = new WeakSet<LightShadow>();
 
 /** The draws of a frame, as `ShadowMaps` has planned them: maps, images, copies of maps for three's addons, bounds. */
@@ -48,13 +48,13 @@ export class PlannedDraws {
     return this.maps.length + this.images.length + this.copies.length > 0 || this.bounds.hasWork;
   }
 
-  /** Begins a frame: nothing is planned. */
+  /** Begins a frame: clears the lists of planned draws. */
   begin(): void {
     this.maps.length = this.images.length = this.copies.length = 0;
     this.bounds.begin();
   }
 
-  /** Plans the copies of images that are lit with and out of date. */
+  /** Plans the copies of cookies and profiles that are used in the frame and out of date. */
   planImages(slots: LightSlots): void {
     for (const copies of slots.copies) {
       for (const cookie of copies.values()) {

@@ -6,7 +6,7 @@ import type { Camera, Light, Object3D, Scene, WebGLRenderer, WebGLShadowMap } fr
  * three's maps; Farol's frame has not, so such a render gets the host's own `autoUpdate` back.
  */
 export class ShadowMapCalls {
-  /** The scene as the frame shows it to three. */
+  /** Scene as the frame passes it to three, see `SceneView`. */
   private scene: Object3D | null = null;
   /** three makes another one when a lost context is restored. */
   private shadowMap: WebGLShadowMap;

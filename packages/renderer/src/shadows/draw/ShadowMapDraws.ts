@@ -34,7 +34,7 @@ type ShadowCallback = (
   group: GeometryGroup | null,
 ) => void;
 
-/** Frames without a change in a partial map after which the whole map is drawn. */
+/** Frames without a change after which the whole of a shadow map is drawn, of which only parts were drawn before. */
 const REST = 60;
 
 const rectangle = new Vector4();

@@ -12,10 +12,10 @@ import { RECORDS_PER_MASK } from './maskLayout';
 import type { PictureSize } from '../../lights/PictureSize';
 import { shadowLookupOf, writeLayerMask, writeMask } from './maskRecord';
 
-/** The masks of a frame's lights: which light has one, and their records in the light table. */
+/** Assigns mask records: per-light data of shadow map, cookie and layers in the light table. */
 export class MaskRecords {
   records = 0;
-  /** Mask record of each light that has no slot, but does not reach all layers. */
+  /** Mask record of each light that has neither shadow map nor cookie, but does not reach all layers. */
   private readonly layered = new Map<Light, number>();
 
   constructor(
@@ -33,12 +33,15 @@ export class MaskRecords {
     if (this.layered.size > 0) this.layered.clear();
   }
 
-  /** Adds a light without shadow and image. */
+  /** Adds a light that has no shadow map or cookie, but does not reach all layers. */
   addLayered(light: Light): void {
     if (this.layers.separates(light)) this.layered.set(light, -1);
   }
 
-  /** Gives a lit slot its record. Call once `hasShadow` is known. @param type - of maps, as `shadowMap.type` */
+  /**
+   * Gives a light with shadow map or cookie its mask record. Call once `hasShadow` is known.
+   * @param type - type of shadow maps, as `shadowMap.type`
+   */
   assign(slot: ShadowSlot, type: number): void {
     const isMasked =
       slot.hasShadow || slot.cookie !== null || slot.profile !== null || this.layers.separates(slot.light);
@@ -48,7 +51,9 @@ export class MaskRecords {
     this.shaders.need(maskFeaturesOf(slot, type));
   }
 
-  /** Gives the lights without a slot their records, after those of slots, and adapts shaders to all masks. */
+  /**
+   * Gives lights that are only limited to layers their mask records, after all others, and adapts shaders to all masks.
+   */
   end(): void {
     for (const light of this.layered.keys()) {
       this.shaders.need(maskFeatures.unshadowed | maskLoopOf(light));
@@ -65,7 +70,11 @@ export class MaskRecords {
     return slot.record >= 0 && slot.hasLeftMap ? slot.record + ELSEWHERE : slot.record;
   }
 
-  /** @param type - of maps, as `shadowMap.type` @param reversed - the depth buffer is @param picture - size (pixels) */
+  /**
+   * @param type - type of shadow maps, as `shadowMap.type`
+   * @param reversed - whether the depth buffer is reversed
+   * @param picture - size (pixels)
+   */
   write(table: DataTable, first: number, camera: Camera, type: number, reversed: boolean, picture: PictureSize): void {
     for (const slot of this.slots.lit) {
       if (slot.record < 0) continue;

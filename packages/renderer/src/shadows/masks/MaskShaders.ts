@@ -4,17 +4,20 @@ import { imageSamplersChunk } from './imageSamplersChunk';
 import { maskFeatures, maskFeaturesChunk } from './maskFeatures';
 
 /**
- * Mask features that shaders are compiled with. They only grow, as masks are met, so that nothing is compiled twice.
+ * Features of shadows, cookies and layers that shaders are compiled with. Features are only added, as lights need them,
+ * so that nothing is compiled twice.
  */
 export class MaskShaders {
-  /** Level of the chunk `lightMask`. 0: no masks; 1: shadows and cookies; 2: layers too. */
+  /** Variant of the chunk `lightMask`. 0: no shadows, cookies or layers; 1: shadows and cookies; 2: layers too. */
   private level = 0;
-  /** Bits of `maskFeatures` that shaders have, and bits that frames have needed. */
+  /** Bits of `maskFeatures` that shaders have code for. */
   private features = 0;
   private neededFeatures = 0;
   private readonly before: MicroShader;
 
-  /** @param images - samplers for the textures that lights throw */
+  /**
+   * @param images - number of samplers for the textures that lights project
+   */
   constructor(
     private readonly microshaders: MicroShaderRegistry,
     private readonly images: number,

@@ -1,6 +1,7 @@
 /**
- * Text of the microshader `imageSamplers`: samples the textures that spot lights throw, by the gradients of coordinates.
- * @param count - samplers. GLSL wants their indices to be constants
+ * GLSL text of the microshader `imageSamplers`, which samples the textures that spot lights project, with explicit
+ * gradients.
+ * @param count - number of samplers. GLSL wants their indices to be constants
  */
 export function imageSamplersChunk(count: number): string {
   const lines = Array.from(

@@ -4,8 +4,8 @@ import { softSizeOf } from '../slots/AreaShadowLight';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 
 /**
- * Features of masks that shaders can have code for, as bits. `defines` has their macros in maskFeatures.glsl; `basic`, `pcf`
- * and `variance` are bits of FAROL_SHADOW_LOOKUPS; `images` asks for samplers.
+ * Features of shadows and cookies that shaders can have code for, as bits. `defines` has their macros in
+ * maskFeatures.glsl; `basic`, `pcf` and `variance` are bits of FAROL_SHADOW_LOOKUPS; `images` asks for samplers.
  */
 export const maskFeatures = {
   maps: 1,
@@ -37,7 +37,10 @@ const defines: Record<Exclude<keyof typeof maskFeatures, 'basic' | 'pcf' | 'vari
   soft: 'FAROL_SOFT_SHADOWS',
 };
 
-/** The loop of shading.glsl that meets a light, and so must know of masks. */
+/**
+ * Feature bit of the loop in shading.glsl that shades a kind of light, so that only this loop reads shadows and
+ * cookies.
+ */
 export function maskLoopOf(light: Light): number {
   const kind = classifyLight(light);
   if (kind === 'directional' || kind === 'unbounded') return maskFeatures.unbounded;
@@ -55,14 +58,15 @@ export function maskFeaturesOf(
   // the shaders of area lights call for masks themselves
   if (softSizeOf(light) > 0) return maskFeatures.cubes | maskFeatures.soft | (hasShadow ? 0 : maskFeatures.unshadowed);
   let features = maskLoopOf(light);
-  // shaders treat such a light as one that is not a plain point light
+  // shaders treat a light that has left its map as one that is not a plain point light
   if (hasLeftMap) features |= maskFeatures.bounded;
   if (profile !== null) features |= maskFeatures.profiles;
   if (!hasShadow && cookie === null) return features | maskFeatures.unshadowed;
   features |= isCube ? maskFeatures.cubes : maskFeatures.maps;
   if (cascades > 0) features |= maskFeatures.cascades;
   if (cookie !== null) features |= maskFeatures.cookies;
-  // with the code for copies: it is there once lights throw more textures than samplers are left
+  // needed together with the code for copies: cookies are copied once lights project more textures than samplers are
+  // left
   if (cookie !== null && !cookie.isCube) features |= maskFeatures.images;
   if (!hasShadow) return features | maskFeatures.unshadowed;
   if (type === VSMShadowMap) return features | maskFeatures.variance;

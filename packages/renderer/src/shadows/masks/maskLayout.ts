@@ -1,13 +1,16 @@
 import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
 import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 
-/** Ways in which a mask reads its shadow map. */
+/** Ways in which shaders sample a light's shadow map. */
 export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/** Ways in which a mask reads an image. `profile`: a photometric profile, and the image that `profileAcross` says. */
+/** Kinds of cookie. `profile`: a photometric profile, with the cookie that `profileAcross` tells. */
 export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
-/** First bit of each part of the whole number in `place`; the bits below `lookup` are a face's width. */
+/**
+ * First bit of each part of the whole number in the mask record's texel `place`; the bits below `lookup` are the width
+ * of a face.
+ */
 export const PLACE_BITS = { lookup: 15, cookie: 18, extended: 20, border: 21 } as const;
 
 /**
@@ -69,12 +72,13 @@ export const maskRecord = {
     pixelSpan: 'zw',
   },
   /**
-   * Transform of the whole map's coordinates to a cascade's: scale and shift of x, scale and shift of y. For a light
-   * with a profile: directions of horizontal angle 0 and of vertical angle 0 (view space, unit length).
+   * Transform of the whole map's coordinates to those of the first cascade: scale and shift of x, scale and shift of y.
+   * For a light with a photometric profile: directions of horizontal angle 0 and of vertical angle 0 (view space, unit
+   * length).
    */
   firstFit: {
     profileAcross: 'xyz',
-    /** One of `cookieShapes`, but `profile`. */
+    /** Kind of the cookie beside a photometric profile, one of `cookieShapes` without `profile`. */
     profileCookie: ['int', 'int(t.w)'],
   },
   secondFit: { profileDown: 'xyz' },
@@ -85,6 +89,6 @@ export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
 
-/** Most cascades of a directional light beside the whole map, and the offsets of their fits (floats). */
+/** Greatest number of cascades of a directional light beside the whole map. */
 export const MOST_CASCADES = 3;
 export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

@@ -13,7 +13,7 @@ const across = new Vector3();
 const down = new Vector3();
 
 /**
- * Writes the mask of a light, for positions in view space.
+ * Writes a light's mask record (shadow map, cookie, profile, layers), for positions in view space.
  * @param lookup - one of `shadowLookups`
  * @param reversed - whether the depth buffer is reversed
  * @param layers - layers that the light reaches, as bits; 0 for all
@@ -37,7 +37,7 @@ export function writeMask(
     position.setFromMatrixPosition(slot.matrix).negate().applyMatrix4(camera.matrixWorldInverse);
     table.set4(at + MASK.columnX, position.x, position.y, position.z, 1);
   } else {
-    // not the camera's world matrix: three leaves that matrix's scale out of the view
+    // the camera's world matrix would be wrong: three leaves that matrix's scale out of the view
     const e = matrix.copy(camera.matrixWorldInverse).invert().premultiply(slot.matrix).elements;
     for (let i = 0; i < 16; i += 4) table.set4(at + MASK.columnX + i, e[i], e[i + 1], e[i + 2], e[i + 3]);
   }
@@ -82,7 +82,11 @@ export function writeMask(
   }
 }
 
-/** Writes the profile of a light, if the light has one that is in the atlas. @param shape - of the image. @returns whether it has */
+/**
+ * Writes a light's photometric profile into its mask record, if the profile is in the atlas.
+ * @param shape - kind of the cookie beside it, of `cookieShapes`
+ * @returns whether the profile was written
+ */
 function writeProfile(table: DataTable, at: number, slot: ShadowSlot, shape: number, camera: Camera): boolean {
   const { profile, light } = slot;
   if (profile === null || profile.placement.region === null) return false;
@@ -105,7 +109,7 @@ export function shadowLookupOf({ hasShadow, isCube, light }: ShadowSlot, type: n
   return isCube ? shadowLookups.cubePcf : shadowLookups.pcf;
 }
 
-/** Writes the mask of a light that has neither shadow nor cookie, but does not reach all layers. */
+/** Writes the mask record of a light that has neither shadow nor cookie, but does not reach all layers. */
 export function writeLayerMask(table: DataTable, record: number, layers: number): void {
   const at = record * FLOATS_PER_RECORD;
   table.set4(at + MASK.place, 0, 0, packPlace(0, shadowLookups.none, cookieShapes.none, false, 1), 0);
@@ -114,7 +118,7 @@ export function writeLayerMask(table: DataTable, record: number, layers: number)
   writeLayers(table, at, layers);
 }
 
-/** Packs the whole number in `place`. @param border - texels, a power of two, or 0 */
+/** Packs the whole number in the mask record's texel `place`. */
 export function packPlace(width: number, lookup: number, shape: number, isExtended: boolean, border: number): number {
   const { lookup: lookupBit, cookie, extended, border: borderBit } = PLACE_BITS;
   const power = 31 - Math.clz32(border | 1);

@@ -2,11 +2,14 @@ import { TEXELS_PER_RECORD } from '../../lights/lightRecord';
 import { recordGetters } from '../../lighting/recordGetters';
 import { cookieShapes, FITS, maskRecord, RECORDS_PER_MASK, shadowLookups } from './maskLayout';
 
-/** Record of a mask that holds the fits, counted from its first, and number of texels of the fits. */
+/** Offset of the record that holds the cascades' transforms, counted from the first record of a mask. */
 const FIT_RECORD = 2;
 const [first, second, third] = FITS.map((float) => float / 4 - FIT_RECORD * TEXELS_PER_RECORD);
 
-/** The microshader `maskRecord`: a function for each value of a mask, and a name for each number that stands for something. */
+/**
+ * GLSL text of the microshader `maskRecord`: a function for each value of a light's mask record, and constants for its
+ * codes.
+ */
 export const maskRecordChunk = `// Reads masks of lights: records of the light table.
 // Farol; made from the tables in shadows/masks/maskLayout.ts
 #include "lightRecord"

@@ -26,7 +26,7 @@ const GROUP = 8;
 const matrix = new Matrix4();
 const planes = new Float64Array(24);
 const parts = new Float64Array(24);
-/** Faces of a cube, as bits, whose visible part may still grow. */
+/** Faces of a cube map, as bits, whose visible part does not cover the whole face yet. */
 let open = 63;
 const reach = makeReach();
 const sphere = { x: 0, y: 0, z: 0, radius: 0 };
@@ -241,8 +241,8 @@ function grown(numbers: Float64Array): Float64Array<ArrayBuffer> {
 }
 
 /**
- * True when the visible parts hold a group's box, as far as the box is within reach; widens them by little if that
- * suffices.
+ * True when the visible parts of a light's map already cover a group's box, as far as the box is within range; widens
+ * them if little is missing.
  */
 function isHeld(slot: ShadowSlot, groups: Float64Array, at: number): boolean {
   const isLeaf = groups[at + 6] === groups[at + 7];
@@ -277,7 +277,7 @@ function copyBox(from: Float64Array, at: number, to: Float64Array, index: number
   for (let i = 0; i < 6; i++) to[index + i] = from[at + i];
 }
 
-/** Sets the visible part of a face (texels) from `parts`, with `texels` beside it for filters. */
+/** Sets the visible part of a face (texels) from `parts`, with a border of `texels` for filters. */
 function setVisible(face: ShadowFace, at: number, width: number, height: number, border: number, texels: number): void {
   const { visible } = face;
   const nothing = parts[at] > parts[at + 1];

@@ -1,4 +1,4 @@
-/** Most boxes remembered. */
+/** Greatest number of receiver boxes remembered from a frame. */
 const MOST = 48;
 
 /**
@@ -13,21 +13,21 @@ export class Widest {
   private foundCount = 0;
   private keptCount = 0;
 
-  /** Notes that a box of the list has widened the visible parts again. */
+  /** Notes that a box of the list has widened the visible parts of a map again. */
   keep(box: number): void {
     this.kept[this.keptCount++] = box;
   }
 
-  /** Notes that a box that is not in the list has widened the visible parts. */
+  /** Notes that a box that is not in the list has widened the visible parts of a map. */
   find(box: number): void {
     this.found[this.foundCount++ % MOST] = box;
   }
 
-  /** Makes the list of the next frame. */
+  /** Makes the list of boxes that the next frame tries first. */
   end(): void {
     const { list, found, kept } = this;
     let count = 0;
-    // the last to widen the parts is the widest
+    // the last box that widened the parts is the one farthest out
     while (count < Math.min(MOST, this.foundCount)) list[count++] = found[(this.foundCount - count) % MOST];
     for (let i = 0; i < this.keptCount && count < MOST; i++) list[count++] = kept[i];
     this.count = count;

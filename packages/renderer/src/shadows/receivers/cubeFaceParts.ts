@@ -1,14 +1,19 @@
 import { cubeFacesOf } from '../slots/cubeFacesOf';
 import type { Reach } from '../slots/reach';
 
-/** Directions across and up of the faces +x, -x, +y, -y, +z, -z, as indices of these, as farol_cubeFace has them. */
+/**
+ * Direction to the right in each face of a cube map (+x, -x, +y, -y, +z, -z), as an index in that same list; farol_cubeFace
+ * in lightShadow.glsl has the same directions.
+ */
 const ACROSS = new Uint8Array([4, 5, 0, 1, 1, 0]);
 const UP = new Uint8Array([2, 2, 4, 4, 2, 2]);
 
-/** Excess width that a part may get, for less work (parts of the axis). */
+/**
+ * Excess width of a face's visible part that is accepted, to save work (1: the distance from centre to edge of a face).
+ */
 const SLACK = 0.06;
 
-/** Added to parts, so that they still hold their boxes when numbers are rounded. */
+/** Added to the visible parts, so that they still cover their boxes after rounding. */
 const ROUNDING = 1e-12;
 
 /** Extent of a box, clipped to the range, in each of the six directions (m). */

@@ -14,11 +14,14 @@ import type { RegionDrawer } from '../draw/RegionDrawer';
 import type { ShadowSlot } from '../slots/ShadowSlot';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
 
-/** Side of a block (texels); shadowBounds.glsl and tileShadows.glsl repeat the number. */
+/**
+ * Side of a block of shadow-map texels whose depths are bounded; shadowBounds.glsl and tileShadows.glsl repeat the
+ * number.
+ */
 const BLOCK = 8;
-/** Frames without a change after which a map gets bounds. */
+/** Frames without a change after which the depths of a shadow map are bounded. */
 const REST = 2;
-/** Texels read in a frame; the map that exceeds them is the frame's last. */
+/** Shadow-map texels whose depths are bounded in a frame; the map that exceeds them is the frame's last. */
 const BUDGET = 12_000_000;
 
 /**
@@ -47,7 +50,7 @@ export class ShadowBounds {
     return this.target.width * this.target.height * 4;
   }
 
-  /** True when the frame has bounds to find. */
+  /** True when the frame has maps whose depths are to be bounded. */
   get hasWork(): boolean {
     return this.wanted.length > 0;
   }

@@ -12,9 +12,9 @@ import { textureHandle } from '../../three/handles';
  * these.
  */
 const TILE = 8;
-/** Side of the blocks whose depths are bounded first (pixels). */
+/** Side of the pixel blocks whose depths are bounded first, before those of tiles (pixels). */
 const BLOCK = 4;
-/** Most words of lights, a bit a light: 512 lights. */
+/** Greatest number of 32-bit words a tile, one bit a light: 512 lights. */
 const MOST_WORDS = 16;
 const LIGHTS_PER_WORD = 32;
 
@@ -81,7 +81,10 @@ export class ShadowTiles {
     pass.drawTo(frame, target);
   }
 
-  /** Creates the texture of marks by three, also after a lost context: shaders bind it even when nothing is marked. */
+  /**
+   * Makes three create the texture of tile marks, also after a lost context: shaders bind the texture even when nothing
+   * is marked.
+   */
   private giveStorage(frame: Frame): void {
     if (textureHandle(frame.webgl, this.marks.texture) === undefined) frame.bind(this.marks);
   }
@@ -104,7 +107,7 @@ export class ShadowTiles {
     });
   }
 
-  /** Compiles both programs with the first map, not once a map is at rest, in a frame that would hitch. */
+  /** Compiles both programs with the first shadow map: once a map is at rest, compiling would make that frame hitch. */
   private compile(frame: Frame, bounds: WebGLRenderTarget): void {
     this.isCompiled = true;
     this.own.farol_shadowBounds.value = bounds.texture;

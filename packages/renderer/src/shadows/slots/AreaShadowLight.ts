@@ -1,7 +1,7 @@
 import { type Light, MathUtils, PointLight, type RectAreaLight } from 'three';
 import type { FarolLightData } from '../../lights/lightData';
 
-/** Width of a face of the map, before it is fitted to the picture (texels): default, least, greatest. */
+/** Default width of a face of an area light's shadow map (texels), before it is fitted to the picture. */
 const TEXELS = 1024;
 const LEAST_TEXELS = 16;
 const MOST_TEXELS = 8192;
@@ -36,7 +36,7 @@ export class AreaShadowLight extends PointLight {
     stand.layers.mask = light.layers.mask;
     stand.size = 0.5 * Math.sqrt(light.width * light.height);
     const { shadowMapSize, shadowNormalBias } = (light.userData.farol ?? {}) as FarolLightData;
-    // NaN: the default
+    // NaN stands for the default
     stand.shadow.mapSize.setScalar(MathUtils.clamp(Math.round(shadowMapSize!) || TEXELS, LEAST_TEXELS, MOST_TEXELS));
     stand.shadow.normalBias = shadowNormalBias! >= 0 ? shadowNormalBias! : NORMAL_BIAS;
     return stand;

@@ -4,7 +4,7 @@ import { AtlasPlacement } from '../atlas/AtlasPlacement';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
 import { imageFilter, imageLevels } from './imageFilter';
 
-/** Greatest side of an image in the atlas (texels). */
+/** Greatest side of a cookie in the atlas (texels); larger textures are copied smaller. */
 const LARGEST = 1024;
 
 /** Width of the border round each face of a cube (texels); farol_cookieAt in lightShadow.glsl repeats the number. */
@@ -12,27 +12,30 @@ export const COOKIE_BORDER = 1;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
 
-/** An image that lights throw, or a photometric profile, in the atlas of colours: one for all lights that share the texture. */
+/**
+ * Cookie (texture that lights project), or a photometric profile, in the atlas of colours: one for all lights that
+ * share the texture.
+ */
 export class CookieSlot implements AtlasTenant {
   readonly isCube: boolean;
   readonly coverage = 1;
-  /** Region of the image's copy; written by the atlas. */
+  /** Region of the texture's copy; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** State of the region's content. */
+  /** State of the copy in the atlas. */
   readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
-  /** Mipmap levels in the atlas, for an image that is no cube. */
+  /** Number of mipmap levels in the atlas, for a cookie that is no cube. */
   levels: number | undefined = undefined;
-  /** Sampling of the image, see `imageFilter`; 0 for a cube or a profile. */
+  /** Filtering of the texture, see `imageFilter`; 0 for a cube or a profile. */
   filter = 0;
   /** Index of the sampler for the texture itself; -1 when shaders sample the copy. Written by `ImageSamplers`. */
   sampler = -1;
   /** Width of the texture (texels). */
   textureWidth = 1;
-  /** Last frame in which a light threw the image. */
+  /** Number of the last frame in which a light used the texture. */
   lastLit = 0;
-  /** Version of the texture at the last `follow`. */
+  /** Version of the texture at the last `follow`; -1 before the first. */
   private version = -1;
 
   /** @param isProfile - the texture is a photometric profile */
@@ -44,7 +47,7 @@ export class CookieSlot implements AtlasTenant {
   }
 
   /**
-   * Follows the texture: the copy is stale when the image has changed.
+   * Compares the texture with the one that was copied: the copy is stale when the texture has changed.
    * @param mostAnisotropy - greatest anisotropy of the device
    */
   follow(mostAnisotropy: number): void {
@@ -72,7 +75,7 @@ export class CookieSlot implements AtlasTenant {
     this.filter = imageFilter(texture, this.levels, mostAnisotropy);
   }
 
-  /** Whether shaders can sample the image: by the texture itself, or by its copy once that has a region. */
+  /** Whether shaders can sample the cookie: through the texture itself, or through its copy once that has a region. */
   get isThere(): boolean {
     return this.sampler >= 0 || this.placement.region !== null;
   }

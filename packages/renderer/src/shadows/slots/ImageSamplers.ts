@@ -1,7 +1,7 @@
 import type { Texture } from 'three';
 import type { CookieSlot } from './CookieSlot';
 
-/** Texture units of fragment shaders from which on four are used for images. */
+/** Texture units of a fragment shader from which on four are used for cookies of spot lights. */
 const MANY_UNITS = 32;
 
 /**
@@ -17,14 +17,17 @@ export function imageSamplersOf(units: number): number {
  * its sampler as long as a light throws it, so that its picture does not change with other lights.
  */
 export class ImageSamplers {
-  /** The texture of each sampler, null while there is none. */
+  /** Texture of each sampler; null while the sampler is free. */
   readonly textures: (Texture | null)[];
 
   constructor(count: number) {
     this.textures = Array.from({ length: count }, () => null);
   }
 
-  /** Gives lit images the samplers that are free. @param frame - number of the frame, as `CookieSlot.lastLit` has it */
+  /**
+   * Gives the cookies of the frame the samplers that are free.
+   * @param frame - number of the frame, as `CookieSlot.lastLit` has it
+   */
   assign(images: ReadonlyMap<Texture, CookieSlot>, frame: number): void {
     const { textures } = this;
     for (let i = 0; i < textures.length; i++) {

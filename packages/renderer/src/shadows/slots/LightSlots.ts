@@ -8,34 +8,36 @@ import type { ImageSamplers } from './ImageSamplers';
 import type { ShadowLight } from './ShadowLight';
 import { ShadowSlot } from './ShadowSlot';
 
-/** Frames for which the map of a light (or the copy of an image) that is not lit is kept. */
+/** Frames for which the shadow map or cookie of a light that is not lit is kept in its atlas. */
 const KEPT_FRAMES = 600;
 
-/** Gives the regions of slots back to their atlas. */
+/** Releases atlas regions of shadow maps and cookies. */
 export interface SlotRelease {
   map(slot: ShadowSlot): void;
   cookie(cookie: CookieSlot): void;
 }
 
-/** The slots of all lights, and of the images and profiles that they have: those of the frame, and those kept for a while after. */
+/**
+ * Data of the shadow maps, cookies and profiles of all lights: those of the frame, and those kept for a while after.
+ */
 export class LightSlots {
   /** Layers of casters, as bits, for shadows whose camera names none. */
   layersSeen = 1;
-  /** Slots of the frame's lights. */
+  /** Lights of the frame that have a shadow map, cookie or profile. */
   readonly lit: ShadowSlot[] = [];
-  /** Tenants that the frame needs in the atlas of depths and in that of colours, by `sortOut`. */
+  /** Shadow maps that the frame needs in the atlas of depths; written by `sortOut`. */
   readonly depths: ShadowSlot[] = [];
   readonly colours: AtlasTenant[] = [];
-  /** Tenants that have regions of the two atlases, but are not needed in the frame. */
+  /** Shadow maps that have a region of the atlas of depths, but are not needed in the frame. */
   readonly keptDepths: ShadowSlot[] = [];
   readonly keptColours: AtlasTenant[] = [];
   /** Number of shadow maps that the frame needs. */
   mapCount = 0;
   private readonly slots = new Map<Light, ShadowSlot>();
-  /** Slots of images and of profiles, by their texture. */
+  /** Cookies by their texture. */
   private readonly images = new Map<Texture, CookieSlot>();
   private readonly profiles = new Map<Texture, CookieSlot>();
-  /** All slots of images and profiles, those kept for later frames included. */
+  /** All cookies, then all profiles, those kept for later frames included. */
   readonly copies: readonly Map<Texture, CookieSlot>[] = [this.images, this.profiles];
   private frame = 0;
 
@@ -53,12 +55,12 @@ export class LightSlots {
     return this.slots.size === 0;
   }
 
-  /** All slots of lights, those kept for later frames included. */
+  /** Shadow maps of all lights, those kept for later frames included. */
   all(): Iterable<ShadowSlot> {
     return this.slots.values();
   }
 
-  /** The slot of a light of the frame; undefined where it has none. */
+  /** Shadow map of a light of the frame; undefined where the light has none. */
   litSlotOf(light: Light): ShadowSlot | undefined {
     const slot = this.slots.get(light);
     return slot !== undefined && slot.lastLit === this.frame ? slot : undefined;
@@ -101,9 +103,9 @@ export class LightSlots {
   }
 
   /**
-   * Sorts tenants into those that the frame needs and those kept; releases those not lit for long, or removed from
-   * their scene.
-   * @param inColours - whether maps lie in the atlas of colours, as variance shadow maps do
+   * Sorts maps and cookies into those that the frame needs and those kept; releases those not used for long, or removed
+   * from their scene.
+   * @param inColours - whether shadow maps lie in the atlas of colours, as variance shadow maps do
    */
   sortOut(inColours: boolean): void {
     const { depths, colours, keptDepths, keptColours, frame, release } = this;
@@ -135,14 +137,14 @@ export class LightSlots {
     }
   }
 
-  /** Marks all maps as lost and, unless `mapsAlone`, all images. */
+  /** Marks all shadow maps as lost and, unless `mapsAlone`, all cookies and profiles. */
   lose(mapsAlone: boolean): void {
     for (const slot of this.slots.values()) slot.map.lose();
     if (mapsAlone) return;
     for (const copies of this.copies) for (const cookie of copies.values()) cookie.map.lose();
   }
 
-  /** Releases the maps of a scene, and images that no light of another scene throws. */
+  /** Releases the shadow maps of a scene, and cookies that no light of another scene uses. */
   releaseScene(root: Object3D): void {
     for (const slot of this.slots.values()) {
       if (slot.root !== root) continue;
@@ -164,7 +166,7 @@ export class LightSlots {
     for (const copies of this.copies) copies.clear();
   }
 
-  /** Slot of a light; a new one if the light's `shadow` object or number of cascades has changed. */
+  /** Shadow map of a light; a new one if the light's `shadow` object or number of cascades has changed. */
   private slotFor(light: ShadowLight, cascades: number): ShadowSlot {
     let slot = this.slots.get(light);
     if (slot !== undefined && (slot.shadow !== light.shadow || (!slot.isCube && slot.cascades !== cascades - 1))) {

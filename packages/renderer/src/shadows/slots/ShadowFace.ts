@@ -8,7 +8,7 @@ const right = new Vector3();
 const up = new Vector3();
 const back = new Vector3();
 
-/** A camera that draws one face of a map, and the casters that it draws. */
+/** One face of a shadow map: its camera, and the casters that the camera draws. */
 export class ShadowFace {
   private readonly facePlanes = new Float64Array(24);
   private readonly partPlanes = new Float64Array(24);
@@ -24,11 +24,11 @@ export class ShadowFace {
   /** The part of the face that is drawn (texels of the face). */
   readonly drawn = { left: 0, bottom: 0, right: 0, top: 0 };
   /**
-   * Near, far, widening and kind of depth (1: reversed) that the camera's projection was made with; for faces of a
-   * cube.
+   * Arguments that the camera's projection was last made with: near, far, widening, and 1 for reversed depth; for faces
+   * of a cube.
    */
   readonly aim = new Float64Array(4);
-  /** Rectangle of the face in the atlas, with its border (texels). */
+  /** Left edge of the face in the atlas, its border included (texels). */
   x = 0;
   y = 0;
   width = 0;
@@ -104,13 +104,13 @@ export class ShadowFace {
     }
   }
 
-  /** Forgets the casters. */
+  /** Removes the casters, for the next frame. */
   clear(): void {
     this.casters.length = 0;
     for (const runs of this.merged) runs?.clear();
   }
 
-  /** Call when the camera's matrices have changed. */
+  /** Updates what depends on the camera's matrices. Call when they have changed. */
   update(): void {
     this.hasFacePlanes = this.hasPartPlanes = false;
   }

@@ -43,14 +43,15 @@ function cascadeCamera(): OrthographicCamera {
 }
 
 /**
- * The shadow map of one light: its cameras, its region of the atlas, and what the region holds. What three would change of the
- * light's own shadow (camera, matrix) is changed on a proxy that inherits the settings, then left as three would leave it.
+ * Shadow map of one light: its cameras, its region of the atlas, and what the region holds. The light's own shadow
+ * (camera, matrix) is never changed as three would change it while drawing: that happens on a proxy that inherits the
+ * settings, and the light is then left as three would leave it.
  */
 export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
   /** The light's own shadow object; Farol changes only properties that three changes too. */
   readonly shadow: LightShadow;
-  /** One face a cascade, the whole map last; six of a cube. */
+  /** Faces of the map: one a cascade, the whole map last; six of a cube. */
   readonly faces: ShadowFace[];
   /** Number of maps for the space near the camera, beside the whole map. */
   readonly cascades: number;
@@ -60,15 +61,15 @@ export class ShadowSlot implements AtlasTenant {
   readonly fits: Float64Array;
   /** Transform from world space to the map (0 to 1) and depth; for a point light: to the vector from the light. */
   readonly matrix = new Matrix4();
-  /** Near and far planes of the map's cameras (m). */
+  /** Near plane of the map's cameras (m). */
   near = 0;
   far = 0;
 
-  /** Region of the map; written by the atlas. */
+  /** Region of the map in the atlas; written by the atlas. */
   readonly placement = new AtlasPlacement();
   /** State of the region's content. */
   readonly map = new AtlasMap();
-  /** Reduction of the map's size to what pictures show; set by `chooseDetail` and the atlas. */
+  /** Halvings of the map, since pictures show no more; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
   // set in each frame, when slots are collected
@@ -80,9 +81,9 @@ export class ShadowSlot implements AtlasTenant {
   coverage = 1;
   /** Whether the light casts shadows. */
   casts = false;
-  /** The image that the light throws. */
+  /** Texture that the light projects; null for none. */
   cookie: CookieSlot | null = null;
-  /** The photometric profile that scales the light. */
+  /** Photometric profile that scales the light; null for none. */
   profile: CookieSlot | null = null;
   /** Layers of the casters, as bits. */
   layers = 1;
@@ -94,18 +95,18 @@ export class ShadowSlot implements AtlasTenant {
   record = -1;
 
   // set for each draw, by `plan`
-  /** Space that the faces reach (world space). */
+  /** Space that the map covers (world space, m), see `Reach`. */
   readonly reach = makeReach();
   /** Faces with a drawn part, as bits. */
   drawnFaces = 63;
 
-  /** Proxy of the light's shadow. */
+  /** Proxy of the light's shadow object: inherits its settings, takes three's changes. */
   private readonly own: PrivateLightShadow;
   /** Proxy of the light without a range: three would take an infinite one for the camera's far plane. */
   private readonly endless: ShadowLight;
   /** The light's own shadow camera, placed as three would. */
   private placedCamera: Camera | null = null;
-  /** `matrix`, `near` and `far` at the last `follow`. */
+  /** Values of `matrix`, `near` and `far` at the last `follow`, to see whether they changed. */
   private readonly before = new Float64Array(18);
   /** Radius (texels) and samples of the blur at the last `follow`. */
   private readonly blur = new Float64Array(2);

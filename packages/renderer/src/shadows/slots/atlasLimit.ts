@@ -2,15 +2,15 @@ import type { PictureSize } from '../../lights/PictureSize';
 import type { ShadowSlot } from './ShadowSlot';
 
 /**
- * Most texels, for each pixel of the picture, of the maps of lights with a range: fewer would show, see
+ * Most shadow-map texels for each pixel of the picture, in the maps of lights with a range: fewer would show, see
  * docs/performance.md.
  */
 const TEXELS_PER_PIXEL = 48;
-/** Least size that a picture counts with (pixels). */
+/** Least number of pixels that the atlas is sized for, also when the picture is smaller. */
 const LEAST_PIXELS = 1280 * 720;
-/** Side of the largest atlas (texels). */
+/** Greatest side of an atlas of shadow maps (texels). */
 const LARGEST = 8192;
-/** Step from one side to the next (texels). */
+/** Step in which the side of the atlas grows (texels). */
 const STEP = 256;
 
 type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wantedHeight'>;

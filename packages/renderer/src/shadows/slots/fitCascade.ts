@@ -2,7 +2,7 @@ import { type Camera, type OrthographicCamera, type PerspectiveCamera, Vector3 }
 import type { ShadowFace } from './ShadowFace';
 import { setReversedDepth } from '../../three/reversedDepth';
 
-/** Each cascade reaches this many times as far as the one before. */
+/** Ratio of the distance that a cascade reaches to that of the cascade before. */
 const STEP = 4;
 
 const centre = new Vector3();

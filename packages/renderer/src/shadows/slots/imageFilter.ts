@@ -1,7 +1,10 @@
 import { LinearFilter, LinearMipmapLinearFilter, NearestFilter, NearestMipmapLinearFilter, type Texture } from 'three';
 import { LinearMipmapNearestFilter, NearestMipmapNearestFilter } from 'three';
 
-/** Sampling of an image that a light throws, as bits of a whole number; lightImage.glsl repeats their places. */
+/**
+ * Filtering of a cookie, as bits of a whole number: `levels` and `anisotropy` are the first bits of these numbers;
+ * lightImage.glsl repeats them.
+ */
 export const FILTER_BITS = { levels: 4, anisotropy: 8 } as const;
 
 /**
@@ -16,7 +19,10 @@ export function imageLevels(texture: Texture, width: number, height: number, cop
   return Math.max(1, there - Math.round(Math.log2(width / copied)));
 }
 
-/** The filters, levels and anisotropy of a texture. @param most - anisotropy of the device */
+/**
+ * Packs filters, levels and anisotropy of a texture into one number, by `FILTER_BITS`.
+ * @param most - anisotropy of the device
+ */
 export function imageFilter(texture: Texture, levels: number, most: number): number {
   const { minFilter, magFilter, anisotropy } = texture;
   const betweenLevels = minFilter === NearestMipmapLinearFilter || minFilter === LinearMipmapLinearFilter;

@@ -6,19 +6,19 @@ import type { ShadowLight } from './ShadowLight';
 /** Share of a light's range in which its shadows matter: farther away the light is weak. */
 export const MATTERING_RANGE = 0.5;
 /**
- * Greatest width of a texel within that range (pixels): pictures then agree within 50 dB with those of maps of the size
- * asked for.
+ * Greatest width on screen of a shadow-map texel, within MATTERING_RANGE (pixels): pictures then agree within 50 dB
+ * with those of maps of the size asked for.
  */
 const PIXELS = 0.7;
 /**
- * Least height that a picture counts with (pixels): shadow edges fill more of a smaller one, and the small picture that
- * `compileAsync` draws stands for a larger one.
+ * Least height for which maps are sized (pixels), also when the picture is smaller: shadow edges fill more of a smaller
+ * one, and the small picture that `compileAsync` draws stands for a larger one.
  */
 const LEAST_HEIGHT = 720;
 /** Side of the smallest map (texels). */
 const SMALLEST = 16;
 
-/** Parts of a slot that give the size of its map's texels. */
+/** Parts of a light's shadow map that give the size of its texels. */
 interface Projected {
   readonly light: ShadowLight;
   readonly isCube: boolean;

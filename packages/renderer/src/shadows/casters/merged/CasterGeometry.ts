@@ -9,12 +9,12 @@ import { CLUSTER_TRIANGLES, ClusterOrder } from './ClusterOrder';
 export class CasterGeometry {
   /** Positions (own space, m), 3 numbers each, of the vertices that triangles use. */
   positions = new Float32Array(0);
-  /** Three vertices a triangle, cluster after cluster. */
+  /** Vertex indices, three a triangle, cluster after cluster. */
   index = new Uint32Array(0);
   /** Box of each cluster: centre and half sizes (m), 6 numbers. */
   boxes = new Float32Array(0);
   isDone = false;
-  /** False if a position is not a finite number: such triangles cannot be sorted. */
+  /** False if a position is not a finite number: triangles at such positions cannot be sorted into clusters. */
   isSound = true;
   private readonly position: BufferAttribute;
   private readonly source: BufferAttribute | null;
@@ -51,7 +51,7 @@ export class CasterGeometry {
   }
 
   /**
-   * Goes on with the work.
+   * Does a part of the work: merges vertices, then sorts triangles into clusters.
    * @param budget - triangles to visit, roughly
    * @returns triangles visited
    */
@@ -87,7 +87,7 @@ export class CasterGeometry {
     const { position } = this;
     const known = new Int32Array(position.count).fill(-1);
     this.index = new Uint32Array(order.length * 3);
-    // within a cluster in the order of the source, so that neighbours share vertices in the cache
+    // within a cluster in the order of the source, so that neighbouring triangles share vertices in the cache
     for (let i = 0; i < order.length; i += CLUSTER_TRIANGLES) order.subarray(i, i + CLUSTER_TRIANGLES).sort();
     let vertices = 0;
     for (let i = 0; i < this.index.length; i++) {

@@ -2,10 +2,10 @@ import type { Matrix4, Vector3, WebGLRenderer } from 'three';
 
 /** Floats of a matrix: three rows of four. */
 const FLOATS = 12;
-/** Most objects of a block; 64 KiB of matrices, even if the device allows more. */
+/** Greatest number of matrices in a uniform block: 64 KiB, even if the device allows more. */
 const MOST = 1365;
 
-/** World matrices of objects in a uniform block. */
+/** World matrices of shadow casters, in a uniform block. */
 export class CasterMatrices {
   private readonly rows: Float32Array;
   private readonly gl: WebGL2RenderingContext;
@@ -48,12 +48,12 @@ export class CasterMatrices {
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'FarolCasters'), this.point);
   }
 
-  /** Forgets the buffer: the context has lost it. */
+  /** Drops the uniform buffer, which the lost GL context has taken along. */
   lose(): void {
     this.buffer = null;
   }
 
-  /** Uploads the rows that have changed. */
+  /** Uploads the matrices that have changed. */
   send(): void {
     const { gl, rows } = this;
     if (this.buffer === null) {

@@ -9,9 +9,9 @@ export const CLUSTERS_PER_GROUP = 8;
  * @see Bentley 1975, Multidimensional Binary Search Trees
  */
 export class ClusterOrder {
-  /** The triangles in the new order. */
+  /** Indices of the triangles, in the new order. */
   readonly order: Uint32Array;
-  /** Ranges still to be halved, as pairs of first and last (exclusive). */
+  /** Ranges of `order` still to be halved, as pairs of first and last (exclusive). */
   private readonly open: number[] = [];
 
   /** @param centres - of the triangles, 3 numbers each */
@@ -27,7 +27,7 @@ export class ClusterOrder {
   }
 
   /**
-   * Goes on with the work.
+   * Does a part of the sorting.
    * @param budget - triangles to visit, roughly
    * @returns triangles visited
    */
@@ -66,7 +66,9 @@ export class ClusterOrder {
     return longest;
   }
 
-  /** Moves centres that are less along an axis before `place`, those that are more after it (Hoare 1961, FIND). */
+  /**
+   * Moves centres with lower coordinates on an axis before `place`, those with higher ones after it (Hoare 1961, FIND).
+   */
   private select(axis: number, first: number, last: number, place: number): void {
     const { centres, order } = this;
     while (first < last) {

@@ -36,20 +36,23 @@ import { MergedMesh } from './MergedMesh';
 import { directDraw, type DirectDraw } from '../../../three/directDraw';
 import { isCompiled, programHandle } from '../../../three/handles';
 
-/** Walks over the scene for which a caster is not merged after its signature has changed. */
+/** Walks over the scene for which a caster must be unchanged before it is merged. */
 const SETTLED = 30;
 /** Triangles merged at most: about 22 bytes each on the GPU, and as many in memory. */
 const MOST_TRIANGLES = 2_000_000;
 /** Most triangles sorted in a frame while casters wait to be merged, so that no frame is late. */
 const BUDGET = 150_000;
-/** Below this many triangles, or casters, that are gone, their room is not reclaimed. */
+/** Number of triangles, or casters, removed from the scene below which their room in the buffers is not reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/** Walks between sweeps of absent casters, and for which those are kept; frames without maps do not sweep. */
+/**
+ * Walks over the scene from one sweep of absent casters to the next; a caster absent for as many is dropped. Frames
+ * without maps do not sweep.
+ */
 const SWEEP = 256;
-/** Number of absent casters above which a sweep looks which of them were removed from the scene. */
+/** Number of absent casters above which a sweep looks for those removed from the scene. */
 const FEW_ABSENT = 64;
-/** Spacing of the origins that matrices count from (m): positions near the origin keep more of their digits. */
+/** Grid (m) to which the origin of caster matrices is snapped: positions near the origin keep more digits. */
 const GRID = 128;
 
 const clipFromWorld = new Matrix4();
@@ -59,7 +62,7 @@ const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
 /** Group with which three compiles the program, and makes no draw call. */
 const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
 
-/** A mesh of as many casters as one block of matrices holds. */
+/** Mesh of merged casters: as many as one uniform block has matrices for. */
 interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
@@ -76,7 +79,7 @@ export class MergedCasters {
   private readonly material: PassMaterial;
   private readonly geometries = new WeakMap<BufferGeometry, CasterGeometry>();
   private members: MergedCaster[] = [];
-  /** The members that cast shadows in this frame. */
+  /** Merged casters that cast shadows in this frame. */
   private readonly present: MergedCaster[] = [];
   /** World-space boxes of `present`, 6 numbers each, side by side for the cache's sake. */
   private presentBoxes = new Float64Array(6 * 64);
@@ -89,10 +92,10 @@ export class MergedCasters {
   private matrixLocation: WebGLUniformLocation | null = null;
   /** Page × 3 + side that three has bound for draws; -1 for none. */
   private bound = -1;
-  /** Number of triangles of casters that are gone, and of all merged casters. */
+  /** Number of triangles whose casters have been removed from the scene. */
   private gone = 0;
   private triangles = 0;
-  /** Number of gone casters whose numbers are not reused yet; walk of the last sweep; casters absent after that. */
+  /** Number of casters removed from the scene whose numbers in their page are not reused yet. */
   private lost = 0;
   private swept = 0;
   private hidden = 0;
@@ -159,14 +162,17 @@ export class MergedCasters {
     if (merged !== null && this.isSame(merged)) return merged;
     if (merged !== null) this.letGo(caster);
     if (caster.queuedVersion === caster.signatureVersion) return null;
-    // a caster that changes in frame after frame is drawn by itself
+    // a caster that changes frame after frame is drawn by itself
     if (caster.signatureVersion > 1 && caster.lastWalk - caster.signatureWalk < SETTLED) return null;
     caster.queuedVersion = caster.signatureVersion;
     if (caster.hasBox && isMergeable(caster.object)) this.queue.push(caster);
     return null;
   }
 
-  /** Whether a caster's triangles are still those merged: its signature may have changed by its material alone. */
+  /**
+   * Whether a caster's triangles are still those that were merged: its signature may have changed by its material
+   * alone.
+   */
   private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
     const { object, hasBox, signatureVersion } = caster;
@@ -177,7 +183,7 @@ export class MergedCasters {
     return true;
   }
 
-  /** Forgets absent casters: those removed from the scene, and those hidden for long. */
+  /** Drops absent casters: those removed from the scene, and those hidden for long. */
   private sweep(walks: number, root: Object3D | null): void {
     this.swept = walks;
     const { length } = this.members;
@@ -216,7 +222,7 @@ export class MergedCasters {
   prepare(): void {
     const { gl, pages, material, webgl } = this;
     if (!isCompiled(webgl, material)) {
-      // the program is new, was edited, or has gone with a lost context
+      // the program is new, was edited, or was lost with the GL context
       for (const { matrices } of pages) matrices.lose();
       this.show(pages[0].mesh, NO_DRAW);
       const { extensions } = webgl;
@@ -230,7 +236,7 @@ export class MergedCasters {
     this.interrupt();
   }
 
-  /** Call after other draws: three may have bound other buffers. */
+  /** Notes that three may have bound other buffers. Call after draws of anything else. */
   interrupt(): void {
     this.bound = -1;
   }
@@ -293,7 +299,7 @@ export class MergedCasters {
     return page;
   }
 
-  /** Goes on with merging the last caster that waits. @returns triangles sorted */
+  /** Merges the triangles of the last caster that waits, a part at a time. */
   private mergeNext(caster: Caster, walks: number): number {
     if (caster.queuedVersion !== caster.signatureVersion || caster.merged !== null || caster.lastWalk !== walks) {
       if (caster.merged === null) caster.queuedVersion = -1;
@@ -371,7 +377,7 @@ export class MergedCasters {
     for (const member of this.members) member.matrixVersion = -1;
   }
 
-  /** Forgets all casters, so that these or other merged casters may take them again. */
+  /** Forgets all casters, so that they can be merged again, here or by another MergedCasters. */
   private letAllGo(): void {
     for (const { caster } of this.members) {
       caster.merged = null;

@@ -2,8 +2,9 @@ import { type BufferAttribute, type Material, type Mesh, type MeshStandardMateri
 import { surfacesOf } from '../../../materials/surfacesOf';
 
 /**
- * True for casters that a shadow map shows as plain triangles that stand where their matrix says: nothing discards, bends,
- * clips or watches them. Ask only of casters that have a box (see `casterBox`), which animated ones have not.
+ * True for casters that a shadow map shows as plain triangles, placed by their matrix alone: no material discards
+ * fragments, displaces or clips, and no callback runs on drawing. Ask only of casters that have a box (see
+ * `casterBox`); animated ones have none.
  */
 export function isMergeable(object: Object3D): boolean {
   const { isMesh, geometry, material } = object as Mesh;
