@@ -1,4 +1,5 @@
 import type { Light } from 'three';
+import { hold, openLazy } from '../support/lateCode';
 import { expect, test } from './perfTest';
 
 test('after its first frame no technique compiles anything, whatever comes, goes or is chosen', async ({ page }) => {
@@ -56,4 +57,66 @@ test('after its first frame no technique compiles anything, whatever comes, goes
   }
   expect(first[0].programs, 'the counter sees programs').toBeGreaterThan(0);
   expect(steps.filter(({ step, programs }) => step !== 'first' && programs > 0)).toEqual([]);
+});
+
+test("'auto' compiles for two techniques while lights load and code comes late: one draws until the other's is there", async ({
+  page,
+  pagesURL,
+}) => {
+  await openLazy(page, pagesURL);
+  const release = await hold(page);
+  const loading = await page.evaluate(() => {
+    const { farolCounters, testPage } = window;
+    const { Bench, compareImages, three } = testPage;
+    const bench = new Bench(64, 48);
+    const { farol } = bench;
+    const scene = new three.Scene();
+    const camera = new three.PerspectiveCamera(50, 64 / 48, 0.1, 30);
+    camera.position.z = 6;
+    const material = new three.MeshStandardMaterial();
+    for (let i = 0; i < 12; i++) {
+      const mesh = new three.Mesh(new three.SphereGeometry(0.5, 12, 8), material);
+      mesh.position.set(1.2 * (i % 4) - 1.8, 1.2 * Math.floor(i / 4) - 1.2, 0);
+      scene.add(mesh);
+    }
+    let programs = 0;
+    /** Frames, each as the technique that drew it. */
+    const frames: string[] = [];
+    const draw = () => {
+      const before = farolCounters.programs;
+      const picture = bench.byTechnique('auto', scene, camera);
+      programs += farolCounters.programs - before;
+      frames.push(farol.info.technique);
+      return picture;
+    };
+    let count = 0;
+    const differences: number[] = [];
+    for (const lights of [1, 12, 40]) {
+      for (; count < lights; count++) {
+        const light = new three.PointLight(0xffffff, 2, 4);
+        light.position.set(2 * Math.sin(count), 1.5 * Math.cos(count), 1);
+        scene.add(light);
+      }
+      differences.push(compareImages(bench.stock(scene, camera), draw()).psnr);
+    }
+    farol.addEventListener('redraw', draw);
+    const settle = async () => {
+      await farol.ready;
+      differences.push(compareImages(bench.stock(scene, camera), draw()).psnr);
+      return { programs, frames, differences };
+    };
+    Object.assign(window, { settle });
+    return { frames: [...frames], programs };
+  });
+  expect(loading.programs, 'the counter sees programs').toBeGreaterThan(0);
+  release();
+  const { programs, frames, differences } = await page.evaluate(() =>
+    (
+      window as unknown as { settle(): Promise<{ programs: number; frames: string[]; differences: number[] }> }
+    ).settle(),
+  );
+  expect.soft(loading.frames).toEqual(['forward-single-pass', 'forward-single-pass', 'forward-single-pass']);
+  expect(frames.at(-1)).toBe('clustered-deferred');
+  for (const psnr of differences) expect(psnr, "from stock three's picture (dB)").toBeGreaterThan(60);
+  expect(programs, 'programs in all').toBeLessThanOrEqual(4);
 });

@@ -1,29 +1,13 @@
 import type { LazyPart } from '@farol/renderer';
 import type { Page } from '@playwright/test';
 import type { LateCase } from '../pages/lateCases';
+import { hold, openLazy } from '../support/lateCode';
 import { expect, test } from '../support/test';
 
 declare global {
   interface Window {
     late: LateCase;
   }
-}
-
-/** Opens a page in which no part of the code is there. */
-async function openLazy(page: Page, pagesURL: string): Promise<void> {
-  await page.goto(`${pagesURL}?lazy`);
-  await page.waitForFunction(() => 'testPage' in window);
-}
-
-/** Holds all that the page fetches from now on. @returns lets it through */
-async function hold(page: Page): Promise<() => void> {
-  let release = (): void => {};
-  const held = new Promise<void>((resolve) => (release = resolve));
-  await page.route('**/*', async (route) => {
-    await held;
-    await route.continue();
-  });
-  return release;
 }
 
 const partsOf = (page: Page): Promise<readonly LazyPart[]> =>

@@ -16,8 +16,9 @@ export interface Technique {
   /** Pixels that the technique writes, in place of a clear by three. Default 'behind'. */
   readonly fills?: Fills;
   /**
-   * Late code of the technique, fetched at its first use; until it is loaded 'deferred' draws, or 'forward-single-pass'
-   * where lights are few or the device has no float targets. Default: that of `lightOrder`.
+   * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws,
+   * or else 'deferred', or 'forward-single-pass' where lights are few or the device has no float targets. Default: that
+   * of `lightOrder`.
    */
   readonly lazy?: Lazy<object>;
   /**

@@ -1,3 +1,5 @@
+import type { TechniqueName } from '../techniques';
+
 /** Cheap figures of a frame, known before anything is drawn. */
 export interface SceneFigures {
   /** Number of lights with a range in view. */
@@ -86,6 +88,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   next: Choice | null = null;
   /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;
+  /** Technique that drew the scene last, by choice or not. Set by the user; null before the first frame. */
+  drawn: TechniqueName | null = null;
   private current: Choice | null = null;
   private waited = 0;
   private frames = 0;

@@ -2,6 +2,7 @@ import type { WebGLRenderer } from 'three';
 import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
 import type { ActiveEffects } from '../frame/ActiveEffects';
 import type { Frame } from '../frame/Frame';
+import type { Pass } from '../frame/Pass';
 import { warmUpCode } from './lazyCode';
 import type { LightTable } from '../lighting/LightTable';
 import type { WarmUp } from './warm-up/WarmUp';
@@ -9,8 +10,10 @@ import type { TechniqueName } from '../techniques';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
 
-/** Up to this many lights a technique without light lists is fast enough until another's code is loaded. */
+/** Up to this many lights 'forward-single-pass' begins to draw a scene until another technique's code is loaded. */
 const FEW = 16;
+/** Up to this many lights 'forward-single-pass' goes on to: more would take longer than to compile 'deferred'. */
+const MANY = 128;
 
 /** Gives the effects of a frame, by the technique that draws it. */
 interface EffectsByTechnique {
@@ -47,7 +50,17 @@ export class TechniquePicker {
    * Sets `active` and `reason`. Call when the lights of the frame are collected.
    * @param chooser - chooser of the scene that is drawn
    */
-  pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, { needsSurfaces }: ActiveEffects): void {
+  pick(chooser: TechniqueChooser<WarmUp>, frame: Frame, table: LightTable, effects: ActiveEffects): void {
+    this.find(chooser, frame, table, effects);
+    chooser.drawn = this.active;
+  }
+
+  private find(
+    chooser: TechniqueChooser<WarmUp>,
+    frame: Frame,
+    table: LightTable,
+    { needsSurfaces }: ActiveEffects,
+  ): void {
     this.active = this.asked;
     this.reason = 'asked for';
     this.isChanging = false;
@@ -61,9 +74,24 @@ export class TechniquePicker {
     if (this.asked === 'auto') this.choose(chooser, frame, table, needsSurfaces, floatTargets);
     const { active } = this;
     if (this.set.codeOf(active)?.ask() !== false) return;
+    const { drawn } = chooser;
     const single = !floatTargets || (lights <= FEW && !this.set.known[active].needsFloatTargets);
-    this.active = single ? 'forward-single-pass' : 'deferred';
+    this.active =
+      drawn !== null && this.canGoOn(drawn, lights, floatTargets, needsSurfaces)
+        ? drawn
+        : single
+          ? 'forward-single-pass'
+          : 'deferred';
     this.reason = `the code of "${active}" is being fetched`;
+  }
+
+  /** Whether a technique that has drawn the scene, and so has its programs, can draw this frame too. */
+  private canGoOn(technique: TechniqueName, lights: number, floatTargets: boolean, surfaces: boolean): boolean {
+    const { set } = this;
+    if (!Object.hasOwn(set.known, technique) || set.codeOf(technique)?.isThere === false) return false;
+    if (technique === 'forward-single-pass' && lights > MANY) return false;
+    if (set.known[technique].needsFloatTargets && !floatTargets) return false;
+    return !surfaces || set.passesOf(technique).some(writesGBuffer);
   }
 
   /** Sets the technique that 'auto' draws by. */
@@ -105,3 +133,5 @@ export class TechniquePicker {
     chooser.preparation?.step(draws.effectsOf(technique).all);
   }
 }
+
+const writesGBuffer = ({ writes }: Pass): boolean => writes.includes('gbuffer');

@@ -1,0 +1,114 @@
+import type { WebGLRenderer } from 'three';
+import { expect, it, vi } from 'vitest';
+import { NO_EFFECTS } from '../frame/ActiveEffects';
+import type { Frame } from '../frame/Frame';
+import { Lazy } from '../frame/Lazy';
+import type { Pass } from '../frame/Pass';
+import type { LightTable } from '../lighting/LightTable';
+import { MicroShaderRegistry } from '../microshaders';
+import type { TechniqueName } from '../techniques';
+import { TechniqueChooser } from './TechniqueChooser';
+import { TechniquePicker } from './TechniquePicker';
+import { TechniqueSet } from './TechniqueSet';
+import type { WarmUp } from './warm-up/WarmUp';
+
+// a WebGLRenderer of a device; what a picker asks of it
+const device = (floatTargets: boolean) => {
+  class Context {
+    isContextLost() {
+      return false;
+    }
+  }
+  vi.stubGlobal('WebGL2RenderingContext', Context);
+  const context = new Context();
+  const found = { isWebGLRenderer: true, floatTargets, getContext: () => context };
+  return Object.assign(found, { extensions: { has: () => found.floatTargets } });
+};
+
+const passThat = (writes: Pass['writes']): Pass[] => [
+  { name: 'pass', reads: [], writes, bytes: 0, render() {}, dispose() {} },
+];
+
+/** Draws frames of scenes by a picker, none of whose late code is there until `load` is called. */
+function makePicker() {
+  const set = new TechniqueSet(new MicroShaderRegistry());
+  const lates: Lazy<object>[] = [];
+  for (const [name, technique] of Object.entries(set.known)) {
+    const isThere = name === 'deferred' || name === 'forward-single-pass';
+    const lazy = isThere ? undefined : new Lazy(name, () => Promise.resolve({}), 'others draw');
+    if (lazy) lates.push(lazy);
+    const writes: Pass['writes'] = name.endsWith('deferred') ? ['gbuffer'] : ['target'];
+    set.known[name] = { ...technique, lightOrder: 'by-volume', passes: () => passThat(writes), ...(lazy && { lazy }) };
+  }
+  const webgl = device(true);
+  const picker = new TechniquePicker(webgl as unknown as WebGLRenderer, set);
+  const draw = (
+    chooser: TechniqueChooser<WarmUp>,
+    lights: number,
+    { coverage = 0, surfaces = false, skewed = false } = {},
+  ): TechniqueName => {
+    const frame = {
+      hasPlainProjection: !skewed,
+      fields: null,
+      queue: { opaque: Array.from({ length: 20 }), hasLitTransparents: false },
+    };
+    const table = { bounded: lights, coverage, directional: 0, unbounded: 0 };
+    picker.pick(chooser, frame as unknown as Frame, table as LightTable, { ...NO_EFFECTS, needsSurfaces: surfaces });
+    return picker.active;
+  };
+  return { picker, set, webgl, draw, load: () => Promise.all(lates.map((lazy) => lazy.load())) };
+}
+
+it('goes on by the technique that has drawn a scene while its lights load, until the code of the one that settles is there', async () => {
+  const { draw, load, picker } = makePicker();
+  const chooser = new TechniqueChooser<WarmUp>();
+  const drawn = [0, 3, 12, 17, 60, 128].map((lights) => draw(chooser, lights, { coverage: lights / 2 }));
+  expect(new Set(drawn)).toEqual(new Set(['forward-single-pass']));
+  expect(picker.reason).toBe('the code of "clustered-deferred" is being fetched');
+  await load();
+  expect(draw(chooser, 60, { coverage: 30 })).toBe('clustered-deferred');
+});
+
+it('goes on by deferred shading too, when lights go', async () => {
+  const { draw, load } = makePicker();
+  const chooser = new TechniqueChooser<WarmUp>();
+  expect([20, 10, 3].map((lights) => draw(chooser, lights))).toEqual(['deferred', 'deferred', 'deferred']);
+  await load();
+  expect(draw(chooser, 3)).toBe('clustered-forward');
+});
+
+it('begins by what suits the lights of each scene, and of each alone', () => {
+  const { draw } = makePicker();
+  const [few, many] = [new TechniqueChooser<WarmUp>(), new TechniqueChooser<WarmUp>()];
+  for (let frame = 0; frame < 2; frame++)
+    expect([draw(few, 3), draw(many, 60)]).toEqual(['forward-single-pass', 'deferred']);
+});
+
+it('takes another while code is fetched only where the one that has drawn cannot draw the frame', () => {
+  const { draw, webgl } = makePicker();
+  const begun = () => {
+    const chooser = new TechniqueChooser<WarmUp>();
+    expect(draw(chooser, 3)).toBe('forward-single-pass');
+    return chooser;
+  };
+  expect(draw(begun(), 129), 'more lights than one loop is to walk').toBe('deferred');
+  expect(draw(begun(), 60, { surfaces: true }), 'an effect works on a G-buffer').toBe('deferred');
+  const chooser = new TechniqueChooser<WarmUp>();
+  expect(draw(chooser, 60)).toBe('deferred');
+  webgl.floatTargets = false;
+  expect(draw(chooser, 60), 'no float targets').toBe('forward-single-pass');
+});
+
+it('goes on by what has drawn when a technique is asked for, and by nothing that was removed', async () => {
+  const { draw, load, picker, set } = makePicker();
+  const chooser = new TechniqueChooser<WarmUp>();
+  set.add('mine', set.known.deferred);
+  picker.technique = 'mine' as TechniqueName;
+  expect(draw(chooser, 60)).toBe('mine');
+  picker.technique = 'inferred';
+  expect(draw(chooser, 60)).toBe('mine');
+  set.remove('mine');
+  expect(draw(chooser, 60)).toBe('deferred');
+  await load();
+  expect(draw(chooser, 60)).toBe('inferred');
+});
