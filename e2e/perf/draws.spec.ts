@@ -79,7 +79,12 @@ test('three reads the host’s materials, not their twins, and a frame of 25 dra
       result.isRestored = properties.get === get && webgl.getRenderTarget === getRenderTarget;
       return result;
     };
-    return [count('forward-single-pass', 3), count('clustered-forward', 3), count('forward-single-pass', 8)];
+    return [
+      count('forward-single-pass', 3),
+      count('clustered-forward', 3),
+      count('deferred', 3),
+      count('forward-single-pass', 8),
+    ];
   });
 
   for (const { technique, lights, ofHost, flushes, isRestored } of measured) {

@@ -282,9 +282,8 @@ export class Frame extends FrameTarget {
     try {
       if (
         kind === null ||
-        kind.properties !== undefined ||
         item.ownShader ||
-        !this.sources.draw(camera, scene, geometry, source, material, object, group)
+        !this.sources.draw(camera, scene, geometry, source, material, kind.properties, object, group)
       )
         this.draw(camera, scene, geometry, material, object, group);
     } finally {

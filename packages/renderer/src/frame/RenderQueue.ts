@@ -1,4 +1,4 @@
-import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, Sphere } from 'three';
+import { type BufferGeometry, type Camera, Material, type Object3D, type ShaderMaterial, type Sphere } from 'three';
 import { isOrderSensitive, isPlainOpaque } from '../three/drawOrder';
 import { hasNodes } from '../three/hasNodes';
 import { isLit } from '../materials/isLit';
@@ -35,8 +35,6 @@ export function hasOwnShader(material: Material): boolean {
     material.onBeforeCompile !== Material.prototype.onBeforeCompile
   );
 }
-
-const reach = new Sphere();
 
 /** Materials that show shadows by three's `getShadowMask()`, and the kind of twins that shows Farol's. */
 export interface ShadowMaskMaterials {
@@ -176,9 +174,20 @@ export class RenderQueue {
   private reaches(object: Object3D, geometry: BufferGeometry): boolean {
     const sphere = (object as Object3D & { boundingSphere?: Sphere | null }).boundingSphere ?? geometry.boundingSphere;
     if (sphere === null || !object.frustumCulled) return true;
-    const { center, radius } = reach.copy(sphere).applyMatrix4(object.matrixWorld);
+    const { x, y, z } = sphere.center;
+    const m = object.matrixWorld.elements;
     const v = this.camera.matrixWorldInverse.elements;
-    return !(radius - (v[2] * center.x + v[6] * center.y + v[10] * center.z + v[14]) <= this.farthest);
+    const depth =
+      v[2] * (m[0] * x + m[4] * y + m[8] * z + m[12]) +
+      v[6] * (m[1] * x + m[5] * y + m[9] * z + m[13]) +
+      v[10] * (m[2] * x + m[6] * y + m[10] * z + m[14]) +
+      v[14];
+    const scale = Math.max(
+      m[0] * m[0] + m[1] * m[1] + m[2] * m[2],
+      m[4] * m[4] + m[5] * m[5] + m[6] * m[6],
+      m[8] * m[8] + m[9] * m[9] + m[10] * m[10],
+    );
+    return !(sphere.radius * Math.sqrt(scale) - depth <= this.farthest);
   }
 
   /** Ends the lists, and drops references to objects of earlier, larger frames. */

@@ -19,7 +19,8 @@ function fakeRenderer() {
   const twin = Object.create(source) as Material;
   records.set(twin, { currentProgram: {}, __version: source.version });
   const draws = new SourceDraws(webgl, direct);
-  const draw = (): boolean => draws.draw(camera, scene, mesh.geometry, source, twin, mesh, null);
+  const draw = (properties?: object): boolean =>
+    draws.draw(camera, scene, mesh.geometry, source, twin, properties, mesh, null);
   return { webgl, records, drawn, state, get, getTarget, source, twin, scene, draws, draw };
 }
 
@@ -41,16 +42,17 @@ it('leaves the draw to the twin where three needs another program, and has three
   expect(records.get(twin)!.__version).toBe(-1);
 });
 
-it.each<[string, (fake: ReturnType<typeof fakeRenderer>) => void]>([
+it.each<[string, (fake: ReturnType<typeof fakeRenderer>) => object | void]>([
   ['the twin was not drawn yet', ({ records, twin }) => void delete records.get(twin)!.currentProgram],
   [
     'the twin has changed otherwise than its source',
     ({ twin }) => void Object.defineProperty(twin, 'version', { value: 7 }),
   ],
   ['the source has a callback', ({ source }) => void (source.onBeforeRender = () => undefined)],
+  ['the twin blends otherwise', () => ({ blending: 2 })],
+  ['the twin has no fog in a scene that has', ({ scene }) => ((scene.fog = {} as never), { fog: false })],
 ])('leaves the draw to the twin where %s', (_, change) => {
   const fake = fakeRenderer();
-  change(fake);
-  expect(fake.draw()).toBe(false);
+  expect(fake.draw(change(fake) ?? undefined)).toBe(false);
   expect(fake.drawn).toEqual([]);
 });

@@ -4,9 +4,12 @@ import type { GeometryGroup } from './RenderListItem';
 import { materialRecord, type MaterialRecord } from './handles';
 
 /** Thrown out of three's draw where three is about to look for another program. */
-const NEEDS_PROGRAM = {};
+const NEEDS_PROGRAM = new Error('Farol: three needs another program.');
 
 const { onBeforeRender } = Material.prototype;
+
+/** Properties of a twin that three reads for programs, or for the fog of a scene that has one. */
+const WITHOUT_FOG = new Set(['fog', 'dithering']);
 
 /**
  * Draws with a host's material by the programs and uniforms of its twin. A twin has a shape of its own, since the host's
@@ -35,7 +38,8 @@ export class SourceDraws {
   }
 
   /**
-   * Draws as `direct` would with the twin, which has all properties from its source.
+   * Draws as `direct` would with the twin.
+   * @param properties - properties that the twin has in place of its source's
    * @returns false where it could not, and the twin is to be drawn
    */
   draw(
@@ -44,10 +48,11 @@ export class SourceDraws {
     geometry: BufferGeometry,
     source: Material,
     twin: Material,
+    properties: object | undefined,
     object: Object3D,
     group: GeometryGroup | null,
   ): boolean {
-    if (twin !== this.twin) this.look(source, twin);
+    if (twin !== this.twin) this.look(scene, source, twin, properties);
     if (!this.isFit) return false;
     if (this.properties === null) this.begin();
     this.source = source;
@@ -74,13 +79,14 @@ export class SourceDraws {
     if (webgl.getRenderTarget === this.target) webgl.getRenderTarget = this.getTarget;
   }
 
-  private look(source: Material, twin: Material): void {
+  private look(scene: Scene, source: Material, twin: Material, properties: object | undefined): void {
     this.twin = twin;
+    this.isFit = source.onBeforeRender === onBeforeRender && twin.version === source.version;
+    if (properties !== undefined)
+      this.isFit &&= (scene.fog ?? null) === null && Object.keys(properties).every((name) => WITHOUT_FOG.has(name));
+    if (!this.isFit) return;
     this.record = materialRecord(this.webgl, twin);
-    this.isFit =
-      source.onBeforeRender === onBeforeRender &&
-      twin.version === source.version &&
-      this.record.currentProgram !== undefined;
+    this.isFit = this.record.currentProgram !== undefined;
   }
 
   private begin(): void {
