@@ -41,7 +41,6 @@ import { ResourceTable } from './Resources';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
 import { directDraw, type DirectDraw } from '../three/directDraw';
-import { SourceDraws } from '../three/SourceDraws';
 import { isDepthReversed } from '../three/state';
 
 type MaterialCallback = (
@@ -119,7 +118,6 @@ export class Frame extends FrameTarget {
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
   private readonly callbacks: CallbackWatch;
-  private readonly sources: SourceDraws;
 
   constructor(
     webgl: WebGLRenderer,
@@ -132,7 +130,6 @@ export class Frame extends FrameTarget {
     super(webgl);
     this.draw = directDraw(webgl);
     this.callbacks = new CallbackWatch(webgl);
-    this.sources = new SourceDraws(webgl, this.draw);
   }
 
   /** Location of an attachment of `gbufferExtras` in G-buffers, -1 where the device has no room for it. */
@@ -203,8 +200,7 @@ export class Frame extends FrameTarget {
   drawTwin(item: RenderItem, kind: TwinKind): void {
     if (item.shading === 'nodes') return;
     if (item.ownShader) followHostUniforms(this.webgl, item.material);
-    const adapted = this.adapted(kind, item);
-    this.drawItem(item, this.twins.get(item.material, adapted), adapted);
+    this.drawItem(item, this.twins.get(item.material, this.adapted(kind, item)));
   }
 
   /** Forward twins of materials with Gouraud shading; null until their code is there. */
@@ -258,16 +254,8 @@ export class Frame extends FrameTarget {
     }
   }
 
-  /** Ends the draws of a frame: three's functions are as before. */
-  endDraws(): void {
-    this.sources.end();
-  }
-
-  /**
-   * Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both.
-   * @param kind - kind of the twin that the material is. Default none
-   */
-  drawItem(item: RenderItem, material: Material, kind: TwinKind | null = null): void {
+  /** Draws an item with a material, and calls the host's `onBeforeRender` and `onAfterRender` of both. */
+  drawItem(item: RenderItem, material: Material): void {
     const { object, geometry, group } = item;
     const { webgl, scene, camera } = this;
     const source = item.material as ShaderMaterial;
@@ -280,12 +268,7 @@ export class Frame extends FrameTarget {
     const first = item.shading === 'lit' && this.drawsToSeveral && !hasOwnShader(source);
     if (first) this.setDrawBuffers(1);
     try {
-      if (
-        kind === null ||
-        item.ownShader ||
-        !this.sources.draw(camera, scene, geometry, source, material, kind.properties, object, group)
-      )
-        this.draw(camera, scene, geometry, material, object, group);
+      this.draw(camera, scene, geometry, material, object, group);
     } finally {
       if (first) this.setDrawBuffers(this.target!.textures.length);
     }
@@ -300,7 +283,6 @@ export class Frame extends FrameTarget {
       (object[name] as unknown as MaterialCallback)(webgl, scene, camera, geometry, material as never, group);
     } finally {
       callbacks.end();
-      this.sources.forget();
     }
   }
 }

@@ -43,15 +43,12 @@ export function createTwin(source: Material, kind: TwinKind, context: TwinContex
   const twin = standInOf(source, BaseMaterial.prototype);
   const chunks = kind.chunks(source);
   const registry = context.microshaders as MicroShaderRegistry;
-  /** Number of changes of the twin that its source's version does not count. */
-  const changes = () =>
+  const version = () =>
+    source.version +
     registry.revision(chunks) +
     (surfacesOf(source)?.version(registry) ?? 0) +
     // fraction, so that it lies between two versions of the source
     (shadingOf(source) === 'flat' ? 0.5 : 0);
-  const first = changes();
-  // equal to the source's while nothing else has changed: see SourceDraws
-  const version = () => source.version + changes() - first;
   const customProgramCacheKey = () =>
     `farol:${kind.key}:${kind.variant?.(source) ?? ''}:${registry.textKey(chunks)}:${threeChunks.revision}:${surfacesOf(source)?.key(registry) ?? ''}:${source.customProgramCacheKey()}`;
   const onBeforeCompile = (shader: TwinShader, webgl: WebGLRenderer) => {

@@ -261,7 +261,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       shadows?.end();
       done = true;
     } finally {
-      frame.endDraws();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
       // three takes tone mapping off while it draws to its output buffer
       if (!done) webgl.toneMapping = toneMapping;

@@ -11,9 +11,8 @@ interface TargetProperties {
   readonly __webglMultisampledFramebuffer?: WebGLFramebuffer;
 }
 
-/** three's record of a material in a renderer. */
-export interface MaterialRecord {
-  __version?: number;
+interface MaterialProperties {
+  readonly __version?: number;
   readonly currentProgram?: { readonly program: WebGLProgram };
   light?: Light;
   readonly uniforms?: Record<string, IUniform>;
@@ -40,26 +39,21 @@ export function multisampledFramebufferHandle(
   return (webgl.properties.get(target) as TargetProperties).__webglMultisampledFramebuffer;
 }
 
-/** The record itself; three makes one for each material that is asked for. */
-export function materialRecord(webgl: WebGLRenderer, material: Material): MaterialRecord {
-  return webgl.properties.get(material) as MaterialRecord;
-}
-
 /** Whether three has compiled a program for a material's present version. */
 export function isCompiled(webgl: WebGLRenderer, material: Material): boolean {
-  return (webgl.properties.get(material) as MaterialRecord).__version === material.version;
+  return (webgl.properties.get(material) as MaterialProperties).__version === material.version;
 }
 
 /** Uniforms that a material is drawn with: those of the program compiled last; undefined before the first. */
 export function compiledUniforms(webgl: WebGLRenderer, material: Material): Record<string, IUniform> | undefined {
-  return (webgl.properties.get(material) as MaterialRecord).uniforms;
+  return (webgl.properties.get(material) as MaterialProperties).uniforms;
 }
 
 export function programHandle(webgl: WebGLRenderer, material: Material): WebGLProgram {
-  return (webgl.properties.get(material) as MaterialRecord).currentProgram!.program;
+  return (webgl.properties.get(material) as MaterialProperties).currentProgram!.program;
 }
 
 /** Tells three's MeshDistanceMaterial which light its distances are from. */
 export function setLightOf(webgl: WebGLRenderer, material: Material, light: Light): void {
-  (webgl.properties.get(material) as MaterialRecord).light = light;
+  (webgl.properties.get(material) as MaterialProperties).light = light;
 }
