@@ -8,7 +8,7 @@ export interface ReceivedScene {
 export interface ReceiveOptions {
   /** Limit of the wait for the other page (ms). Default 60 s: large scenes take long to pack. */
   readonly patience?: number;
-  /** Window that receives it; replaced in tests. */
+  /** Window that receives the scene; replaced in tests. */
   readonly host?: Pick<Window, 'opener' | 'location' | 'addEventListener' | 'removeEventListener'>;
 }
 

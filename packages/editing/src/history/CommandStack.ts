@@ -149,10 +149,10 @@ export class CommandStack<Item = string> {
   }
 
   /**
-   * Takes all steps since `hold` back and out of the history.
-   * @param failed - called for a step that cannot be undone, such as one of something that is gone; the others go on.
-   * What it threw is thrown when absent
-   * @returns the steps, oldest first, undone: whoever calls this must do them again or `forget` them
+   * Undoes all steps since `hold`, and removes them from the history.
+   * @param failed - called for a step that cannot be undone, such as an edit of an object that is gone; the other steps
+   * are undone. When absent, the error is thrown
+   * @returns the undone steps, oldest first: the caller must do them again or `forget` them
    */
   release(failed?: (command: Command<Item>, error: unknown) => void): Command<Item>[] {
     if (!this.isHeld) return [];

@@ -5,8 +5,8 @@ export interface CompiledScript {
   /** The text that it was made from. */
   readonly source: string;
   /**
-   * A classic script that puts the function into `globalThis.farolScripts`, under the name. Each of its lines is that of the
-   * source, and stack traces name it as `scriptUrl` says.
+   * JavaScript text of a classic script, which stores the script's function in `globalThis.farolScripts` under its
+   * name. Lines are numbered as in the source, and stack traces name the script as `scriptUrl` does.
    */
   readonly code: string;
 }

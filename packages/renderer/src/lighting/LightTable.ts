@@ -19,8 +19,8 @@ export const QUAD = 128;
 const position = new Vector3();
 
 /**
- * Order of the lights with a range in the table: spheres before cones, near to far by their centres, or by the ranks of
- * the light grid, which is then made. The code of the last two is late code.
+ * Order of the lights with a range in the table: spheres before cones; near to far by their centres; or by their ranks
+ * in the light grid, which is computed with it. Code for the last two is fetched when first needed.
  */
 export type LightOrder = 'by-volume' | 'by-depth' | 'by-grid';
 

@@ -16,7 +16,7 @@ export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Arra
 /** @param length - bytes that must come out @throws TypeError (as a rejection) when others do */
 export const inflate = (bytes: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array<ArrayBuffer>> =>
   unpack(bytes, 'deflate-raw', { exact: length }).catch((cause: unknown) => {
-    // engines disagree on which error it is
+    // browsers throw errors of different classes for damaged bytes
     throw new TypeError('the bytes are damaged', { cause });
   });
 
