@@ -9,6 +9,7 @@ export { CommandStack } from './history/CommandStack';
 export type { EditRecorder } from './history/EditRecorder';
 export { Gesture } from './history/Gesture';
 
+export { currentOf, replaceOwner } from './fields/currentOf';
 export type { FieldDescription, FieldTarget } from './fields/FieldTarget';
 export { FieldGesture, type FieldUpdate } from './fields/FieldGesture';
 export { type FieldEdit, SetFields } from './fields/SetFields';

@@ -1,4 +1,4 @@
-import { type Command, type CommandStack, labelOfField, SetFields, Signal, t } from '@farol/editing';
+import { type Command, type CommandStack, currentOf, labelOfField, SetFields, Signal, t } from '@farol/editing';
 import {
   type Component,
   type FieldAsset,
@@ -24,7 +24,7 @@ export interface PlayChange {
 }
 
 const sameField = (a: { owner: FieldOwner; name: string }, b: { owner: FieldOwner; name: string }): boolean =>
-  a.owner === b.owner && a.name === b.name;
+  currentOf(a.owner) === currentOf(b.owner) && a.name === b.name;
 
 /**
  * Edits made while the scene plays. Stopping undoes all of them, and what components wrote into fields; edited values
@@ -49,7 +49,8 @@ export class PlayEdits {
    */
   get changes(): readonly PlayChange[] {
     const { assets } = this.document.scene;
-    return this.values.filter(({ owner, name, to }) => {
+    return this.values.filter(({ owner: edited, name, to }) => {
+      const owner = currentOf(edited);
       const field = Object.hasOwn(owner.fields, name) ? owner.fields[name] : null;
       if (field?.kind !== 'asset' || typeof to !== 'string') return field !== null;
       return assets.problemWith(field.assetType, to) === null;
@@ -141,7 +142,8 @@ export class PlayEdits {
   }
 
   private check(change: PlayChange): void {
-    if ('isAttached' in change.owner && change.owner.scene !== this.document.scene) {
+    const owner = currentOf(change.owner);
+    if ('isAttached' in owner && owner.scene !== this.document.scene) {
       throw new Error(
         t('{name} cannot be kept: its object was added while playing. Keep all edits instead.', {
           name: nameOf(change),
@@ -171,7 +173,8 @@ const asNew = (command: Command): Command =>
   command instanceof SetFields ? new SetFields(command.label, command.edits) : command;
 
 /** Name of a changed value, such as 'intensity of Lamp'. */
-export function nameOf({ owner, name }: PlayChange): string {
+export function nameOf({ owner: edited, name }: PlayChange): string {
+  const owner = currentOf(edited);
   const field = labelOfField(name, owner.fields[name]).toLowerCase();
   return t('{field} of {name}', {
     field,
@@ -184,7 +187,8 @@ function changesOf(commands: readonly Command[]): PlayChange[] {
   const changes: PlayChange[] = [];
   for (const command of commands) {
     if (!(command instanceof SetFields)) continue;
-    for (const { owner, name, value } of command.edits) {
+    for (const { owner: edited, name, value } of command.edits) {
+      const owner = currentOf(edited);
       const at = changes.findIndex((each) => sameField(each, { owner, name }));
       if (at >= 0) changes.splice(at, 1);
       // the field is a uniform of a surface that was assigned or typed while the scene played

@@ -1,6 +1,6 @@
 import { type Command, SetFields } from '@farol/editing';
 import { createRandom, GameObject, Light, type Scene } from '@farol/engine';
-import { instanceRootOf } from '@farol/engine/prefabs';
+import { instanceRootOf, instantiatePrefab } from '@farol/engine/prefabs';
 import { expect, it } from 'vitest';
 import { addObject, deleteObjects, duplicateObjects } from './edits';
 import { EditorDocument } from './EditorDocument';
@@ -10,7 +10,6 @@ import {
   canPlacePrefab,
   createPrefab,
   deletePrefab,
-  placePrefab,
   revertInstance,
   unpackInstance,
 } from './prefabEdits';
@@ -39,7 +38,9 @@ function randomCommand(random: Random, { scene }: EditorDocument): Command | nul
   if (kind === 2 && scene.prefabs.list.length > 0) {
     const prefab = pick(random, scene.prefabs.list);
     const parent = object && random() < 0.5 && canPlacePrefab(scene, prefab, object) ? object : scene;
-    return placePrefab(scene, prefab, parent, [], [random(), 0, 0]);
+    const placed = instantiatePrefab(prefab, scene.registry);
+    placed.transform.position = [random(), 0, 0];
+    return addObject(scene, placed, parent, []);
   }
   if ((kind === 3 || kind === 4) && light) {
     return new SetFields('Set', [{ owner: light, name: 'intensity', value: Math.floor(random() * 4) }]);

@@ -2,7 +2,6 @@ import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
   type FieldOverride,
-  instantiatePrefab,
   isInstanceRoot,
   makePrefab,
   planApplyAll,
@@ -21,7 +20,7 @@ import { PlaceObjects } from './commands/PlaceObjects';
 import { Sequence } from './commands/Sequence';
 import { SetPrefab } from './commands/SetPrefab';
 import { SetProperty } from './commands/SetProperty';
-import { addObject, deleteObjects } from './edits';
+import { deleteObjects } from './edits';
 import { followTracks } from './timeline/followTracks';
 
 /** Commands for edits of prefabs. Each captures the scene as it is when the command is made. */
@@ -95,22 +94,6 @@ export function createPrefab(scene: Scene, object: GameObject, selected: readonl
   const prefab = { ...made, name: made.name.replaceAll('/', '-') };
   const edits = [...links].map(([each, value]): PrefabEdit => ({ kind: 'link', object: each, value }));
   return planned(t('Made prefab {name}', { name: prefab.name }), scene, { prefabs: [prefab], edits }, selected);
-}
-
-/**
- * Adds an instance at the end of a parent, and selects it. @param position - local position (m); the prefab's own when
- * absent
- */
-export function placePrefab(
-  scene: Scene,
-  prefab: Prefab,
-  parent: Container,
-  selected: readonly string[],
-  position?: readonly [number, number, number],
-): Command {
-  const object = instantiatePrefab(prefab, scene.registry);
-  if (position) object.transform.position = [...position];
-  return addObject(scene, object, parent, selected);
 }
 
 /** Applies all overrides of an instance to its prefab; other instances follow. */

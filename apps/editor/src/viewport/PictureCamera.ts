@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import { Camera as CameraComponent, type CameraComponent as AnyCamera, hitPoint } from '@farol/engine';
 import { type Camera, MathUtils, Sphere, Vector2, Vector3 } from 'three';
 import type { CameraView } from '../model/cameraEdits';
@@ -69,7 +70,10 @@ export class PictureCamera {
 
   /** Whether the camera that is looked through has been removed from the scene. */
   get isLost(): boolean {
-    return this.through !== null && !this.document.scene.componentsOf(CameraComponent).includes(this.through);
+    if (this.through === null) return false;
+    // an edit of a script may have put another camera in its place
+    this.lookThrough = currentOf(this.through);
+    return !this.document.scene.componentsOf(CameraComponent).includes(this.through);
   }
 
   get current(): Camera {

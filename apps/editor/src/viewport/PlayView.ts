@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import type { Camera as CameraComponent } from '@farol/engine';
 import { Matrix4 } from 'three';
 import type { CameraView } from '../model/cameraEdits';
@@ -45,7 +46,7 @@ export class PlayView {
 
   private simulationChanged(): void {
     if (this.document.simulation.state !== 'stopped' || this.before === undefined) return;
-    const { before } = this;
+    const before = this.before && currentOf(this.before);
     this.before = undefined;
     this.view.lookThrough = before?.isAttached ? before : null;
   }

@@ -1,6 +1,7 @@
 import type { Command } from '../history/Command';
 import type { CommandStack } from '../history/CommandStack';
 import type { Gesture } from '../history/Gesture';
+import { currentOf } from './currentOf';
 import { labelOfField } from './labelOfField';
 import type { FieldValue } from './Field';
 import type { FieldDescription, FieldTarget } from './FieldTarget';
@@ -38,7 +39,7 @@ export class FieldGesture<Item = string> {
   /** Previews a new value. */
   preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
     if (!this.gesture) {
-      this.before = this.owners.map((owner) => this.commands.valueOf(owner, this.name));
+      this.before = this.owners.map((owner) => this.commands.valueOf(currentOf(owner), this.name));
       this.gesture = this.commands.begin();
     }
     // does nothing once an undo has ended the gesture
@@ -78,7 +79,7 @@ export class FieldGesture<Item = string> {
     const { name } = this;
     const edits = this.owners.map((owner, i) => {
       const value = typeof update === 'function' ? update(this.before[i] as Value) : update;
-      owner.check?.(name, value);
+      currentOf(owner).check?.(name, value);
       return { owner, name, value };
     });
     return new SetFields(this.labelOf(edits), edits);
@@ -89,7 +90,8 @@ export class FieldGesture<Item = string> {
    * objects'.
    */
   private labelOf(edits: readonly FieldEdit[]): string {
-    const { owners, name: field } = this;
+    const { name: field } = this;
+    const owners = this.owners.map(currentOf);
     const [{ fields, ownerName }] = owners;
     const isShared = owners.every((owner) => owner.ownerName === ownerName);
     const name = this.whose?.() ?? (isShared ? ownerName : t('{count} objects', { count: owners.length }));

@@ -1,4 +1,5 @@
 import type { Command } from '../history/Command';
+import { currentOf } from './currentOf';
 import type { FieldValue } from './Field';
 import type { FieldTarget } from './FieldTarget';
 import { sameValue } from './sameValue';
@@ -13,7 +14,7 @@ export interface FieldEdit<Owner extends FieldTarget = FieldTarget> {
 const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> => ({
   owner,
   name,
-  value: owner.getAuthored(name),
+  value: currentOf(owner).getAuthored(name),
 });
 
 /**
@@ -21,7 +22,9 @@ const authored = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>):
  * also to a value that the field does not allow.
  */
 const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): FieldEdit<Owner> =>
-  authored({ owner, name: owner.fields[name]?.viewOf ?? name, value: null });
+  authored({ owner, name: currentOf(owner).fields[name]?.viewOf ?? name, value: null });
+
+const set = ({ owner, name, value }: FieldEdit): void => currentOf(owner).set(name, value);
 
 /**
  * Sets all fields, or none when one value is refused.
@@ -30,9 +33,9 @@ const undoing = <Owner extends FieldTarget>({ owner, name }: FieldEdit<Owner>): 
 function setAll(edits: readonly FieldEdit[], before: readonly FieldEdit[]): void {
   let count = 0;
   try {
-    for (; count < edits.length; count++) edits[count].owner.set(edits[count].name, edits[count].value);
+    for (; count < edits.length; count++) set(edits[count]);
   } catch (error) {
-    while (count-- > 0) before[count].owner.set(before[count].name, before[count].value);
+    while (count-- > 0) set(before[count]);
     throw error;
   }
 }
@@ -71,7 +74,7 @@ export class SetFields<Owner extends FieldTarget = FieldTarget> implements Comma
   replaceWith(next: Command<unknown>): SetFields<Owner> | null {
     if (!(next instanceof SetFields) || next.edits.length !== this.edits.length) return null;
     const sameFields = this.edits.every(
-      ({ owner, name }, i) => owner === next.edits[i].owner && name === next.edits[i].name,
+      ({ owner, name }, i) => currentOf(owner) === currentOf(next.edits[i].owner) && name === next.edits[i].name,
     );
     if (!sameFields) return null;
     setAll(next.edits, this.edits);

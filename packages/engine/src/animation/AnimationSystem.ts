@@ -188,8 +188,9 @@ export class AnimationSystem implements SceneSystem {
   private sceneChanged(change: SceneChange): void {
     if (change.kind === 'move' || (change.kind === 'field' && CHANGES_FIELDS.has(change.field)))
       return this.allTargetsChanged();
-    const isName = change.kind === 'object' && change.property === 'name';
-    if (!isName && change.kind !== 'add' && change.kind !== 'component-add') return;
+    const { kind } = change;
+    const isName = kind === 'object' && change.property === 'name';
+    if (!isName && kind !== 'add' && kind !== 'component-add' && kind !== 'component-class') return;
     const { gameObject } = change;
     for (let each: GameObject | null = gameObject; each; each = each.parent) {
       for (const component of each.components)

@@ -1,5 +1,5 @@
-import { type AssetType, type FieldValue, sameValue } from '@farol/editing/fields';
-import { type AssetNames, FieldOwner, copyValue } from '../fields/FieldOwner';
+import type { AssetType, FieldValue } from '@farol/editing/fields';
+import { type AssetNames, FieldOwner } from '../fields/FieldOwner';
 
 /** Types of assets that are defined by fields, and edited as components are. */
 export type FieldAssetType = Extract<AssetType, 'material' | 'script' | 'clip' | 'surface'>;
@@ -27,18 +27,6 @@ export abstract class FieldAsset extends FieldOwner {
 
   override get ownerName(): string {
     return this.name ?? '';
-  }
-
-  /** Authored values that differ from the defaults. */
-  changedValues(): Record<string, FieldValue> {
-    const values: Record<string, FieldValue> = {};
-    for (const [name, field] of Object.entries(this.fields)) {
-      if (field.viewOf !== undefined) continue;
-      const value = this.getAuthored(name);
-      if (sameValue(value, field.default)) continue;
-      values[name] = copyValue(value);
-    }
-    return values;
   }
 
   /** Frees GPU memory; the asset may be used again. */

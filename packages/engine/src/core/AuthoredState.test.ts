@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import { expect, test } from 'vitest';
 import '../components/index';
 import { Camera } from '../components/Camera';
@@ -78,11 +79,11 @@ test.each([1, 2, 3])('whatever code does after keepAuthored, a reset brings back
     scene.reset();
     expect(stateOf(scene)).toBe(before);
     expect(objects.map(({ name }) => scene.find(name))).toEqual(objects);
-    expect(lights).toEqual([light]);
+    expect(lights).toEqual([currentOf(light)]);
   }
   // the light shines still
-  light.intensity = 3;
-  expect(light.three.intensity).toBe(3);
+  currentOf(light).intensity = 3;
+  expect(currentOf(light).three.intensity).toBe(3);
 });
 
 test('without keepAuthored what was changed stays', () => {

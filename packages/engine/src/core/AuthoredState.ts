@@ -1,6 +1,7 @@
+import { currentOf, replaceOwner } from '@farol/editing';
 import type { FieldValue } from '@farol/editing/fields';
 import type { Prefab } from './Prefab';
-import { type FieldOwner, remake } from '../fields/FieldOwner';
+import type { FieldOwner } from '../fields/FieldOwner';
 import { moveGameObject } from './moveGameObject';
 import { scriptClasses } from './scriptClasses';
 import type { CameraComponent } from './CameraComponent';
@@ -110,7 +111,9 @@ export class AuthoredState {
     this.isRestoring = true;
     try {
       if (this.isTouched) this.restoreStructure();
-      for (const [owner, values] of this.fields) {
+      // values of a component that was replaced are older than those noted of its replacement: set last
+      for (const [noted, values] of [...this.fields].toReversed()) {
+        const owner = currentOf(noted);
         for (const [name, value] of values) if (Object.hasOwn(owner.fields, name)) trySet(owner, name, value);
       }
       this.isTouched = false;
@@ -168,27 +171,30 @@ export class AuthoredState {
     for (const [name, text] of this.microShaders) scene.microShaders.set(name, text);
     for (const { id } of scene.prefabs.list) if (!this.prefabs.some((each) => each.id === id)) scene.prefabs.delete(id);
     for (const prefab of this.prefabs) scene.prefabs.set(prefab);
-    if (scene.activeCamera !== this.camera && this.camera?.scene === scene) scene.activeCamera = this.camera;
+    const camera = this.camera && currentOf(this.camera);
+    if (scene.activeCamera !== camera && camera?.scene === scene) scene.activeCamera = camera;
   }
 
   private restoreObject(object: GameObject, record: ObjectRecord): void {
-    const wanted = new Set(record.components.map(({ component }) => component));
+    const wanted = new Set(record.components.map(({ component }) => currentOf(component)));
     for (const component of [...object.components]) {
       if (wanted.has(component)) continue;
       object.removeComponent(component);
       component.dispose();
     }
-    record.components.forEach(({ component, id, enabled }, index) => {
+    record.components.forEach(({ component: recorded, id, enabled }, index) => {
+      const component = currentOf(recorded);
       if (object.components[index] === component) component.enabled = enabled;
       else if (component.isAttached && component.gameObject === object) object.moveComponent(component, index);
       else {
         if (component.isAttached) component.gameObject.removeComponent(component);
         // the component may have been disposed of; script classes are recompiled in any case
-        if (!scriptClasses.has(component.componentClass)) remake(component, component.componentClass);
-        for (const [name, value] of this.fields.get(component) ?? []) trySet(component, name, value);
-        object.addComponent(component, {}, { index, id, enabled });
+        const placed = scriptClasses.has(component.componentClass) ? component : new component.componentClass();
+        if (placed !== component) replaceOwner(component, placed);
+        for (const [name, value] of this.fields.get(component) ?? []) trySet(placed, name, value);
+        object.addComponent(placed, {}, { index, id, enabled });
       }
-      if (component.enabled !== enabled) component.enabled = enabled;
+      currentOf(component).enabled = enabled;
     });
     const { name, active, locked, isStatic, tags, prefabLink } = record;
     object.name = name;

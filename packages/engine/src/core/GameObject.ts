@@ -233,6 +233,11 @@ export class GameObject implements GameObjectContainer {
     this.scene?.notify({ kind: 'component-remove', gameObject: this, component });
   }
 
+  /** @internal Puts a component in another's place in the list, and nothing more. */
+  putInPlace(component: Component, other: Component): void {
+    this.componentList[this.componentList.indexOf(component)] = other;
+  }
+
   /** Moves a component to another place in the list; the Transform stays first. */
   moveComponent(component: Component, index: number): void {
     const from = this.componentList.indexOf(component);

@@ -12,9 +12,15 @@ export type SceneChange =
       readonly property: 'name' | 'active' | 'locked' | 'static' | 'tags' | 'prefab';
     }
   | {
-      /** `component-class`: the component has become one of another class, by a script that was edited. */
-      readonly kind: 'component-add' | 'component-remove' | 'component-move' | 'component-class';
+      readonly kind: 'component-add' | 'component-remove' | 'component-move';
       readonly gameObject: GameObject;
+      readonly component: Component;
+    }
+  | {
+      readonly kind: 'component-class';
+      readonly gameObject: GameObject;
+      /** Component that the edit of a script replaced by `component`, of another class, with its id and place. */
+      readonly before: Component;
       readonly component: Component;
     }
   | {

@@ -1,5 +1,5 @@
+import { replaceOwner } from '@farol/editing';
 import { checkFieldValue, type FieldValue } from '@farol/editing/fields';
-import { remake } from '../fields/FieldOwner';
 import type { Component } from './Component';
 import type { ComponentClass } from './ComponentClass';
 import type { Scene } from './Scene';
@@ -17,24 +17,26 @@ function attempt(component: Component, scene: Scene | null, run: () => void): vo
 }
 
 /**
- * Makes a component that is on a GameObject one of another class: it stays the same object, so that whatever refers to
- * it, such as the history of an editor, goes on. Its id, its place and whether it is enabled stay; what it was besides
- * its fields is as new. A started one is destroyed as of its old class, and starts again as of its new one.
+ * Puts a new component of another class in the place of one that is on a GameObject, with its id, its index and whether
+ * it is enabled. A started one is destroyed first, and the new one, which is returned, starts; references go on by `currentOf`.
  * @param values - of the fields of the new class, in place of the defaults; those that are not allowed are left out
- * @throws what the constructor of the class throws: make one first, to see whether it can be made
+ * @throws what the constructor of the class throws; nothing has changed then
  */
-export function changeClass(component: Component, type: ComponentClass, values: Values): void {
-  const { gameObject, scene, id, enabled } = component;
-  if (scene) attempt(component, scene, () => scene.componentLeaves(component));
-  attempt(component, scene, () => component.detach());
-  attempt(component, scene, () => component.dispose());
-  remake(component, type);
+export function changeClass(before: Component, type: ComponentClass, values: Values): Component {
+  const { gameObject, scene, id, enabled } = before;
+  const component = new type();
+  if (scene) attempt(before, scene, () => scene.componentLeaves(before));
+  attempt(before, scene, () => before.detach());
+  attempt(before, scene, () => before.dispose());
   for (const [name, value] of Object.entries(values)) if (fits(type, name, value, scene)) component.set(name, value);
   component.enabled = enabled;
+  replaceOwner(before, component);
+  gameObject.putInPlace(before, component);
   attempt(component, scene, () => component.attachTo(gameObject, id));
-  if (!scene) return;
+  if (!scene) return component;
   attempt(component, scene, () => scene.componentEntered(component));
-  scene.notify({ kind: 'component-class', gameObject, component });
+  scene.notify({ kind: 'component-class', gameObject, before, component });
+  return component;
 }
 
 /** Whether a field of a class can have a value. A part of a model may be named before the model is loaded. */

@@ -8,6 +8,7 @@ import {
   isTriple,
   sameValue,
 } from '@farol/editing/fields';
+import { savedFields } from './savedFields';
 
 /** Knows the names of assets. */
 export interface AssetNames {
@@ -40,23 +41,6 @@ export interface FieldViews {
   set(name: string, value: FieldValue): void;
 }
 
-/** Object that the next FieldOwner constructor returns in place of a new one; set by `remake`. */
-let remade: object | null = null;
-
-/**
- * Makes an owner anew as one of a class, in its place: the same object, all that it was is gone. The constructor of the
- * class runs for it, as for a new one.
- * @throws what the constructor throws
- */
-export function remake(owner: FieldOwner, type: new () => FieldOwner): void {
-  remade = owner;
-  try {
-    new type();
-  } finally {
-    remade = null;
-  }
-}
-
 /** The values that owners of a table begin with. */
 const defaults = new WeakMap<FieldTable, Record<string, FieldValue>>();
 
@@ -77,19 +61,10 @@ function defaultValues(fields: FieldTable): Record<string, FieldValue> {
  * Something with declared fields, such as a component or the settings of a scene: keeps their values, and checks them.
  */
 export abstract class FieldOwner {
-  private values!: Record<string, FieldValue>;
+  private readonly values: Record<string, FieldValue>;
 
   constructor() {
-    const owner = (remade as this | null) ?? this;
-    if (owner !== this) {
-      // others that its constructor makes are new
-      remade = null;
-      for (const key of Reflect.ownKeys(owner)) Reflect.deleteProperty(owner, key);
-      Object.setPrototypeOf(owner, new.target.prototype as object);
-    }
-    owner.values = defaultValues(owner.fields);
-    // what a constructor returns is what those of derived classes work on
-    return owner;
+    this.values = defaultValues(this.fields);
   }
 
   get fields(): FieldTable {
@@ -135,6 +110,16 @@ export abstract class FieldOwner {
     if (sameValue(before, value) && sameValue(this.get(name), value)) return;
     this.values[name] = own(value);
     this.fieldChanged(name, before);
+  }
+
+  /** Authored values that differ from the defaults, without views. */
+  changedValues(): Record<string, FieldValue> {
+    const values: Record<string, FieldValue> = {};
+    for (const { name, field } of savedFields(this.fields)) {
+      const value = this.getAuthored(name);
+      if (!sameValue(value, field.default)) values[name] = copyValue(value);
+    }
+    return values;
   }
 
   /** Names that asset fields are checked against; null while any name is allowed. */

@@ -31,8 +31,8 @@ export class KeptValues {
   private readonly memories = new WeakMap<Component, Memory>();
 
   /**
-   * Makes a component one of another class; data that are kept when there is none. One that has still the values that
-   * it got when it left a class gets back what it was there.
+   * Replaces a component by one of another class; by kept data when there is none. A component that still has the
+   * values it got when it left a class gets back the values that it had there.
    *
    * @param from - what the class that it has comes of, the same for the same text of a script; null for data that are
    * kept
@@ -45,18 +45,18 @@ export class KeptValues {
     const past = memory.pasts.get(origin);
     const back = past !== undefined && sameValues(past.next, left) ? past : null;
     const keptNow = new Map(memory.kept);
-    const data = back?.left ?? changedOf(component);
+    const data = back?.left ?? component.changedValues();
     const next = type ?? unknownClass({ type: before.typeName, version: before.version, values: data });
     const values = back || !type ? new Map(Object.entries(data)) : memory.kept;
-    changeClass(component, next, valuesFor(component, next, values));
+    const after = changeClass(component, next, valuesFor(component, next, values));
     if (back) {
       memory.kept.clear();
       for (const [name, value] of back.kept) memory.kept.set(name, value);
     }
-    const given = component.authoredValues();
+    const given = after.authoredValues();
     memory.pasts.set(from, { left, next: given, kept: keptNow });
     memory.given = given;
-    this.memories.set(component, memory);
+    this.memories.set(after, memory);
   }
 
   /** Notes which values were set since the component got its class. */
@@ -75,16 +75,6 @@ const sameValues = (a: Values, b: Values): boolean => {
   const names = Object.keys(a);
   return names.length === Object.keys(b).length && names.every((name) => name in b && sameValue(a[name], b[name]));
 };
-
-/** Authored values that are not the default, as in a file. */
-function changedOf(component: Component): Record<string, FieldValue> {
-  const values: Record<string, FieldValue> = {};
-  for (const [name, field] of Object.entries(component.fields)) {
-    const value = component.getAuthored(name);
-    if (!sameValue(value, field.default)) values[name] = value;
-  }
-  return values;
-}
 
 /** Kept values that fit the fields of a class, migrated by the class when of an older version. */
 function valuesFor(

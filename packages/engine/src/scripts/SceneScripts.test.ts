@@ -1,5 +1,8 @@
+import { currentOf } from '@farol/editing';
 import { expect, test, vi } from 'vitest';
+import { Animation } from '../components/Animation';
 import { builtinComponents } from '../components/index';
+import { addClip, keys, track } from '../components/testing/clipStage';
 import type { Component } from '../core/Component';
 import { ComponentRegistry } from '../core/ComponentRegistry';
 import { GameObject } from '../core/GameObject';
@@ -24,6 +27,7 @@ export default class Spin extends component({ ${fields} }) {
 `;
 
 const plain = spin('rate: number(1, { help })', 'this.turned += this.rate * deltaSeconds; this.#calls++;');
+const fast = spin('rate: number(2, { help })', '');
 
 async function make(
   sources: Record<string, string>,
@@ -74,9 +78,9 @@ test('an edit keeps 200 components, their ids and the values of their fields, an
     spin('rate: number(2, { help }), name: string("a", { help })', 'this.turned = 7;'),
   );
   scene.update(1);
-  expect(components.map((each) => each.get('rate'))).toEqual(ids.map((_, i) => (i === 1 ? 2 : i)));
-  expect(components.every((each) => (each as Component & { turned: number }).turned === 7)).toBe(true);
-  expect(components.map(({ id }) => id)).toEqual(ids);
+  expect(components.map((each) => currentOf(each).get('rate'))).toEqual(ids.map((_, i) => (i === 1 ? 2 : i)));
+  expect(components.every((each) => (currentOf(each) as Component & { turned: number }).turned === 7)).toBe(true);
+  expect(components.map((each) => currentOf(each).id)).toEqual(ids);
   expect(scene.componentsOf('Spin')).toHaveLength(200);
   expect(compile).toHaveBeenCalledTimes(1);
 });
@@ -87,28 +91,27 @@ test('a broken text leaves the last good class running, and is told with its lin
   for (const broken of [plain.replace('this.#calls++', 'this.#calls+'), plain.replace('const help', 'cnst help'), '']) {
     await edit(scene, scripts, 'Spin', broken);
 
-    component.turned = 0;
+    currentOf(component).turned = 0;
     scene.update(1);
-    expect(component).toMatchObject({ turned: 3, rate: 3 });
+    expect(currentOf(component)).toMatchObject({ turned: 3, rate: 3 });
   }
   await edit(scene, scripts, 'Spin', plain);
   expect(problems(scripts)).toEqual([]);
 });
 
 test('texts and values that are taken back one by one give what there was: a default stays one', async () => {
-  const fast = spin('rate: number(2, { help })', '');
   const { scene, scripts } = await make({ Spin: plain });
   const component = addSpin(scene);
   await edit(scene, scripts, 'Spin', fast);
-  component.set('rate', 3);
+  currentOf(component).set('rate', 3);
   await edit(scene, scripts, 'Spin', `${fast}// more`);
   await edit(scene, scripts, 'Spin', fast);
-  expect(component.get('rate')).toBe(3);
-  component.set('rate', 2);
+  expect(currentOf(component).get('rate')).toBe(3);
+  currentOf(component).set('rate', 2);
   await edit(scene, scripts, 'Spin', plain);
-  expect(component.get('rate')).toBe(1);
+  expect(currentOf(component).get('rate')).toBe(1);
   await edit(scene, scripts, 'Spin', fast);
-  expect(component.get('rate')).toBe(2);
+  expect(currentOf(component).get('rate')).toBe(2);
 });
 
 test('without its script a component is data, and is itself again when the script is back', async () => {
@@ -116,15 +119,15 @@ test('without its script a component is data, and is itself again when the scrip
   const component = addSpin(scene, { rate: 3 });
   const before = JSON.stringify(serialize(scene).objects);
   const taken = scene.assets.take('Spin');
-  expect(component).toBeInstanceOf(UnknownComponent);
+  expect(currentOf(component)).toBeInstanceOf(UnknownComponent);
   expect(JSON.stringify(serialize(scene).objects)).toBe(before);
   scene.assets.restore(taken);
-  expect(component.componentClass).toBe(scripts.classOf('Spin'));
-  expect(component.get('rate')).toBe(3);
+  expect(currentOf(component).componentClass).toBe(scripts.classOf('Spin'));
+  expect(currentOf(component).get('rate')).toBe(3);
   scripts.isOn = false;
-  expect(component).toBeInstanceOf(UnknownComponent);
+  expect(currentOf(component)).toBeInstanceOf(UnknownComponent);
   scripts.isOn = true;
-  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+  expect(currentOf(component).componentClass).toBe(scripts.classOf('Spin'));
 });
 
 test('a script without a class any more leaves the one that there was', async () => {
@@ -134,18 +137,18 @@ test('a script without a class any more leaves the one that there was', async ()
   expect(problems(scripts)).toEqual([
     'Spin, line 3: it exports no class: write `export default class … extends component({ … })`.',
   ]);
-  expect(component.componentClass).toBe(scripts.classOf('Spin'));
+  expect(currentOf(component).componentClass).toBe(scripts.classOf('Spin'));
 });
 
 test('fields need no help; what they cannot begin with is told by the name of the field, and the class before runs on', async () => {
   const { scene, scripts } = await make({ Spin: spin('rate: number(1), name: string("a")', '') });
   const component = addSpin(scene, { rate: 3 });
-  expect(component.fields.rate).toEqual({ kind: 'number', default: 1, help: '' });
+  expect(currentOf(component).fields.rate).toEqual({ kind: 'number', default: 1, help: '' });
   await edit(scene, scripts, 'Spin', spin('rate: number(), name: string("a")', ''));
   expect(problems(scripts)).toEqual([
     "Spin, line 3: what its field 'rate' is at first must be a finite number, not nothing.",
   ]);
-  expect(component.get('rate')).toBe(3);
+  expect(currentOf(component).get('rate')).toBe(3);
 });
 
 test('a broken text runs the class that it had when it was typed, also where undo comes to it from another one', async () => {
@@ -156,9 +159,9 @@ test('a broken text runs the class that it had when it was typed, also where und
   await edit(scene, scripts, 'Spin', broken);
   const saved = savedNow();
   await edit(scene, scripts, 'Spin', spin('rate: number(2, { help })', ''));
-  expect(component.get('rate')).toBe(2);
+  expect(currentOf(component).get('rate')).toBe(2);
   await edit(scene, scripts, 'Spin', broken);
-  expect(component.get('rate')).toBe(1);
+  expect(currentOf(component).get('rate')).toBe(1);
   expect(savedNow()).toBe(saved);
   expect(problems(scripts)).toHaveLength(2);
   // one that was broken from the first has no class, and again none
@@ -166,4 +169,42 @@ test('a broken text runs the class that it had when it was typed, also where und
   expect(scripts.classOf('Late')).not.toBeNull();
   await edit(scene, scripts, 'Late', broken);
   expect(scripts.classOf('Late')).toBeNull();
+});
+
+/** A script that keeps the Spin of its object, once as a property and once in a list. */
+const holder = `import { component } from '@farol/engine/fields';
+export default class Holder extends component({}) {
+  spin = null;
+  spins = [];
+  start() {
+    this.spin = this.gameObject.getComponent('Spin');
+    this.spins = this.gameObject.getComponents('Spin');
+  }
+}
+`;
+
+test("while the scene plays, a script's properties hold the components that replace those they held", async () => {
+  const { scene, scripts } = await make({ Spin: plain, Holder: holder });
+  const component = addSpin(scene, { rate: 3 });
+  const held = component.gameObject.addComponent('Holder') as Component & { spin: Component; spins: Component[] };
+  scene.update(1);
+  expect(held.spin).toBe(component);
+  await edit(scene, scripts, 'Spin', fast);
+  scene.update(1);
+  expect(currentOf(held)).toBe(held);
+  expect(held.spin).toBe(currentOf(component));
+  expect(held.spins).toEqual([held.gameObject.getComponent('Spin')]);
+  expect(held.spin.isAttached).toBe(true);
+});
+
+test("a clip goes on writing a script's field, in the first frame after an edit too", async () => {
+  const { scene, scripts } = await make({ Spin: plain });
+  const component = addSpin(scene);
+  addClip(scene, 'Rates', { tracks: [track('rate', keys([0, 5], [2, 5]), '', 'Spin')] });
+  component.gameObject.addComponent(Animation, { clip: 'Rates' });
+  scene.update(0.5);
+  expect(component.get('rate')).toBe(5);
+  await edit(scene, scripts, 'Spin', fast);
+  scene.update(0.5);
+  expect(currentOf(component).get('rate')).toBe(5);
 });

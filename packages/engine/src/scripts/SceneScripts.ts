@@ -1,5 +1,6 @@
+import { currentOf } from '@farol/editing';
 import type { ScriptAsset } from '../assets/ScriptAsset';
-import type { Component } from '../core/Component';
+import { Component } from '../core/Component';
 import type { ComponentClass } from '../core/ComponentClass';
 import type { ComponentRegistry } from '../core/ComponentRegistry';
 import type { Scene } from '../core/Scene';
@@ -75,8 +76,8 @@ class Entry {
 
 /**
  * The scripts of a scene: compiled, run as modules, and their classes known to the scene's registry. When a script
- * changes, its components become those of the new class, in place and with the values of their fields; one that is
- * broken leaves the last good class. Without their script, or while scripts are off, its components are kept as data.
+ * changes, components of the new class replace its components, with the values of their fields; one that is broken leaves
+ * the last good class. Without their script, or while scripts are off, its components are kept as data.
  */
 export class SceneScripts {
   private readonly entries = new Map<ScriptAsset, Entry>();
@@ -280,6 +281,7 @@ export class SceneScripts {
       const components: Component[] = [];
       this.scene.traverse((object) => components.push(...object.components));
       this.update(components);
+      for (const each of components) this.followReplaced(currentOf(each));
     }
     this.errorsByName = new Map([...listed].flatMap(({ asset, error }) => (error ? [[asset.name, error]] : [])));
     this.tell();
@@ -341,6 +343,14 @@ export class SceneScripts {
         if (known && this.entryOf.has(known)) this.change(component, known);
       }
     }
+  }
+
+  /** Makes properties of a script's component that hold replaced components, or lists of them, hold the current ones. */
+  private followReplaced(component: Component): void {
+    if (!this.entryOf.has(component.componentClass)) return;
+    for (const holder of [component, ...Object.values(component).filter(Array.isArray)])
+      for (const [key, value] of Object.entries(holder))
+        if (value instanceof Component) Reflect.set(holder, key, currentOf(value));
   }
 
   private change(component: Component, type: ComponentClass | null): void {

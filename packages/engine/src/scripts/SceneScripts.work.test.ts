@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import { growthOf } from '@farol/tools/workOf';
 import { expect, test } from 'vitest';
 import { builtinComponents } from '../components/index';
@@ -28,7 +29,8 @@ test('an edit of a script makes its components anew by work that grows with thei
       scene.assets.fieldAsset('Spin')!.set('source', spin(2));
       await scripts.settled();
       scene.update(1);
-      if (!components.every((each) => each.get('rate') === 2)) throw new Error('They are of the former class.');
+      if (!components.every((each) => currentOf(each).get('rate') === 2))
+        throw new Error('They are of the former class.');
     };
   });
   expect(growth).toBeLessThan(4.5);

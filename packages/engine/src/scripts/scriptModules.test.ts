@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import { expect, test } from 'vitest';
 import { builtinComponents } from '../components/index';
 import { ComponentRegistry } from '../core/ComponentRegistry';
@@ -79,7 +80,7 @@ export default class Run extends component({ rate: number(speed, { help: '' }) }
   // who imports it is run anew with it
   scene.assets.fieldAsset('half.js')!.set('source', 'export const half = 1;');
   await scripts.settled();
-  expect(run.get('rate')).toBe(8);
+  expect(currentOf(run).get('rate')).toBe(8);
 });
 
 test('what cannot be imported is told with script, line and mend', async () => {

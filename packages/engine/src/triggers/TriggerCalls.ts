@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import type { Component } from '../core/Component';
 import type { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
@@ -48,7 +49,7 @@ export class TriggerCalls implements SceneSystem {
 
   reset(): void {
     this.calls = [];
-    for (const [component, enabled] of this.wasEnabled) component.enabled = enabled;
+    for (const [component, enabled] of this.wasEnabled) currentOf(component).enabled = enabled;
     for (const [object, active] of this.wasActive) object.active = active;
     this.wasEnabled.clear();
     this.wasActive.clear();

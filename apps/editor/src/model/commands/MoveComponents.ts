@@ -1,7 +1,8 @@
-import type { Command } from '@farol/editing';
-import type { Component } from '@farol/engine';
+import { type Command, currentOf } from '@farol/editing';
+import type { Component, GameObject } from '@farol/engine';
 
 interface Move {
+  readonly object: GameObject;
   readonly component: Component;
   readonly from: number;
   readonly to: number;
@@ -21,10 +22,11 @@ export class MoveComponents implements Command {
     by: number,
   ) {
     this.moves = components.flatMap((component) => {
-      const { components: list } = component.gameObject;
+      const { gameObject: object } = component;
+      const { components: list } = object;
       const from = list.indexOf(component);
       const to = Math.min(Math.max(from + by, 1), list.length - 1);
-      return from < 1 || from === to ? [] : [{ component, from, to }];
+      return from < 1 || from === to ? [] : [{ object, component, from, to }];
     });
   }
 
@@ -33,10 +35,10 @@ export class MoveComponents implements Command {
   }
 
   do(): void {
-    for (const { component, to } of this.moves) component.gameObject.moveComponent(component, to);
+    for (const { object, component, to } of this.moves) object.moveComponent(currentOf(component), to);
   }
 
   undo(): void {
-    for (const { component, from } of this.moves) component.gameObject.moveComponent(component, from);
+    for (const { object, component, from } of this.moves) object.moveComponent(currentOf(component), from);
   }
 }

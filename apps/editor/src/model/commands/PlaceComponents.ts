@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import { StructuralCommand } from './StructuralCommand';
 
@@ -22,7 +23,7 @@ export class PlaceComponents extends StructuralCommand {
 
   forget(isDone: boolean): void {
     if (isDone === (this.kind === 'add')) return;
-    for (const { component } of this.places) component.dispose();
+    for (const { component } of this.places) currentOf(component).dispose();
   }
 
   protected override apply(): void {
@@ -39,16 +40,17 @@ export class PlaceComponents extends StructuralCommand {
     let count = 0;
     try {
       for (; count < this.places.length; count++) {
-        const { component, object, index, id } = this.places[count];
+        const { object, index, id } = this.places[count];
+        const component = currentOf(this.places[count].component);
         object.addComponent(component, {}, { index, id, enabled: component.enabled });
       }
     } catch (error) {
-      while (count-- > 0) this.places[count].object.removeComponent(this.places[count].component);
+      while (count-- > 0) this.places[count].object.removeComponent(currentOf(this.places[count].component));
       throw error;
     }
   }
 
   private remove(): void {
-    for (const { component, object } of this.places.toReversed()) object.removeComponent(component);
+    for (const { component, object } of this.places.toReversed()) object.removeComponent(currentOf(component));
   }
 }

@@ -1,4 +1,4 @@
-import type { Command } from '@farol/editing';
+import { type Command, currentOf } from '@farol/editing';
 
 /** Sets a plain property of all targets, such as `name` of GameObjects or `enabled` of components. */
 export class SetProperty<K extends string, V> implements Command {
@@ -18,16 +18,16 @@ export class SetProperty<K extends string, V> implements Command {
 
   do(): void {
     this.before = this.values();
-    for (const target of this.targets) target[this.property] = this.value;
+    for (const target of this.targets) currentOf(target)[this.property] = this.value;
   }
 
   undo(): void {
     this.targets.forEach((target, i) => {
-      target[this.property] = this.before![i];
+      currentOf(target)[this.property] = this.before![i];
     });
   }
 
   private values(): readonly V[] {
-    return this.before ?? this.targets.map((target) => target[this.property]);
+    return this.before ?? this.targets.map((target) => currentOf(target)[this.property]);
   }
 }

@@ -1,4 +1,4 @@
-import type { Command, CommandSelection } from '@farol/editing';
+import { type Command, type CommandSelection, currentOf } from '@farol/editing';
 import type { CameraComponent, Scene } from '@farol/engine';
 
 /**
@@ -20,12 +20,12 @@ export abstract class StructuralCommand implements Command {
     this.apply();
     this.cameraBefore = before;
     if (this.cameraAfter === undefined) this.cameraAfter = this.scene.activeCamera;
-    else this.scene.activeCamera = this.cameraAfter;
+    else this.scene.activeCamera = this.cameraAfter && currentOf(this.cameraAfter);
   }
 
   undo(): void {
     this.revert();
-    this.scene.activeCamera = this.cameraBefore;
+    this.scene.activeCamera = this.cameraBefore && currentOf(this.cameraBefore);
   }
 
   /** Makes the change. Must have changed nothing when it throws. */

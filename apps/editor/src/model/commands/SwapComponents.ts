@@ -1,3 +1,4 @@
+import { currentOf } from '@farol/editing';
 import type { Component, Scene } from '@farol/engine';
 import { StructuralCommand } from './StructuralCommand';
 
@@ -18,7 +19,7 @@ export class SwapComponents extends StructuralCommand {
   }
 
   forget(isDone: boolean): void {
-    for (const { before, after } of this.swaps) (isDone ? before : after).dispose();
+    for (const { before, after } of this.swaps) currentOf(isDone ? before : after).dispose();
   }
 
   protected override apply(): void {
@@ -30,7 +31,8 @@ export class SwapComponents extends StructuralCommand {
   }
 }
 
-function swap(component: Component, other: Component): void {
+function swap(placed: Component, placing: Component): void {
+  const [component, other] = [currentOf(placed), currentOf(placing)];
   const { gameObject, id, enabled } = component;
   const index = gameObject.components.indexOf(component);
   gameObject.removeComponent(component);

@@ -1,7 +1,8 @@
 import type { Command } from '@farol/editing';
 import type { GameObject } from '@farol/engine';
-import { instanceRootOf, overridesOf, PrefabError } from '@farol/engine/prefabs';
+import { instanceRootOf, instantiatePrefab, overridesOf, PrefabError } from '@farol/engine/prefabs';
 import type { Container } from '../commands/Placement';
+import { addObject } from '../edits';
 import type { EditorDocument } from '../EditorDocument';
 import {
   applyField,
@@ -9,7 +10,6 @@ import {
   canPlacePrefab,
   createPrefab,
   deletePrefab,
-  placePrefab,
   renamePrefab,
   revertField,
   revertInstance,
@@ -28,8 +28,10 @@ export function randomPrefabCommand(
   if (!root) return createPrefab(scene, object, []);
   const prefab = pick(random, scene.prefabs.list);
   switch (below(random, 9)) {
-    case 0:
-      return placePrefab(scene, prefab, canPlacePrefab(scene, prefab, parent) ? parent : scene, [], [random(), 0, 0]);
+    case 0: {
+      const container = canPlacePrefab(scene, prefab, parent) ? parent : scene;
+      return addObject(scene, instantiatePrefab(prefab, scene.registry), container, []);
+    }
     case 1:
       return applyField(scene, object.transform, 'scale', []);
     case 2:

@@ -1,5 +1,10 @@
 import { type ClipAsset, type ClipData, clipText, type ClipTrack } from '@farol/engine';
-import { EMPTY_CLIP } from './clipTracks';
+import type { TrackAddress } from './clipTracks';
+
+export const EMPTY_CLIP: ClipData = { tracks: [], events: [] };
+
+/** Id of a track within its clip. */
+export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
 /** Parsed data of each clip, with the text it was parsed from or written to; avoids parsing long texts again. */
 const known = new WeakMap<ClipAsset, { readonly text: string; readonly data: ClipData }>();

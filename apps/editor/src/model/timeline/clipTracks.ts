@@ -2,6 +2,8 @@ import type { ClipData, ClipKey, ClipTrack } from '@farol/engine';
 import { type Field, type FieldValue, isTriple } from '@farol/engine/fields';
 import { curveAt } from './easingCurve';
 
+export { EMPTY_CLIP, trackId } from './clipDataOf';
+
 /** Path, component and field that a track animates, see `ClipTrack`. */
 export type TrackAddress = Pick<ClipTrack, 'path' | 'component' | 'field'>;
 
@@ -9,9 +11,6 @@ export type TrackAddress = Pick<ClipTrack, 'path' | 'component' | 'field'>;
 export const SAME_TIME = 1e-5;
 
 export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < SAME_TIME;
-
-/** Id of a track within its clip. */
-export const trackId = ({ path, component, field }: TrackAddress): string => `${path}\n${component}\n${field}`;
 
 /** Time in units of `SAME_TIME`, equal for simultaneous keys. */
 export const keyPlace = (time: number): number => Math.round(time / SAME_TIME);
@@ -27,8 +26,6 @@ export function splitKeyId(id: string): [track: string, place: number] {
 
 /** Rounds a time (s) to the digits stored in a clip. */
 export const roundTime = (time: number): number => Number(time.toPrecision(9));
-
-export const EMPTY_CLIP: ClipData = { tracks: [], events: [] };
 
 /** Kinds of fields that can be animated. */
 const animatedKinds: ReadonlySet<Field['kind']> = new Set([

@@ -9,9 +9,8 @@ import {
   type Scene,
 } from '@farol/engine';
 import { CommandList } from '../commands/CommandList';
-import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
+import { clipDataOf, noteClipData, trackId, writeClip } from './clipDataOf';
 import { playedClip } from './clipPlayer';
-import { trackId } from './clipTracks';
 
 /** An object found by a path of a clip, below one of the objects that play the clip. */
 interface Found {

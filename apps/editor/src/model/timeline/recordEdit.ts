@@ -1,4 +1,4 @@
-import { type Command, labelOfField, SetFields, t, tCount } from '@farol/editing';
+import { type Command, currentOf, labelOfField, SetFields, t, tCount } from '@farol/editing';
 import type { ClipAsset, ClipData, Component, GameObject } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import { CommandList } from '../commands/CommandList';
@@ -48,7 +48,7 @@ export function recordEdit(command: Command, recording: Recording): Command {
   const { clip, root, data, duration, time } = recording;
   const values: KeyValue[] = [];
   const others = command.edits.filter(({ owner, name, value }) => {
-    const component = componentOf(owner);
+    const component = componentOf(currentOf(owner));
     const address = component && addressOf(root, component, name);
     if (address) values.push({ address, value, authored: component.getAuthored(name) });
     return !address;

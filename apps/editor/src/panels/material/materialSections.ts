@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { materialAssetFields, materialMapNames, surfaceMaps, uvFieldEndings } from '@farol/engine/fields';
+import { materialMapNames, surfaceMaps, uvFieldEndings } from '@farol/engine/fields';
 
 export interface MaterialSection {
   /** Key under which the folded state is stored. */
@@ -127,10 +127,3 @@ const maps: ReadonlySet<string> = new Set(materialMapNames);
 export const isMapField = (name: string): boolean => maps.has(name);
 
 export const placementFields = (map: string): string[] => uvFieldEndings.map((ending) => map + ending);
-
-/** Fields in no section, other than those for UV placement; empty, as a test checks. */
-export function fieldsLeftOut(): string[] {
-  const shown = new Set(materialSections.flatMap(({ fields }) => fields));
-  for (const map of materialMapNames) for (const name of placementFields(map)) shown.add(name);
-  return Object.keys(materialAssetFields).filter((name) => !shown.has(name));
-}
