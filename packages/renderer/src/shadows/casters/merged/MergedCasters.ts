@@ -45,10 +45,7 @@ const BUDGET = 150_000;
 /** Number of triangles, or casters, removed from the scene below which their room in the buffers is not reclaimed. */
 const FEW_GONE = 65_536;
 const FEW_LOST = 256;
-/**
- * Walks over the scene from one sweep of absent casters to the next; a caster absent for as many is dropped. Frames
- * without maps do not sweep.
- */
+/** Walks over the scene between sweeps; a caster absent for as many is dropped. Frames without maps do not sweep. */
 const SWEEP = 256;
 /** Number of absent casters above which a sweep looks for those removed from the scene. */
 const FEW_ABSENT = 64;
@@ -169,10 +166,7 @@ export class MergedCasters {
     return null;
   }
 
-  /**
-   * Whether a caster's triangles are still those that were merged: its signature may have changed by its material
-   * alone.
-   */
+  /** Whether a caster's triangles are still those merged: its signature may have changed by its material alone. */
   private isSame(merged: MergedCaster): boolean {
     const { caster, geometry } = merged;
     const { object, hasBox, signatureVersion } = caster;
