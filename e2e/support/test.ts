@@ -1,5 +1,5 @@
 import { basename, dirname } from 'node:path';
-import { type ConsoleMessage, type Page, test as base } from '@playwright/test';
+import { type BrowserContext, type ConsoleMessage, type Page, test as base } from '@playwright/test';
 import { byExtent, extent } from '@farol/tools/extent';
 
 export { expect } from '@playwright/test';
@@ -65,19 +65,24 @@ export const test = base.extend<
   sharedPages: [
     async ({ browser }, use) => {
       const pages = new Map<string, Promise<Page>>();
+      const contexts: BrowserContext[] = [];
       const make = async (app: string): Promise<Page> => {
         const context = await browser.newContext({
           baseURL: process.env[`FAROL_${app.toUpperCase()}_URL`],
           deviceScaleFactor: app === 'editor' ? pixelRatio : undefined,
         });
-        return context.newPage();
+        const page = await context.newPage();
+        // a test that ends the processes of all pages (deadTab.ts) leaves the next one a new page
+        page.once('crash', () => pages.delete(app));
+        contexts.push(context);
+        return page;
       };
       await use((app) => {
         const page = pages.get(app) ?? make(app);
         pages.set(app, page);
         return page;
       });
-      for (const page of pages.values()) await (await page).context().close();
+      for (const context of contexts) await context.close();
     },
     { scope: 'worker' },
   ],
