@@ -11,6 +11,7 @@ import {
   type ShaderMaterial,
   UnsignedShortType,
   type WebGLRenderer,
+  type WebGLRenderTarget,
 } from 'three';
 import type { View } from './views';
 import type { Fills } from './Fills';
@@ -130,6 +131,16 @@ export class Frame extends FrameTarget {
     super(webgl);
     this.draw = directDraw(webgl);
     this.callbacks = new CallbackWatch(webgl);
+  }
+
+  override bindTarget(): void {
+    super.bindTarget();
+    this.uniforms.farol_targetOrigin.value.set(0, 0);
+  }
+
+  override bind(target: WebGLRenderTarget): void {
+    super.bind(target);
+    this.uniforms.farol_targetOrigin.value.set(this.viewport.x, this.viewport.y);
   }
 
   /** Location of an attachment of `gbufferExtras` in G-buffers, -1 where the device has no room for it. */

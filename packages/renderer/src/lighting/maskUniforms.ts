@@ -1,4 +1,4 @@
-import { type IUniform, Matrix3 } from 'three';
+import { type IUniform, Matrix3, Vector2 } from 'three';
 
 /**
  * Uniforms of shadow maps, cookies and layers of lights: those of lightImage.glsl, lightShadow.glsl, shadowMask.glsl
@@ -12,6 +12,8 @@ export interface MaskUniforms extends Record<string, IUniform> {
   readonly farol_atlasTexel: { value: number[] };
   /** Rotation from view space to the world's axes. */
   readonly farol_worldAxes: { value: Matrix3 };
+  /** Pixel of the host's target that the first pixel of the bound target stands for; written by `Frame.bind`. */
+  readonly farol_targetOrigin: { value: Vector2 };
   readonly farol_masks: { value: number[] };
   readonly farol_layers: { value: number[] };
   readonly farol_tileShadows: IUniform;
@@ -25,6 +27,7 @@ export function maskUniforms(): MaskUniforms {
     farol_images: { value: [null] },
     farol_atlasTexel: { value: [1, 1] },
     farol_worldAxes: { value: new Matrix3() },
+    farol_targetOrigin: { value: new Vector2() },
     farol_masks: { value: [0, 0] },
     farol_layers: { value: [0, 0] },
     farol_tileShadows: { value: null },
