@@ -27,8 +27,8 @@ const COLOR = /^#([\da-fA-F]{6}|[\da-fA-F]{3})\b/;
 
 /**
  * Reads the uniforms that a surface declares: `uniform float height; // = 0.2 [0, 1, 0.01] Height of the waves (m)`.
- * What stands in the comment, default, range with step and label, may be left out from the right; without `=` all of it
- * is the label.
+ * The comment's parts (default, range with step, label) may be left out from the right; a comment without `=` is all
+ * label.
  * @param name - name of the surface, for errors
  * @throws MicroShaderCompileError with the line, for a type or a default that cannot be
  */
