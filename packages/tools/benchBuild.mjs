@@ -4,50 +4,49 @@ import { join } from 'node:path';
 import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
-/** @typedef {'viewer' | 'lab'} MeasuredApp */
-
 /**
- * Builds an app of a checkout, and the packages that it is made of.
+ * Builds the Lab of a checkout, and the packages that it is made of.
  *
  * @param {string} checkout - folder of the repository
- * @param {MeasuredApp} app
- * @returns {Promise<string>} folder of the built app
+ * @param {boolean} [isStageAlone] - only the page in which competitors draw, without that of the Lab's users
+ * @returns {Promise<string>} folder of the built Lab
  */
-export async function buildApp(checkout, app) {
+export async function buildLab(checkout, isStageAlone = false) {
   // the figures are of the dragon that others measure with
   process.env.FAROL_STANFORD_DRAGON ??= '1';
   const { build } = await import('vite');
-  for (const part of [...publishedPackages(checkout).map(({ folder }) => folder), `apps/${app}`]) {
+  const stage = join(checkout, 'apps/lab/stage.html');
+  const alone = { name: 'stage-alone', options: (/** @type {object} */ all) => ({ ...all, input: stage }) };
+  for (const part of [...publishedPackages(checkout).map(({ folder }) => folder), 'apps/lab']) {
     const folder = join(checkout, part);
-    await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'error' });
+    const plugins = isStageAlone && part === 'apps/lab' ? [alone] : [];
+    await build({ root: folder, configFile: join(folder, 'vite.config.ts'), logLevel: 'error', plugins });
   }
-  return join(checkout, 'apps', app, 'dist');
+  return join(checkout, 'apps/lab/dist');
 }
 
 /**
- * Builds an app of another commit, in a temporary worktree that uses this checkout's installed packages.
+ * Builds the Lab of another commit, in a temporary worktree that uses this checkout's installed packages.
  *
  * @param {string} ref
  * @param {string} to - folder to put it into; what was there goes
- * @param {MeasuredApp} app
  * @returns {Promise<string>} `to`
- * @throws {Error} when git knows no such commit, or it has no such app
+ * @throws {Error} when git knows no such commit, or it has no Lab
  */
-export async function buildReference(ref, to, app) {
+export async function buildReference(ref, to) {
   const commit = commitOf(ref);
   if (!commit)
-    throw new Error(`--against ${ref}: it is neither a folder with a built ${app} nor a commit that git knows.`);
-  if (!hasApp(commit, app)) {
-    throw new Error(
-      `--against ${ref}: that commit has no ${app}. Leave --preset out: the viewer’s matrix compares with any commit.`,
-    );
-  }
+    throw new Error(`--against ${ref}: it is neither a folder with a built Lab nor a commit that git knows.`);
+  if (git('ls-tree', '--name-only', commit, 'apps/lab/package.json').trim() === '')
+    throw new Error(`--against ${ref}: that commit has no Lab.`);
+  if (git('diff', '--name-only', commit, '--', 'package-lock.json').trim() !== '')
+    console.log(`${ref} has another package-lock.json: its Lab is built with the packages installed here.`);
   const worktree = join(root, '.cache/bench', `worktree-${process.pid}`);
   git('worktree', 'prune');
   git('worktree', 'add', '--quiet', '--detach', worktree, commit);
   try {
     linkModules(worktree);
-    const dist = await buildApp(worktree, app);
+    const dist = await buildLab(worktree, true);
     rmSync(to, { recursive: true, force: true });
     cpSync(dist, to, { recursive: true });
   } finally {
@@ -57,7 +56,7 @@ export async function buildReference(ref, to, app) {
 }
 
 /** Full name of a commit, or null when git, the repository or the commit is not there. @param {string} ref */
-export function commitOf(ref) {
+function commitOf(ref) {
   try {
     return git('rev-parse', '--verify', '--quiet', '--end-of-options', `${ref}^{commit}`).trim();
   } catch {
@@ -65,13 +64,8 @@ export function commitOf(ref) {
   }
 }
 
-/** Whether a folder holds a built app. @param {string} folder @param {string} [page] - that is looked for */
-export const isBuilt = (folder, page = 'index.html') => existsSync(join(folder, page));
-
-/** @param {string} commit @param {MeasuredApp} app */
-function hasApp(commit, app) {
-  return git('ls-tree', '--name-only', commit, `apps/${app}/package.json`).trim() !== '';
-}
+/** Whether a folder holds a built Lab. @param {string} folder */
+export const isBuilt = (folder) => existsSync(join(folder, 'stage.html'));
 
 /** Links the installed packages, less the repository's own, which must be the worktree's. @param {string} worktree */
 function linkModules(worktree) {

@@ -1,18 +1,26 @@
-import { launchBench } from './benchBrowser.mjs';
+import { gpuFlags, softwareFlags } from './browserFlags.mjs';
 
 /**
  * @typedef {import('playwright-core').Page} Page
  *
+ * @typedef {{ name: string, label: string, axis: string, cases: object[], values: number[] }} LabSeries
+ *
  * @typedef {object} LabPlan see apps/lab/src/plan/LabPlan.ts
  * @property {string} label
- * @property {{ name: string, label: string, axis: string, cases: object[], values: number[] }[]} series
+ * @property {LabSeries[]} series
  * @property {string[]} competitors
+ * @property {{ rounds: number }} effort
  *
  * @typedef {object} LabRow as much of apps/lab/src/results/LabRun.ts as is read here
  * @property {string} competitor
  * @property {string} series
  * @property {number} index
  * @property {{ median: number } | null} frame
+ * @property {{ median: number } | null} cpu
+ * @property {{ median: number } | null} gpu
+ * @property {number | null} firstMs
+ * @property {{ draws: number | null, programs: number | null } | null} counts
+ * @property {string | null} technique
  * @property {{ thumbnail: string } | null} likeness
  * @property {string | null} problem
  *
@@ -20,7 +28,7 @@ import { launchBench } from './benchBrowser.mjs';
  * @property {string} name
  * @property {LabPlan} plan
  * @property {LabRow[]} rows
- * @property {{ device: string, browser: string, build: string }} surroundings
+ * @property {{ date: string, device: string, browser: string, build: string, command: string | null }} surroundings
  * @property {boolean} complete
  *
  * @typedef {{ done: number, total: number, remaining: number | null, competitor: string | null, labCase: object }} Step
@@ -55,12 +63,18 @@ const webgpuFlags =
     ? ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--disable-gpu-compositing']
     : [];
 
+/** Without caches, so that every first frame compiles its programs, as on a machine that never saw them. */
+const noCaches = {
+  flags: ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'],
+  env: { __GL_SHADER_DISK_CACHE: '0', MESA_SHADER_CACHE_DISABLE: 'true' },
+};
+
 /** Flags that keep timers and drawing at full rate in every state of the window. */
 const steadyFlags = ['--disable-background-timer-throttling', '--disable-renderer-backgrounding'];
 
 /** A browser with the Lab under `?headless`, used through `window.lab`. */
 export class LabBrowser {
-  /** @type {Awaited<ReturnType<typeof launchBench>> | null} */
+  /** @type {import('playwright-core').BrowserServer | null} */
   #running = null;
   /** @type {Page | null} */
   #page = null;
@@ -143,14 +157,18 @@ export class LabBrowser {
     const running = this.#running;
     this.#running = null;
     this.#page = null;
-    await running?.server.kill(); // a page that hangs would not let it close
+    await running?.kill(); // a page that hangs would not let it close
   }
 
   async #open() {
     if (this.#page) return this.#page;
-    const { gpu, url } = this.options;
-    this.#running = await launchBench(this.options, [...steadyFlags, ...(gpu ? webgpuFlags : [])]);
-    const context = await this.#running.browser.newContext({ viewport: { width: 640, height: 360 } });
+    const { executablePath, gpu, url } = this.options;
+    const args = [...noCaches.flags, ...steadyFlags, ...(gpu ? [...gpuFlags, ...webgpuFlags] : softwareFlags)];
+    // not before it is installed
+    const { chromium } = await import('playwright-core');
+    this.#running = await chromium.launchServer({ executablePath, args, env: { ...process.env, ...noCaches.env } });
+    const browser = await chromium.connect(this.#running.wsEndpoint());
+    const context = await browser.newContext({ viewport: { width: 640, height: 360 } });
     const page = await context.newPage();
     page.on('pageerror', (error) => console.error(`page error: ${error.message}`));
     await page.exposeFunction('benchStep', (/** @type {Step} */ step) => {

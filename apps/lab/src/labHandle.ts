@@ -4,7 +4,6 @@ import type { Configuration } from './plan/Configuration';
 import type { LabPlan } from './plan/LabPlan';
 import { planOf } from './plan/planOf';
 import { quickFor } from './plan/presets';
-import { againstMarkdown } from './results/againstMarkdown';
 import type { LabRow, LabRun, LabSurroundings } from './results/LabRun';
 import { configurationOf } from './results/link';
 import { mergeRuns, remainingPlan } from './results/mergeRuns';
@@ -139,8 +138,10 @@ function configurationIn(fragment: string): Configuration {
 
 function files(run: LabRun): TextFile[] {
   const charts = chartFiles(run);
-  const text = `${runMarkdown(run)}${againstMarkdown(run)}`;
-  return [{ name: 'bench.md', text }, ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg }))];
+  return [
+    { name: 'bench.md', text: runMarkdown(run) },
+    ...charts.map(({ name, svg }) => ({ name: `${name}.svg`, text: svg })),
+  ];
 }
 
 /** Sets `window.lab`. */

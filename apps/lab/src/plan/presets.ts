@@ -81,6 +81,23 @@ const recipes: Record<string, (name: string) => Preset> = {
       overShadings(['flat', 'gouraud', 'phong'], 100),
     ],
   ),
+  regression: preset(
+    'Regression',
+    'The cases by which commits are compared: planes and the atrium from one light to 20,000, fields, shadows.',
+    [
+      overLights('benchmarkLights', [1]),
+      overLights('benchmarkLights', [1, 225], 15),
+      overLights('benchmarkLights', [1], 70),
+      { ...overLights('sponza', [1, 10, 100, 500, 1000, 2000]), lightRange: 5 },
+      { ...overLights('sponza', [10_000, 20_000]), lightRange: 1 },
+      { ...overLights('sponza', [10_000, 20_000]), lightKind: 'field', lightRange: 1 },
+      { scene: 'sponza', n: 1, axis: 'shadows', values: [64], lights: 64 },
+    ],
+    {
+      competitors: ['auto', 'deferred', 'tiled-deferred', 'stock'],
+      effort: { rounds: 5, turn: 300, changes: false, longestFrame: 4000, limit: null },
+    },
+  ),
   changes: preset(
     'What a change costs',
     'First frames, ten lights more, another technique: the longest frame, and what is compiled in it.',

@@ -190,14 +190,12 @@ export function readRun(value: unknown): LabRun {
 
 /** Reports a file of another kind before its fields are checked. */
 function checkFormat(value: unknown): void {
-  const { format, version, builds } = (typeof value === 'object' && value !== null ? value : {}) as Partial<
-    Record<'format' | 'version' | 'builds', unknown>
+  const { format, version } = (typeof value === 'object' && value !== null ? value : {}) as Partial<
+    Record<'format' | 'version', unknown>
   >;
   if (format !== 'farol-lab-run') {
     throw new FormatError(
-      Array.isArray(builds)
-        ? 'This is a bench.json of the viewer’s matrix, which the Lab cannot show: measure with npm run bench -- --preset.'
-        : 'This is no run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").',
+      'This is no run of the Lab: choose a file that the Lab exported as JSON ("format": "farol-lab-run").',
     );
   }
   if (typeof version === 'number' && version > LAB_RUN_VERSION) {
