@@ -132,7 +132,8 @@ function planFor(browser, { fragment, regret, lights, rivals, against, gpu }) {
       }
       if (regret) {
         const all = ['lights', 'objects', 'resolution', 'overdraw', 'shadows', 'matter'];
-        configuration.series.push(...all.flatMap((name) => lab.configurationOf(`preset=${name}`).series));
+        const more = all.flatMap((name) => lab.configurationOf(`preset=${name}`).series);
+        configuration.series = [...configuration.series, ...more];
         if (!new URLSearchParams(fragment).has('techniques')) configuration.competitors = regret;
       }
       const others = Object.keys(lab.competitors).filter((name) => lab.competitors[name].kind === 'rival');
@@ -303,11 +304,10 @@ async function judge(browser, run, options, end) {
   /** @type {import('./benchVerdict.mjs').Reached | null} */
   const reached = existsSync(REACHED) ? JSON.parse(readFileSync(REACHED, 'utf8')) : null;
   const table = verdict.figuresTable(run, reached);
-  console.log(`\n${table}`);
-  appendFileSync(join(options.out, 'bench.md'), `\n## Figures\n\n${table}\n`);
-  if (options.write) writeFileSync(REACHED, verdict.reachedText(run, reached));
   const regret = options.regret ? verdict.regretReport(run) : null;
-  if (regret) console.log(regret.text);
+  appendFileSync(join(options.out, 'bench.md'), `\n## Figures\n\n${table}\n`);
+  console.log(`\n${regret?.text ?? table}`);
+  if (options.write) writeFileSync(REACHED, verdict.reachedText(run, reached));
   if (!run.complete) return true;
   let slower = verdict.slowerCases(run);
   if (slower.length > 0 && performance.now() < end) {
