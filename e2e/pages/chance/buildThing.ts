@@ -133,15 +133,21 @@ function objectOf(facts: ThingFacts, material: THREE.Material): THREE.Object3D {
   }
 }
 
+/** Runs something before an object is drawn, after the method of its class: a BatchedMesh lists its draws there. */
+function beforeDraw(object: THREE.Object3D, run: THREE.Object3D['onBeforeRender']): void {
+  const { onBeforeRender } = object;
+  object.onBeforeRender = (...given) => {
+    onBeforeRender.apply(object, given);
+    run.apply(object, given);
+  };
+}
+
 const callbacks: Readonly<Record<NonNullable<ThingFacts['callback']>, (object: THREE.Object3D) => void>> = {
-  clears: (object) => {
-    object.onBeforeRender = (renderer) => renderer.clearDepth();
-  },
-  colours: (object) => {
-    object.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
+  clears: (object) => beforeDraw(object, (renderer) => renderer.clearDepth()),
+  colours: (object) =>
+    beforeDraw(object, (_renderer, _scene, _camera, _geometry, material) => {
       (material as THREE.MeshLambertMaterial).color?.set(0x4488ff);
-    };
-  },
+    }),
   listens: (object) => {
     object.onAfterRender = () => {};
   },
