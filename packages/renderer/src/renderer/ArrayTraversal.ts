@@ -1,7 +1,8 @@
-import { type ArrayCamera, type BufferGeometry, type Camera, Matrix4, type Mesh, Vector4 } from 'three';
+import { type BufferGeometry, type Camera, Matrix4, type Object3D, type Sphere, Vector4 } from 'three';
 
-type Zooming = Camera & { zoom: number };
+type Seeing = Camera & { zoom: number; isArrayCamera?: boolean };
 
+const projectionView = new Matrix4();
 const center = new Vector4();
 
 /**
@@ -9,45 +10,35 @@ const center = new Vector4();
  * (LOD) and the order of draws go by the array's own place and projection, so that they are the same in all of its parts.
  */
 export class ArrayTraversal {
-  private readonly projectionView = new Matrix4();
-  private readonly place = new Matrix4();
-  private zoom = 1;
-  private camera: Zooming | null = null;
+  /** Array whose place the camera has while the traversal runs. */
+  private array: Seeing | null = null;
+  private camera!: Seeing;
 
-  /** Whether the traversal that runs is that of an array. */
-  get runs(): boolean {
-    return this.camera !== null;
-  }
-
-  /**
-   * Lends the camera the array's place, by which LODs choose their level, until `end`.
-   * @param seenBy - array that contains the camera, or the camera itself: then nothing is done
-   */
+  /** @param seenBy - array that contains the camera; nothing is done for any other */
   begin(camera: Camera, seenBy: Camera): void {
-    if ((seenBy as ArrayCamera).isArrayCamera !== true) return;
-    this.camera = camera as Zooming;
-    this.place.copy(camera.matrixWorld);
-    this.zoom = this.camera.zoom;
-    camera.matrixWorld.copy(seenBy.matrixWorld);
-    this.camera.zoom = (seenBy as Zooming).zoom;
-    this.projectionView.multiplyMatrices(seenBy.projectionMatrix, seenBy.matrixWorldInverse);
+    if ((seenBy as Seeing).isArrayCamera !== true) return;
+    projectionView.multiplyMatrices(seenBy.projectionMatrix, seenBy.matrixWorldInverse);
+    this.camera = camera as Seeing;
+    this.exchange((this.array = seenBy as Seeing));
   }
 
   end(): void {
-    if (this.camera === null) return;
-    this.camera.matrixWorld.copy(this.place);
-    this.camera.zoom = this.zoom;
-    this.camera = null;
+    if (this.array !== null) this.exchange(this.array);
+    this.array = null;
   }
 
-  /** Depth by which three sorts an object: of its bounding sphere's centre in the array's clip space. */
-  depthOf(object: Mesh & { isSprite?: boolean }, geometry: BufferGeometry): number {
-    if (object.isSprite === true) center.setFromMatrixPosition(object.matrixWorld);
-    else {
-      // three has computed both, for its frustum or its own depth
-      const sphere = (object as { boundingSphere?: typeof geometry.boundingSphere }).boundingSphere;
-      center.copy((sphere ?? geometry.boundingSphere)!.center as unknown as Vector4).applyMatrix4(object.matrixWorld);
-    }
-    return center.applyMatrix4(this.projectionView).z;
+  /** Depth by which three sorts an object (clip space of the array), or the one of its camera where no array is traversed. */
+  depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
+    if (this.array === null) return z;
+    const sphere = object.boundingSphere ?? boundingSphere;
+    if (sphere === null || 'isSprite' in object) center.set(0, 0, 0, 1);
+    else center.set(...sphere.center.toArray(), 1);
+    return center.applyMatrix4(object.matrixWorld).applyMatrix4(projectionView).z;
+  }
+
+  private exchange(array: Seeing): void {
+    const { matrixWorld, zoom } = this.camera;
+    Object.assign(this.camera, { matrixWorld: array.matrixWorld, zoom: array.zoom });
+    Object.assign(array, { matrixWorld, zoom });
   }
 }

@@ -245,9 +245,8 @@ export class SceneView {
       if ((object as Object3D & { isFarolProxy?: boolean }).isFarolProxy === true) return;
       if (!object.layers.test(this.seenBy.layers)) return;
       const override = this.view.overrideMaterial ?? null;
-      const { array, seenBy } = this;
-      if (array.runs) z = array.depthOf(object as Mesh, geometry);
-      if ((array.runs ? seenBy : camera)?.reversedDepth === true) z = -z;
+      if (camera?.reversedDepth === true) z = -z;
+      z = this.array.depthOf(object, geometry, z);
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);
       if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
       this.transmits = true;
