@@ -133,21 +133,22 @@ function objectOf(facts: ThingFacts, material: THREE.Material): THREE.Object3D {
   }
 }
 
-/** Runs something before an object is drawn, after the method of its class: a BatchedMesh lists its draws there. */
-function beforeDraw(object: THREE.Object3D, run: THREE.Object3D['onBeforeRender']): void {
-  const { onBeforeRender } = object;
-  object.onBeforeRender = (...given) => {
-    onBeforeRender.apply(object, given);
-    run.apply(object, given);
-  };
-}
-
+/** Callbacks run after the method of the object's class: a BatchedMesh lists its draws there. */
 const callbacks: Readonly<Record<NonNullable<ThingFacts['callback']>, (object: THREE.Object3D) => void>> = {
-  clears: (object) => beforeDraw(object, (renderer) => renderer.clearDepth()),
-  colours: (object) =>
-    beforeDraw(object, (_renderer, _scene, _camera, _geometry, material) => {
+  clears: (object) => {
+    const { onBeforeRender } = object;
+    object.onBeforeRender = (renderer, ...rest) => {
+      onBeforeRender.call(object, renderer, ...rest);
+      renderer.clearDepth();
+    };
+  },
+  colours: (object) => {
+    const { onBeforeRender } = object;
+    object.onBeforeRender = (renderer, scene, camera, geometry, material, group) => {
+      onBeforeRender.call(object, renderer, scene, camera, geometry, material, group);
       (material as THREE.MeshLambertMaterial).color?.set(0x4488ff);
-    }),
+    };
+  },
   listens: (object) => {
     object.onAfterRender = () => {};
   },
