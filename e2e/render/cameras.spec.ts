@@ -128,3 +128,59 @@ test('cameras of other kinds: scaled, mirrored, sheared, without planes of their
     checkAgreement(technique, difference, name, technique === 'inferred' ? {} : limit);
   }
 });
+
+test('levels of detail, their shadows and the order of what is transparent go by an array of cameras', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, techniquesInTurn, three } = window.testPage;
+    const bench = new Bench(96, 48);
+    bench.webgl.shadowMap.enabled = true;
+    bench.farol.inferredScale = 1;
+    const scene = new three.Scene();
+    scene.background = new three.Color(0x334455);
+    const levels = new three.LOD();
+    const solid = new three.MeshLambertMaterial({ color: 0xffaa66 });
+    [new three.SphereGeometry(0.7, 24, 16), new three.BoxGeometry(1.2, 1.2, 1.2)].forEach((geometry, i) => {
+      const level = new three.Mesh(geometry, solid);
+      level.castShadow = true;
+      levels.addLevel(level, i * 6);
+    });
+    const floor = new three.Mesh(new three.PlaneGeometry(12, 12), new three.MeshLambertMaterial());
+    floor.rotation.x = -Math.PI / 2;
+    floor.position.y = -1;
+    floor.receiveShadow = true;
+    const panes = [0xff2200, 0x00ff22].map((color, i) => {
+      const material = new three.MeshLambertMaterial({ color, transparent: true, opacity: 0.6 });
+      const pane = new three.Mesh(new three.PlaneGeometry(1.2, 1.2), material);
+      pane.position.set(1.4 + 0.2 * i, 0.2, 1 - 0.6 * i);
+      return pane;
+    });
+    const sun = new three.DirectionalLight(0xffffff, 2);
+    sun.position.set(1, 4, 2);
+    sun.castShadow = true;
+    scene.add(levels, floor, ...panes, sun);
+    // one nearer than the distance of the second level, one on the other side of the panes
+    const eyes = [
+      [0, 0.5, 5],
+      [1, 0.5, -6],
+    ].map(([x, y, z], i) => {
+      const eye = new three.PerspectiveCamera(50, 1, 0.5, 30) as Three.PerspectiveCamera & { viewport: Three.Vector4 };
+      eye.position.set(x, y, z);
+      eye.lookAt(0.5, 0, 0);
+      eye.viewport = new three.Vector4(i * 48, 0, 48, 48);
+      eye.updateMatrixWorld();
+      return eye;
+    });
+    panes.forEach(({ material }) => (material.side = three.DoubleSide));
+    const array = new three.ArrayCamera(eyes);
+    array.position.set(0, 0.5, 6.5);
+    array.projectionMatrix.copy(eyes[0].projectionMatrix);
+    return techniquesInTurn(2).map((technique) => ({
+      technique,
+      ...compareImages(bench.stock(scene, array), bench.byTechnique(technique, scene, array)),
+    }));
+  });
+  for (const { technique, ...difference } of results)
+    checkAgreement(technique, difference, 'an array of cameras', SHADOWS);
+});

@@ -7,4 +7,9 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
     lights: [{ kind: 'field', position: [0, 0, 3] }],
     things: [{}],
   },
+  'levels of detail, chosen by the place of an array of cameras': {
+    view: { camera: 'array', position: [-2.1, 1.6, 5.6] },
+    lights: [{ kind: 'ambient' }],
+    things: [{ as: 'levels' }],
+  },
 };

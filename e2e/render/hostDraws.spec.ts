@@ -57,6 +57,20 @@ test('what a callback clears, and what it keeps of a material, is as by stock th
         ball.onBeforeRender = (webgl) => webgl.clear(false, true, false);
         return { scene };
       },
+      'a batch without an order that clears depth after its own callback': () => {
+        const { scene, ball } = stage(standard());
+        const batch = new three.BatchedMesh(1, 600, 3000, standard());
+        batch.addInstance(batch.addGeometry(ball.geometry));
+        batch.position.set(-0.6, 0, -3);
+        ball.removeFromParent();
+        const { onBeforeRender } = batch;
+        batch.onBeforeRender = (webgl, ...rest) => {
+          onBeforeRender.call(batch, webgl, ...rest);
+          webgl.clearDepth();
+        };
+        scene.add(batch);
+        return { scene };
+      },
       'an overlay without an order that clears depth by another function': () => {
         const wipe = (webgl: THREE.WebGLRenderer) => webgl.clearDepth();
         const { scene, ball } = stage(standard());

@@ -133,12 +133,19 @@ function objectOf(facts: ThingFacts, material: THREE.Material): THREE.Object3D {
   }
 }
 
+/** Callbacks run after the method of the object's class: a BatchedMesh lists its draws there. */
 const callbacks: Readonly<Record<NonNullable<ThingFacts['callback']>, (object: THREE.Object3D) => void>> = {
   clears: (object) => {
-    object.onBeforeRender = (renderer) => renderer.clearDepth();
+    const { onBeforeRender } = object;
+    object.onBeforeRender = (renderer, ...rest) => {
+      onBeforeRender.call(object, renderer, ...rest);
+      renderer.clearDepth();
+    };
   },
   colours: (object) => {
-    object.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
+    const { onBeforeRender } = object;
+    object.onBeforeRender = (renderer, scene, camera, geometry, material, group) => {
+      onBeforeRender.call(object, renderer, scene, camera, geometry, material, group);
       (material as THREE.MeshLambertMaterial).color?.set(0x4488ff);
     };
   },

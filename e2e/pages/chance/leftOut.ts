@@ -1,5 +1,5 @@
 import type { TechniqueName } from '@farol/renderer';
-import type { LightFacts, SceneFacts, ThingFacts } from './SceneFacts';
+import type { LightFacts, MaterialFacts, SceneFacts, ThingFacts } from './SceneFacts';
 
 /** A part of scenes that is taken out before they are drawn. */
 interface LeftOut {
@@ -11,6 +11,18 @@ interface LeftOut {
 /** Kinds of objects whose geometry has no normals. */
 const withoutNormals = ({ as, traits = [] }: ThingFacts) =>
   as === 'sprite' || as === 'segments' || traits.includes('without normals');
+
+/** A material without the anisotropy of a wireframe. */
+function plainWires(material: MaterialFacts = {}): MaterialFacts {
+  if (material.wireframe !== true) return material;
+  const { anisotropy: _amount, anisotropyMap: _map, anisotropyRotation: _angle, ...plain } = material;
+  return plain;
+}
+
+/** A material that lets no light through. */
+function shut({ transmission: _amount, transmissionMap: _map, ...material }: MaterialFacts): MaterialFacts {
+  return material;
+}
 
 const isThin = /points|line|loop|segments/;
 const isAround = (background: unknown) => background === 'cube' || background === 'equirect';
@@ -24,6 +36,23 @@ export const leftOut: readonly LeftOut[] = [
       override && facts.things?.some(withoutNormals)
         ? { ...facts, world }
         : { ...facts, world: { ...world, override } },
+  },
+  {
+    what: 'transmission of the material of the scene (overrideMaterial)',
+    why: 'three throws: it makes the target of what is behind glass for objects whose own material transmits',
+    from: ({ world: { override, ...world } = {}, ...facts }) => ({
+      ...facts,
+      world: override ? { ...world, override: shut(override) } : world,
+    }),
+  },
+  {
+    what: 'anisotropy of a wireframe',
+    why: 'tangents come from derivatives across a line, which has no width: pixels of stock three are not finite',
+    from: ({ things = [], world: { override, ...world } = {}, ...facts }) => ({
+      ...facts,
+      things: things.map((thing) => (thing.material ? { ...thing, material: plainWires(thing.material) } : thing)),
+      world: override ? { ...world, override: plainWires(override) } : world,
+    }),
   },
   {
     what: 'a background all round, seen by an orthographic camera',

@@ -1,4 +1,4 @@
-import { type BatchedMesh, Object3D, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { BatchedMesh, Object3D, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 
 const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
@@ -27,7 +27,8 @@ function draws(callback: Callback): boolean {
  */
 export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;
-  if ((before === onBeforeRender && after === onAfterRender) || (object as BatchedMesh).isBatchedMesh) return false; // three's own
+  const own = (object as BatchedMesh).isBatchedMesh ? BatchedMesh.prototype.onBeforeRender : onBeforeRender;
+  if (before === own && after === onAfterRender) return false;
   return hasPlace || draws(before) || draws(after);
 }
 

@@ -15,6 +15,7 @@ import type { RenderQueue } from '../frame/RenderQueue';
 import type { Fills } from '../frame/Fills';
 import type { ShadowMapCalls } from '../shadows/draw/ShadowMapCalls';
 import { standInOf } from '../three/standInOf';
+import { ArrayTraversal } from './ArrayTraversal';
 import { TechniqueChooser } from './TechniqueChooser';
 
 /** Draws shadow maps inside three's `render`; has proxies of casters that the camera may not see. */
@@ -60,8 +61,10 @@ export class SceneView {
   /** Stands for all transmissive objects: three fills its transmission target only if there is one. */
   private readonly glass: Mesh;
   private transmits = false;
-  /** Camera whose layers an object must share too: the array of cameras that contains the camera. */
+  /** Array of cameras that contains the camera, or the camera itself: an object must share its layers too. */
   seenBy!: Camera;
+  private readonly array = new ArrayTraversal();
+  private camera!: Camera;
   private queue: RenderQueue | null = null;
   private fills: Fills | null = null;
   /** The host's autoClear, autoClearColor, autoClearDepth, autoClearStencil while three is kept from clearing. */
@@ -126,6 +129,7 @@ export class SceneView {
     for (const child of rest) this.children.push(child);
     if (shadows !== null) for (const proxy of shadows.proxies) this.children.push(proxy);
     this.lights = lights;
+    this.camera = camera;
     this.failed = false;
     shadows?.calls.begin(this.view, this.fail);
     this.getList = this.lists.get;
@@ -165,6 +169,7 @@ export class SceneView {
 
   /** Hides the lights as three's traversal begins; the scene's `onBeforeRender` has run. */
   private hide(): void {
+    this.array.begin(this.camera, this.seenBy);
     for (const { layers } of this.lights) {
       this.masks.push(layers.mask);
       layers.mask = 0;
@@ -173,6 +178,7 @@ export class SceneView {
 
   /** Restores the layers of the lights; three's traversal ends before any callback of the host runs. */
   private restore(): void {
+    this.array.end();
     for (let i = 0; i < this.masks.length; i++) this.lights[i].layers.mask = this.masks[i];
     this.masks.length = 0;
   }
@@ -240,6 +246,7 @@ export class SceneView {
       if (!object.layers.test(this.seenBy.layers)) return;
       const override = this.view.overrideMaterial ?? null;
       if (camera?.reversedDepth === true) z = -z;
+      z = this.array.depthOf(object, geometry, z);
       this.queue?.push(object, geometry, material, groupOrder, z, group, override);
       if (this.transmits || !(((material as Material & { transmission?: number }).transmission ?? 0) > 0)) return;
       this.transmits = true;

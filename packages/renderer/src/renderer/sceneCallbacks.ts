@@ -1,4 +1,4 @@
-import { type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
+import { type ArrayCamera, type Camera, Object3D, type Scene, type WebGLRenderer } from 'three';
 
 /** `onBeforeRender` and `onAfterRender` with the arguments that three passes them of a Scene. */
 type SceneCallback = (webgl: WebGLRenderer, scene: Scene, camera: Camera, target?: unknown) => void;
@@ -11,12 +11,16 @@ export function updateCamera(camera: Camera): void {
 }
 
 /**
- * Calls a Scene's `onBeforeRender`, where the host has set one, with scene and camera up to date.
+ * Calls a Scene's `onBeforeRender`, where the host has set one, with scene and camera up to date. An array of cameras is
+ * brought up to date in any case: its cameras are when they draw.
  * @returns whether they were brought up to date
  */
 export function beforeRender(webgl: WebGLRenderer, object: Object3D, camera: Camera): boolean {
   const scene = object as Scene;
-  if (scene.isScene !== true || scene.onBeforeRender === NO_CALLBACK) return false;
+  if (scene.isScene !== true || scene.onBeforeRender === NO_CALLBACK) {
+    if ((camera as ArrayCamera).isArrayCamera === true) updateCamera(camera);
+    return false;
+  }
   if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
   updateCamera(camera);
   (scene.onBeforeRender as unknown as SceneCallback)(webgl, scene, camera, webgl.getRenderTarget());

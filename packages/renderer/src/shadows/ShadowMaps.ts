@@ -56,8 +56,8 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private knownAtlasSize: number | null = null;
   /** Area lights, asked for the range of those that cast shadows; null while no scene has had an area light. */
   areas: AreaLightTable | null = null;
-  /** Layers of the frame's camera, as bits: layers of casters for shadows whose own camera names none. */
-  layersSeen = 1;
+  /** Frame's camera, or the array of cameras that has it: levels of detail, and layers of casters of most shadows. */
+  seenBy!: Camera;
   /** Number of maps that the frame draws (a point light has one, of six faces). */
   drawn = 0;
   /** Number of shadow maps that the frame uses but does not draw, as they are still valid. */
@@ -229,7 +229,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.tiles.bounded = 0;
     this.drawn = this.kept = this.texels = 0;
     this.slots.begin(this.frame);
-    this.slots.layersSeen = this.layersSeen;
+    this.slots.layersSeen = this.seenBy.layers.mask;
     this.masks.begin();
   }
 
@@ -284,7 +284,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   private noteChanges(root: Object3D, camera: Camera): void {
     let casters = this.casters.get(root);
     if (casters === undefined) this.casters.set(root, (casters = new ShadowCasters()));
-    casters.update(root, camera, this.isVariance);
+    casters.update(root, this.seenBy, this.isVariance);
     this.draws.begin(casters, camera, this.isVariance);
     const { changes, changeCount } = casters;
     for (const slot of this.slots.all()) {

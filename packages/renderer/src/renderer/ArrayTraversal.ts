@@ -1,0 +1,44 @@
+import { type BufferGeometry, type Camera, Matrix4, type Object3D, type Sphere, Vector4 } from 'three';
+
+type Seeing = Camera & { zoom: number; isArrayCamera?: boolean };
+
+const projectionView = new Matrix4();
+const center = new Vector4();
+
+/**
+ * Three's traversal of a scene for one camera of an array. Stock three traverses once for the whole array: levels of detail
+ * (LOD) and the order of draws go by the array's own place and projection, so that they are the same in all of its parts.
+ */
+export class ArrayTraversal {
+  /** Array whose place the camera has while the traversal runs. */
+  private array: Seeing | null = null;
+  private camera!: Seeing;
+
+  /** @param seenBy - array that contains the camera; nothing is done for any other */
+  begin(camera: Camera, seenBy: Camera): void {
+    if ((seenBy as Seeing).isArrayCamera !== true) return;
+    projectionView.multiplyMatrices(seenBy.projectionMatrix, seenBy.matrixWorldInverse);
+    this.camera = camera as Seeing;
+    this.exchange((this.array = seenBy as Seeing));
+  }
+
+  end(): void {
+    if (this.array !== null) this.exchange(this.array);
+    this.array = null;
+  }
+
+  /** Depth by which three sorts an object (clip space of the array), or the one of its camera where no array is traversed. */
+  depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
+    if (this.array === null) return z;
+    const sphere = object.boundingSphere ?? boundingSphere;
+    if (sphere === null || 'isSprite' in object) center.set(0, 0, 0, 1);
+    else center.set(...sphere.center.toArray(), 1);
+    return center.applyMatrix4(object.matrixWorld).applyMatrix4(projectionView).z;
+  }
+
+  private exchange(array: Seeing): void {
+    const { matrixWorld, zoom } = this.camera;
+    Object.assign(this.camera, { matrixWorld: array.matrixWorld, zoom: array.zoom });
+    Object.assign(array, { matrixWorld, zoom });
+  }
+}
