@@ -8,8 +8,8 @@
 uniform highp sampler2D farol_lightAtlas; // cookies: linear colours; VSM: mean and standard deviation of depths
 uniform highp vec2 farol_atlasTexel; // 1 / side (texels): x of the shadow atlas, y of the colour atlas
 
-// normal (view space) of the surface's plane in this pixel; 0: unknown, the shading normal is taken. Set before the
-// loop over lights, where derivatives are undefined
+// normal (view space) of the surface's plane in this pixel; 0: not known. By derivatives before the loop over lights,
+// where they are undefined, or by the first light's farol_planeNormal
 vec3 farol_planeVS = vec3(0.0);
 #ifdef FAROL_LIGHT_COOKIES
 #define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
@@ -65,28 +65,49 @@ vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 
   return moved.xy / moved.w;
 }
 
-// G-buffer: change of position to the next pixel, by the neighbour that is nearer in depth
-vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS) {
-  ivec2 last = ivec2(farol_readSize) - 1;
-  vec3 next = FAROL_POSITION_AT(min(farol_readPixel + along, last)) - positionVS;
-  vec3 before = positionVS - FAROL_POSITION_AT(max(farol_readPixel - along, 0));
-  bool isFirst = any(lessThan(farol_readPixel - along, ivec2(0)));
-  bool isLast = any(greaterThan(farol_readPixel + along, last));
-  return isFirst || (!isLast && abs(next.z) < abs(before.z)) ? next : before;
+// how far (m) a depth lies from the line through the depths of the next pixel and of the one after it
+float farol_bendAt(const in float z, const in float next, const in float second, const in bool isPerspective) {
+  return abs(z - (isPerspective ? next * second / (2.0 * second - next) : 2.0 * next - second));
 }
 
-// normal of the plane in which a surface lies in its pixel
-vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS) {
-  vec3 planeVS = farol_planeVS;
-  if (farol_readSize.x > 0.0)
-    planeVS = cross(farol_changeAlong(ivec2(1, 0), positionVS), farol_changeAlong(ivec2(0, 1), positionVS));
-  float size = length(planeVS);
-  return size > 0.0 ? planeVS / size : normalVS;
+// G-buffer: change of position to the next pixel, on the side where two pixels lie in line with the surface's: its own
+// triangle's. By the neighbour nearer in depth if they do so on neither side; bend is then above the limit (both m)
+vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in bool isPerspective,
+  const in float limit, inout float bend) {
+  ivec2 last = ivec2(farol_readSize) - 1;
+  vec3 next = FAROL_POSITION_AT(min(farol_readPixel + along, last));
+  vec3 before = FAROL_POSITION_AT(max(farol_readPixel - along, 0));
+  float second = FAROL_POSITION_AT(min(farol_readPixel + 2 * along, last)).z;
+  float secondBefore = FAROL_POSITION_AT(max(farol_readPixel - 2 * along, 0)).z;
+  bool isFirst = any(lessThan(farol_readPixel - along, ivec2(0)));
+  bool isLast = any(greaterThan(farol_readPixel + along, last));
+  float bendAfter = isLast ? 1e9 : farol_bendAt(positionVS.z, next.z, second, isPerspective);
+  float bendBefore = isFirst ? 1e9 : farol_bendAt(positionVS.z, before.z, secondBefore, isPerspective);
+  float least = min(bendAfter, bendBefore);
+  bend = max(bend, least);
+  bool isNext = least < limit ? bendAfter < bendBefore : abs(next.z - positionVS.z) < abs(before.z - positionVS.z);
+  return isFirst || (!isLast && isNext) ? next - positionVS : positionVS - before;
+}
+
+// normal of the plane in which a surface lies in its pixel; of a G-buffer's surface: by the pixels beside it. Triangles
+// of a pixel or two have no such pixels: there by the surface's normal, unless it is bent by more than 10 degrees
+vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const in vec2 pixelSpan) {
+  if (farol_readSize.x > 0.0 && farol_planeVS == vec3(0.0)) {
+    bool isPerspective = pixelSpan.x > 0.0;
+    float limit = 0.05 * abs(pixelSpan.x) * (isPerspective ? -positionVS.z : 1.0);
+    float bend = 0.0;
+    vec3 right = farol_changeAlong(ivec2(1, 0), positionVS, isPerspective, limit, bend);
+    vec3 up = farol_changeAlong(ivec2(0, 1), positionVS, isPerspective, limit, bend);
+    farol_planeVS = normalize(cross(right, up));
+    if (bend > limit && dot(farol_planeVS, normalVS) > 0.985) farol_planeVS = normalVS;
+  }
+  float size = length(farol_planeVS);
+  return size > 0.0 ? farol_planeVS / size : normalVS;
 }
 
 FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
-  vec3 planeVS = farol_planeNormal(positionVS, normalVS);
   vec2 span = farol_maskPixelSpan(record);
+  vec3 planeVS = farol_planeNormal(positionVS, normalVS, span);
   mat4 matrix = farol_maskMatrix(record);
 #ifdef FAROL_PER_VERTEX
   vec2 first = vec2(0.0);
