@@ -21,7 +21,7 @@ export interface AtlasTenant {
   readonly map: AtlasMap;
   /** Halvings of the map, since pictures show no more; none when absent. */
   readonly detail?: MapDetail;
-  /** Mipmap levels that lie beside an image, each with a border; no borders when absent. */
+  /** Number of mipmap levels of an image, laid out as mipmapBlock.ts has it; absent: one, without borders but a cube's. */
   readonly levels?: number;
   /**
    * Width of the border round each face of a cube with sides of `faceWidth` texels: it repeats the neighbouring faces,
@@ -288,7 +288,8 @@ function mapHeight(tenant: AtlasTenant, limit: number): number {
  */
 function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
   const wanted = asked >> (tenant.detail?.level ?? 0);
-  const third = Math.floor(limit / 3);
+  // mipmaps of a cube are as high as three faces, and as the borders of all levels
+  const third = Math.floor((limit - 4 * (tenant.levels ?? 0)) / 3);
   const most = tenant.isCube
     ? third - 2 * tenant.borderOf(Math.min(wanted, third))
     : Math.floor(limit / (tenant.side ?? 1));
@@ -296,12 +297,12 @@ function sideOf(asked: number, tenant: AtlasTenant, limit: number): number {
 }
 
 function blockWidth(tenant: AtlasTenant, face: number): number {
-  if (tenant.levels !== undefined) return mipmapBlockWidth(face, tenant.levels);
+  if (tenant.levels !== undefined) return mipmapBlockWidth(face, tenant.levels, tenant.isCube ? 3 : 1);
   return tenant.isCube ? 3 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 
 function blockHeight(tenant: AtlasTenant, face: number): number {
-  if (tenant.levels !== undefined) return mipmapBlockHeight(face, tenant.levels);
+  if (tenant.levels !== undefined) return mipmapBlockHeight(face, tenant.levels, tenant.isCube ? 2 : 1);
   return tenant.isCube ? 2 * (face + 2 * tenant.borderOf(face)) : face * (tenant.side ?? 1);
 }
 

@@ -1,27 +1,43 @@
 /**
- * Width of the border round each mipmap level of a texture copied into an atlas (texels); it holds the texels that the
- * texture's wrapping puts there.
+ * Width of the border round each mipmap level of a texture copied into an atlas (texels), of a cube round each face; it
+ * holds the texels that the texture's wrapping, or the next face, puts there.
  */
 export const LEVEL_BORDER = 1;
 
-const side = (length: number, level: number) => Math.max(1, length >> level);
-
-/** Width of a texture's mipmaps in an atlas (texels): the first level, and beside it a column of the others. */
-export function mipmapBlockWidth(width: number, levels: number): number {
-  return width + 2 * LEVEL_BORDER + (levels > 1 ? side(width, 1) + 2 * LEVEL_BORDER : 0);
-}
-
-/** Height of a texture's mipmaps in an atlas (texels). */
-export function mipmapBlockHeight(height: number, levels: number): number {
-  return Math.max(height + 2 * LEVEL_BORDER, levelBottom(height, levels));
+/**
+ * Width of a texture's mipmaps in an atlas (texels): the first level, above it the second, and to the right of that a
+ * column of the others.
+ * @param width - of a face (texels)
+ * @param faces - number of faces across: 1, of a cube 3
+ */
+export function mipmapBlockWidth(width: number, levels: number, faces = 1): number {
+  const above = levels > 2 ? levelSpan(width, 1, faces) + levelSpan(width, 2, faces) : 0;
+  return Math.max(levelSpan(width, 0, faces), above);
 }
 
 /**
- * Offset of a mipmap level in the column of levels, to its lower border (texels); for `level` = number of levels, the
- * height of the column.
+ * Height of a texture's mipmaps in an atlas (texels).
+ * @param height - of a face (texels)
+ * @param faces - number of faces up: 1, of a cube 2
  */
-export function levelBottom(height: number, level: number): number {
-  let bottom = 0;
-  for (let i = 1; i < level; i++) bottom += side(height, i) + 2 * LEVEL_BORDER;
+export function mipmapBlockHeight(height: number, levels: number, faces = 1): number {
+  const second = levels > 1 ? levelSpan(height, 0, faces) + levelSpan(height, 1, faces) : 0;
+  return Math.max(levelBottom(height, levels, faces), second);
+}
+
+/** Offset of a mipmap level to its left border (texels). */
+export function levelLeft(width: number, level: number, faces = 1): number {
+  return level > 1 ? levelSpan(width, 1, faces) : 0;
+}
+
+/** Offset of a mipmap level to its lower border (texels); for `level` = number of levels, the top of the last one. */
+export function levelBottom(height: number, level: number, faces = 1): number {
+  let bottom = level > 0 ? levelSpan(height, 0, faces) : 0;
+  for (let i = 2; i < level; i++) bottom += levelSpan(height, i, faces);
   return bottom;
+}
+
+/** Length of a level along one side, borders included (texels). */
+export function levelSpan(length: number, level: number, faces = 1): number {
+  return faces * (Math.max(1, length >> level) + 2 * LEVEL_BORDER);
 }

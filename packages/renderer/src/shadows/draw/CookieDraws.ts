@@ -1,8 +1,8 @@
-import { type CubeTexture, type IUniform, NoBlending, type Texture, Vector4 } from 'three';
+import { type IUniform, NoBlending, type Texture, Vector4 } from 'three';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { TextureAtlas } from '../atlas/TextureAtlas';
-import { LEVEL_BORDER, levelBottom } from '../atlas/mipmapBlock';
-import { COOKIE_BORDER, type CookieSlot } from '../slots/CookieSlot';
+import { LEVEL_BORDER, levelBottom, levelLeft, levelSpan } from '../atlas/mipmapBlock';
+import type { CookieSlot } from '../slots/CookieSlot';
 import type { RegionDrawer } from './RegionDrawer';
 
 /** Copies the textures that lights project (cookies), and photometric profiles, into the atlas of colours. */
@@ -25,8 +25,10 @@ export class CookieDraws {
     const { texture, isCube, isProfile } = cookie;
     uniforms.farol_cookieImage.value = texture;
     drawer.bind(atlas.target!);
-    if (isCube || isProfile) this.drawWhole(cookie);
-    else this.drawLevels(cookie);
+    // three keeps cube textures mirrored, all but those of render targets
+    uniforms.farol_cookieFlip.value = texture.isRenderTargetTexture ? 1 : -1;
+    if (isProfile) this.drawProfile(cookie);
+    else this.drawLevels(cookie, isCube);
     cookie.map.draw();
   }
 
@@ -36,34 +38,27 @@ export class CookieDraws {
     this.profiles.dispose();
   }
 
-  private drawLevels({ placement, levels = 1, textureWidth }: CookieSlot): void {
+  private drawLevels({ placement, levels = 1, textureWidth }: CookieSlot, isCube: boolean): void {
     const { uniforms, drawer } = this;
     const { faceWidth, faceHeight, region } = placement;
     const first = Math.max(0, Math.log2(textureWidth / faceWidth));
+    const [across, up] = isCube ? [3, 2] : [1, 1];
     for (let level = 0; level < levels; level++) {
-      const width = Math.max(1, faceWidth >> level);
-      const height = Math.max(1, faceHeight >> level);
-      const x = region!.x + (level === 0 ? 0 : faceWidth + 2 * LEVEL_BORDER);
-      const y = region!.y + levelBottom(faceHeight, level);
-      uniforms.farol_cookieRegion.value.set(x + LEVEL_BORDER, y + LEVEL_BORDER, width, height);
+      const x = region!.x + levelLeft(faceWidth, level, across);
+      const y = region!.y + levelBottom(faceHeight, level, up);
+      const width = levelSpan(faceWidth, level);
+      const height = levelSpan(faceHeight, level);
+      const border = 2 * LEVEL_BORDER;
+      uniforms.farol_cookieRegion.value.set(x + LEVEL_BORDER, y + LEVEL_BORDER, width - border, height - border);
       uniforms.farol_cookieLevel.value = first + level;
-      drawer.drawPart(this.images, x, y, width + 2 * LEVEL_BORDER, height + 2 * LEVEL_BORDER);
+      drawer.drawPart(isCube ? this.cubes : this.images, x, y, across * width, up * height);
     }
   }
 
-  private drawWhole({ texture, isCube, placement }: CookieSlot): void {
-    const { uniforms, drawer } = this;
-    const { region, faceWidth } = placement;
-    const { x, y, width, height } = region!;
-    uniforms.farol_cookieRegion.value.set(
-      x,
-      y,
-      isCube ? faceWidth : width,
-      isCube ? faceWidth + 2 * COOKIE_BORDER : height,
-    );
-    // three keeps cube textures mirrored, all but those of render targets
-    uniforms.farol_cookieFlip.value = (texture as CubeTexture).isRenderTargetTexture ? 1 : -1;
-    drawer.drawPart(isCube ? this.cubes : this.profiles, x, y, width, height);
+  private drawProfile({ placement }: CookieSlot): void {
+    const { x, y, width, height } = placement.region!;
+    this.uniforms.farol_cookieRegion.value.set(x, y, width, height);
+    this.drawer.drawPart(this.profiles, x, y, width, height);
   }
 
   private make(program: string, defines: Record<string, string>): FullscreenPass {

@@ -1,5 +1,5 @@
-// Samples the images that spot lights throw: the textures of the first few lights themselves, copies of the others in
-// the atlas of colours, as GPUs sample textures.
+// Samples the images that lights throw: the textures of the first few spot lights themselves, copies of the others, and
+// of the cubes of point lights, in the atlas of colours, as GPUs sample textures.
 // OpenGL ES 3.0, 3.8.9 and 3.8.10 (levels); EXT_texture_filter_anisotropic (samples along the longer side of a pixel)
 #include "imageSamplers"
 #include "maskFeatures"
@@ -8,39 +8,47 @@
 uniform highp sampler2D farol_lightAtlas; // cookies: linear colours; VSM: mean and standard deviation of depths
 uniform highp vec2 farol_atlasTexel; // 1 / side (texels): x of the shadow atlas, y of the colour atlas
 
-// normal (view space) of the surface's plane in this pixel; 0: unknown, the shading normal is taken. Set before the
-// loop over lights, where derivatives are undefined
+// normal (view space) of the surface's plane in this pixel; 0: not known. By derivatives before the loop over lights,
+// where they are undefined, or by the first light's farol_planeNormal
 vec3 farol_planeVS = vec3(0.0);
 #ifdef FAROL_LIGHT_COOKIES
 #define FAROL_SET_PLANE(positionVS) farol_planeVS = cross(dFdx(positionVS), dFdy(positionVS));
 
-// colour of an image in one mipmap level; region: by farol_maskCookie; layout of levels: atlas/mipmapBlock.ts
-vec3 farol_imageLevel(const in vec4 region, const in vec2 uv, const in int level, const in bool nearest) {
-  ivec2 base = ivec2(region.zw);
+// Copy of an image, or a face of the copy of a cube.
+struct FarolImage {
+  vec4 region; // by farol_maskCookie
+  ivec2 faces; // number of faces across and up: 1 and 1, of a cube 3 and 2
+  ivec2 face; // place of the face among them
+};
+
+// colour of an image in one mipmap level; layout of levels: atlas/mipmapBlock.ts
+vec3 farol_imageLevel(const in FarolImage image, const in vec2 uv, const in int level, const in bool nearest) {
+  ivec2 base = ivec2(image.region.zw);
   ivec2 size = max(base >> level, 1);
-  ivec2 corner = ivec2(region.xy);
-  if (level > 0) corner.x += base.x + 2;
-  for (int i = 1; i < level; i++) corner.y += max(base.y >> i, 1) + 2;
+  ivec2 corner = ivec2(image.region.xy) + 1 + image.face * (size + 2);
+  if (level > 0) corner.y += image.faces.y * (base.y + 2);
+  if (level > 1) corner.x += image.faces.x * (max(base.x >> 1, 1) + 2);
+  for (int i = 2; i < level; i++) corner.y += image.faces.y * (max(base.y >> i, 1) + 2);
   vec2 texel = uv * vec2(size);
   if (nearest) texel = clamp(floor(texel), vec2(0.0), vec2(size - 1)) + 0.5;
   return textureLod(farol_lightAtlas, (vec2(corner) + texel) * farol_atlasTexel.y, 0.0).rgb;
 }
 
 // colour of an image; level: mipmap level by a texture's derivatives; filtering: see slots/imageFilter.ts
-vec3 farol_imageAt(const in vec4 region, const in vec2 uv, const in float level, const in int filtering) {
+vec3 farol_imageAt(const in FarolImage image, const in vec2 uv, const in float level, const in int filtering) {
   bool minifiesNearest = (filtering & 2) != 0;
   float magnified = (filtering & 15) == 6 || (filtering & 15) == 10 ? 0.5 : 0.0;
-  if (level <= magnified) return farol_imageLevel(region, uv, 0, (filtering & 1) != 0);
+  if (level <= magnified) return farol_imageLevel(image, uv, 0, (filtering & 1) != 0);
   int last = filtering >> 4 & 15;
   if ((filtering & 8) == 0) {
     int nearestLevel = (filtering & 4) == 0 ? 0 : min(int(ceil(level + 0.5)) - 1, last);
-    return farol_imageLevel(region, uv, nearestLevel, minifiesNearest);
+    return farol_imageLevel(image, uv, nearestLevel, minifiesNearest);
   }
   float between = min(level, float(last));
   int lower = int(between);
-  vec3 color = farol_imageLevel(region, uv, lower, minifiesNearest);
+  vec3 color = farol_imageLevel(image, uv, lower, minifiesNearest);
   if (lower == last) return color;
-  return mix(color, farol_imageLevel(region, uv, lower + 1, minifiesNearest), between - float(lower));
+  return mix(color, farol_imageLevel(image, uv, lower + 1, minifiesNearest), between - float(lower));
 }
 
 // Places in a light's map (0..1) of three pixels of a quad, of which GPUs take one level for all four: the first, that
@@ -65,29 +73,51 @@ vec2 farol_placeBeside(const in mat4 matrix, const in vec4 coord, const in vec2 
   return moved.xy / moved.w;
 }
 
-// G-buffer: change of position to the next pixel, by the neighbour that is nearer in depth
-vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS) {
+// how far (m) a depth lies from the line through the depths of the next pixel and of the one after it
+float farol_bendAt(const in float z, const in float next, const in float second, const in bool isPerspective) {
+  return abs(z - (isPerspective ? next * second / (2.0 * second - next) : 2.0 * next - second));
+}
+
+// G-buffer: change of position to the next pixel, on the side where two pixels lie in line with the surface's: its own
+// triangle's. By the neighbour nearer in depth if they do so on neither side; bend is then above the limit (both m)
+vec3 farol_changeAlong(const in ivec2 along, const in vec3 positionVS, const in bool isPerspective,
+  const in float limit, inout float bend) {
   ivec2 last = ivec2(farol_readSize) - 1;
-  vec3 next = FAROL_POSITION_AT(min(farol_readPixel + along, last)) - positionVS;
-  vec3 before = positionVS - FAROL_POSITION_AT(max(farol_readPixel - along, 0));
+  vec3 next = FAROL_POSITION_AT(min(farol_readPixel + along, last));
+  vec3 before = FAROL_POSITION_AT(max(farol_readPixel - along, 0));
+  float second = FAROL_POSITION_AT(min(farol_readPixel + 2 * along, last)).z;
+  float secondBefore = FAROL_POSITION_AT(max(farol_readPixel - 2 * along, 0)).z;
   bool isFirst = any(lessThan(farol_readPixel - along, ivec2(0)));
   bool isLast = any(greaterThan(farol_readPixel + along, last));
-  return isFirst || (!isLast && abs(next.z) < abs(before.z)) ? next : before;
+  float bendAfter = isLast ? 1e9 : farol_bendAt(positionVS.z, next.z, second, isPerspective);
+  float bendBefore = isFirst ? 1e9 : farol_bendAt(positionVS.z, before.z, secondBefore, isPerspective);
+  float least = min(bendAfter, bendBefore);
+  bend = max(bend, least);
+  bool isNext = least < limit ? bendAfter < bendBefore : abs(next.z - positionVS.z) < abs(before.z - positionVS.z);
+  return isFirst || (!isLast && isNext) ? next - positionVS : positionVS - before;
 }
 
-// normal of the plane in which a surface lies in its pixel
-vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS) {
-  vec3 planeVS = farol_planeVS;
-  if (farol_readSize.x > 0.0)
-    planeVS = cross(farol_changeAlong(ivec2(1, 0), positionVS), farol_changeAlong(ivec2(0, 1), positionVS));
-  float size = length(planeVS);
-  return size > 0.0 ? planeVS / size : normalVS;
+// normal of the plane in which a surface lies in its pixel; of a G-buffer's surface: by the pixels beside it. Triangles
+// of a pixel or two have no such pixels: there by the surface's normal, unless it is bent by more than 10 degrees
+vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const in vec2 pixelSpan) {
+  if (farol_readSize.x > 0.0 && farol_planeVS == vec3(0.0)) {
+    bool isPerspective = pixelSpan.x > 0.0;
+    float limit = 0.05 * abs(pixelSpan.x) * (isPerspective ? -positionVS.z : 1.0);
+    float bend = 0.0;
+    vec3 right = farol_changeAlong(ivec2(1, 0), positionVS, isPerspective, limit, bend);
+    vec3 up = farol_changeAlong(ivec2(0, 1), positionVS, isPerspective, limit, bend);
+    farol_planeVS = normalize(cross(right, up));
+    if (bend > limit && dot(farol_planeVS, normalVS) > 0.985) farol_planeVS = normalVS;
+  }
+  float size = length(farol_planeVS);
+  return size > 0.0 ? farol_planeVS / size : normalVS;
 }
 
-FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
-  vec3 planeVS = farol_planeNormal(positionVS, normalVS);
+// matrix: from view space to the map
+FarolQuad farol_quadOf(const in int record, const in mat4 matrix, const in vec4 coord, const in vec3 positionVS,
+  const in vec3 normalVS) {
   vec2 span = farol_maskPixelSpan(record);
-  mat4 matrix = farol_maskMatrix(record);
+  vec3 planeVS = farol_planeNormal(positionVS, normalVS, span);
 #ifdef FAROL_PER_VERTEX
   vec2 first = vec2(0.0);
 #else
@@ -98,36 +128,68 @@ FarolQuad farol_quadOf(const in int record, const in vec4 coord, const in vec3 p
     farol_placeBeside(matrix, coord, first + vec2(0.0, 1.0), span, positionVS, planeVS));
 }
 
-// colour of a light's image at a surface; coord: place in the map (homogeneous, 0..1); white beside the image
-vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
-  vec4 region = farol_maskCookie(record);
-  vec3 across = coord.xyz / coord.w;
-  if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
+// colour of an image's copy, filtered over a pixel; coord: place in the image (homogeneous, 0..1)
+vec3 farol_imageCopy(const in int record, const in FarolImage image, const in mat4 matrix, const in vec4 coord,
+  const in vec3 positionVS, const in vec3 normalVS) {
   int filtering = farol_maskCookieFilter(record);
-  if (filtering < 0) {
-    FarolQuad corners = farol_quadOf(record, coord, positionVS, normalVS);
-    return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
-  }
-  region.xy += 1.0;
+  vec2 place = coord.xy / coord.w;
   // filter codes that do not differ between magnified and minified images
   if ((filtering & 255) == 0 || (filtering & 255) == 3)
-    return farol_imageLevel(region, across.xy, 0, (filtering & 1) != 0);
-  FarolQuad quad = farol_quadOf(record, coord, positionVS, normalVS);
+    return farol_imageLevel(image, place, 0, (filtering & 1) != 0);
+  FarolQuad quad = farol_quadOf(record, matrix, coord, positionVS, normalVS);
   vec2 right = quad.beside - quad.first;
   vec2 up = quad.above - quad.first;
-  vec2 texels = vec2(length(right * region.zw), length(up * region.zw));
+  vec2 size = image.region.zw;
+  vec2 texels = vec2(length(right * size), length(up * size));
   float longer = max(texels.x, texels.y);
   int most = filtering >> 8;
-  if (most < 2) return farol_imageAt(region, across.xy, log2(longer), filtering);
+  if (most < 2) return farol_imageAt(image, place, log2(longer), filtering);
   vec2 along = texels.x > texels.y ? right : up;
-  float area = abs(right.x * up.y - right.y * up.x) * region.z * region.w;
+  float area = abs(right.x * up.y - right.y * up.x) * size.x * size.y;
   float ratio = clamp(longer * longer / max(area, 1e-9), 1.0, float(most));
   int samples = int(ratio + 0.5);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < samples; i++) {
-    vec2 uv = across.xy + along * ((float(i) + 0.5) / float(samples) - 0.5);
-    sum += farol_imageAt(region, clamp(uv, 0.0, 1.0), log2(longer / ratio), filtering);
+    vec2 uv = place + along * ((float(i) + 0.5) / float(samples) - 0.5);
+    sum += farol_imageAt(image, clamp(uv, 0.0, 1.0), log2(longer / ratio), filtering);
   }
   return sum / float(samples);
+}
+
+// colour of a spot light's image at a surface; coord: place in the map (homogeneous, 0..1); white beside the image
+vec3 farol_imageOn(const in int record, const in vec4 coord, const in vec3 positionVS, const in vec3 normalVS) {
+  vec3 across = coord.xyz / coord.w;
+  if (any(greaterThanEqual(abs(across * 2.0 - 1.0), vec3(1.0)))) return vec3(1.0);
+  int filtering = farol_maskCookieFilter(record);
+  mat4 matrix = farol_maskMatrix(record);
+  if (filtering < 0) {
+    FarolQuad corners = farol_quadOf(record, matrix, coord, positionVS, normalVS);
+    return farol_imageTexel(-filtering - 1, across.xy, corners.beside - corners.first, corners.above - corners.first);
+  }
+  return farol_imageCopy(record, FarolImage(farol_maskCookie(record), ivec2(1), ivec2(0)), matrix, coord, positionVS,
+    normalVS);
+}
+
+// colour of a point light's cube; fromLight: to the surface (world axes); axes: from view space to world axes
+vec3 farol_cubeImageOn(const in int record, const in vec3 fromLight, const in mat3 axes, const in vec3 positionVS,
+  const in vec3 normalVS) {
+  vec3 size = abs(fromLight);
+  vec3 side = vec3(fromLight.x < 0.0 ? -1.0 : 1.0, fromLight.y < 0.0 ? -1.0 : 1.0, fromLight.z < 0.0 ? -1.0 : 1.0);
+  // axes of the face that is met, as farol_cubeFace in lightShadow has them: right, up, away
+  mat3 face = mat3(-side.z, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, side.z);
+  float index = 4.5 - 0.5 * side.z;
+  if (size.x >= size.y && size.x >= size.z) {
+    face = mat3(0.0, 0.0, side.x, 0.0, 1.0, 0.0, side.x, 0.0, 0.0);
+    index = 0.5 - 0.5 * side.x;
+  } else if (size.y >= size.z) {
+    face = mat3(side.y, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, side.y, 0.0);
+    index = 2.5 - 0.5 * side.y;
+  }
+  vec3 away = face[2];
+  mat4 matrix = transpose(mat4(vec4(0.5 * (face[0] + away), 0.0), vec4(0.5 * (face[1] + away), 0.0), vec4(0.0),
+    vec4(away, 0.0)));
+  int cell = int(index);
+  return farol_imageCopy(record, FarolImage(farol_maskCookie(record), ivec2(3, 2), ivec2(cell % 3, cell / 3)),
+    matrix * mat4(axes), matrix * vec4(fromLight, 0.0), positionVS, normalVS);
 }
 #endif

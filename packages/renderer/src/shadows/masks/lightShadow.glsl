@@ -346,8 +346,7 @@ float farol_lightLit(const in int record, const in vec3 positionVS, const in vec
 vec3 farol_cookieAt(const in int record, const in vec4 coord, const in int shape, const in vec3 positionVS,
   const in vec3 normalVS) {
   if (shape == FAROL_COOKIE_MAP) return farol_imageOn(record, coord, positionVS, normalVS);
-  vec2 texel = farol_cubeTexel(farol_maskCookie(record).xyz, 1.0, farol_cubeFace(coord.xyz), false);
-  return textureLod(farol_lightAtlas, texel * farol_atlasTexel.y, 0.0).rgb;
+  return farol_cubeImageOn(record, coord.xyz, farol_worldAxes, positionVS, normalVS);
 }
 #endif
 

@@ -49,7 +49,7 @@ export const maskRecord = {
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
-  /** Size of the map and sampling of its cookie; not for a cube, but for `cookieFilter`. */
+  /** Size of the map, not for a cube; sampling of its cookie. */
   extent: {
     /** Texels up the map, and number of its cascades. */
     heightAndCascades: 'xy',
@@ -60,7 +60,7 @@ export const maskRecord = {
   },
   /** Region of the photometric profile: corner, size (texels). */
   profile: {},
-  /** Region of the cookie: corner, size of its first level without borders (texels); of a cube: corner, side of a face. With three cascades: fit of the third. */
+  /** Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three cascades: fit of the third. */
   cookie: {},
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */

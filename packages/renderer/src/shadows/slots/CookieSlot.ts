@@ -1,14 +1,12 @@
 import type { CubeTexture, Texture } from 'three';
 import { AtlasMap } from '../atlas/AtlasMap';
 import { AtlasPlacement } from '../atlas/AtlasPlacement';
+import { LEVEL_BORDER } from '../atlas/mipmapBlock';
 import type { AtlasTenant } from '../atlas/TextureAtlas';
 import { imageFilter, imageLevels } from './imageFilter';
 
 /** Greatest side of a cookie in the atlas (texels); larger textures are copied smaller. */
 const LARGEST = 1024;
-
-/** Width of the border round each face of a cube (texels); farol_cookieAt in lightShadow.glsl repeats the number. */
-export const COOKIE_BORDER = 1;
 
 type Sized = { width?: number; height?: number; videoWidth?: number; videoHeight?: number };
 
@@ -25,9 +23,9 @@ export class CookieSlot implements AtlasTenant {
   readonly map = new AtlasMap();
   wantedWidth = 1;
   wantedHeight = 1;
-  /** Number of mipmap levels in the atlas, for a cookie that is no cube. */
+  /** Number of mipmap levels in the atlas; undefined for a profile. */
   levels: number | undefined = undefined;
-  /** Filtering of the texture, see `imageFilter`; 0 for a cube or a profile. */
+  /** Filtering of the texture, see `imageFilter`; 0 for a profile. */
   filter = 0;
   /** Index of the sampler for the texture itself; -1 when shaders sample the copy. Written by `ImageSamplers`. */
   sampler = -1;
@@ -62,7 +60,7 @@ export class CookieSlot implements AtlasTenant {
     // after the last row of a profile the first comes again, at 360°
     const rows = this.isProfile && height > 1 ? height + 1 : height;
     this.wantedHeight = this.isCube ? this.wantedWidth : Math.min(LARGEST, Math.max(1, rows));
-    if (!this.isCube && !this.isProfile) this.followFilter(Math.max(1, width), Math.max(1, height), mostAnisotropy);
+    if (!this.isProfile) this.followFilter(Math.max(1, width), Math.max(1, height), mostAnisotropy);
     const isLive = (texture as Texture & { isVideoTexture?: boolean }).isVideoTexture || texture.isRenderTargetTexture;
     if (isLive || this.version !== texture.version) this.map.change();
     this.version = texture.version;
@@ -81,6 +79,6 @@ export class CookieSlot implements AtlasTenant {
   }
 
   borderOf(): number {
-    return COOKIE_BORDER;
+    return LEVEL_BORDER;
   }
 }

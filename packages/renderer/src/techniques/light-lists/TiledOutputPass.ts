@@ -23,6 +23,10 @@ export class TiledOutputPass extends OutputPass<TiledUniforms> {
     const lists = frame.resources.get('light-lists');
     if (lists === this.lists) return;
     this.lists = lists;
-    this.recompose({ fragment: [lists.loop, 'tiledOutput'], defines: { ...lists.defines, FAROL_ONE_TURN: '' } });
+    // gbufferRead comes first: the loop's lightImage expands FAROL_POSITION_AT, which gbufferRead defines
+    this.recompose({
+      fragment: ['gbufferRead', lists.loop, 'tiledOutput'],
+      defines: { ...lists.defines, FAROL_ONE_TURN: '' },
+    });
   }
 }

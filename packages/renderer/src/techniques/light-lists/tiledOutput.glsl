@@ -27,8 +27,6 @@ if (farol_view == 2) {
 #ifdef FAROL_HAS_MASKS
   farol_turn = farol_diskTurn();
 #endif
-  // images go by the surface's normal here: depths of pixels beside it, read in this pass, are wrong on an H100 (26 dB)
-  farol_readSize = vec2(0.0);
   farol_addAll(shading);
   vec3 radiance = farol_endShading(shading, pixel);
   if (farol_view == 0) radiance += farol_gAccumulationAt(pixel).rgb;
