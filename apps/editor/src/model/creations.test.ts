@@ -20,7 +20,11 @@ test('the Add menu has the objects that component classes name, and not those of
 });
 
 test('a wall and a room are drawn', async () => {
-  for (const { group, make } of creations(new Scene()))
-    if (group === 'building')
-      expect((await make()).components.map(({ typeName }) => typeName)).toContain('ObjectRenderer');
+  const buildings = creations(new Scene()).filter(({ group }) => group === 'building');
+  const made = await Promise.all(buildings.map(({ make }) => make()));
+  const types = made.map(({ components }) => components.map(({ typeName }) => typeName));
+  expect(types).toEqual([
+    ['Transform', 'Wall', 'ObjectRenderer'],
+    ['Transform', 'Room', 'ObjectRenderer'],
+  ]);
 });
