@@ -9,14 +9,13 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 39,
-  lines: 156_735,
+  lines: 156_461,
 };
 
 /** Files that may have more than {@link MOST_LINES} lines, to become none. */
 export const longFiles = [
   'apps/editor/src/model/timeline/Timeline.ts',
   'apps/editor/src/panels/timeline/TimelinePointer.ts',
-  'apps/editor/src/viewport/Viewport.ts',
 ];
 
 /** First words by which a docblock hides its noun. */

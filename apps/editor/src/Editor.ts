@@ -3,8 +3,7 @@ import { type AssetLibrary, audioOutput, builtinComponents, ComponentRegistry, t
 import { FileError, type ForeignAddress, sizesText, type UnpackQuestion } from '@farol/engine/files';
 import { type SceneParameters, scenes } from '@farol/scenes';
 import { MathUtils } from 'three';
-import { actions } from './actions';
-import { allActions } from './actions/allActions';
+import { actions, allActions } from './actions';
 import type { EditorPlugin } from './api/EditorPlugin';
 import type { CustomFieldEditor, DraftKeeper, EditorApi, OpenFile } from './api/EditorApi';
 import type { Action } from './api/Action';

@@ -8,7 +8,7 @@ import { expect, test } from 'vitest';
 import { sourceFiles } from '@farol/tools/sourceFiles';
 import { propertyTexts, tableOf, textsOf } from '@farol/tools/texts';
 import { actions } from './actions';
-import { englishViewLabel } from './actions/pictureActions';
+import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
 import { firstLanguage } from './language/languages';

@@ -23,6 +23,7 @@ export { Scene, type SceneOptions } from './core/Scene';
 export type { CameraComponent } from './core/CameraComponent';
 export type { ComponentClass } from './core/ComponentClass';
 export type { AddComponentOptions } from './core/GameObject';
+export type { NewObject } from './core/NewObject';
 export type { SceneChange } from './core/SceneChange';
 export type { SceneSystem, SceneSystemClass } from './core/SceneSystem';
 export type { CostlyEvents, ObjectPointerEvent } from './core/events';

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { EditorApi } from '../api/EditorApi';
-import { actions } from './index';
+import { actions } from '.';
 
 it('gives each action an id and keys of its own', () => {
   const ids = actions.map(({ id }) => id);

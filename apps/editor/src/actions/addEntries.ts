@@ -35,7 +35,7 @@ export async function addCreation(
   commands.run(addObject(scene, object, parent ?? scene, selection.ids));
 }
 
-const iconOf = (kind: string): IconName => (kind in iconPaths ? (kind as IconName) : 'object');
+const iconOf = (name: string): IconName => (name in iconPaths ? (name as IconName) : 'object');
 
 /**
  * Entries of the Add menu.
@@ -49,7 +49,7 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
       .filter((creation) => creation.group === group && creation.folder === folder)
       .map((creation) => ({
         label: creation.label,
-        icon: iconOf(creation.kind),
+        icon: iconOf(creation.icon),
         run: () => editor.attempt(() => addCreation(editor, creation, parent, at)),
       }));
   const meshFolders = all.filter(({ group }) => group === 'mesh').flatMap(({ folder }) => folder ?? []);
@@ -58,8 +58,6 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
   const meshes = entries('mesh');
   return [
     ...entries('object'),
-    ...entries('camera'),
-    ...entries('sound'),
     'separator',
     ...entries('building'),
     { label: t('Mesh'), icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },

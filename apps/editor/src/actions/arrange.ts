@@ -11,7 +11,6 @@ export const drop: Action = {
   id: 'object.drop',
   label: 'Drop to ground',
   keys: ['End'],
-  menu: { menu: 'object', group: 'align' },
   async run({ document, commands }) {
     const { dropToGround } = await import('../viewport/placing/alignObjects');
     const { scene, selectedObjects } = document;
@@ -36,7 +35,6 @@ const alignments: readonly [Axis, AlignSide, string][] = [
 export const align: readonly Action[] = alignments.map(([axis, side, label]) => ({
   id: `object.align-${axis}-${side}`,
   label,
-  menu: { menu: 'object', group: 'align', submenu: 'Align' },
   async run({ document, commands }) {
     const { alignObjects } = await import('../viewport/placing/alignObjects');
     const { scene, selectedObjects } = document;
@@ -58,7 +56,6 @@ const distributions: readonly [Axis, 'gaps' | 'centres', string][] = [
 export const distribute: readonly Action[] = distributions.map(([axis, by, label]) => ({
   id: `object.distribute-${axis}-${by}`,
   label,
-  menu: { menu: 'object', group: 'align', submenu: 'Distribute' },
   async run({ document, commands }) {
     const { distributeObjects } = await import('../viewport/placing/alignObjects');
     const { scene, selectedObjects } = document;

@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { save } from './save';
+import { save } from './file';
 import type { EditorApi } from '../api/EditorApi';
 
 /**

@@ -56,7 +56,6 @@ export const showViews: readonly Action[] = places.map((place) => ({
     return view ? nameOfView(place, view) : t('View {place}: none is kept', { place });
   },
   keys: [String(place)],
-  menu: { menu: 'view', group: 'bookmarks', submenu: 'Kept views' },
   run: (editor) => showView(editor, place),
   enabled: ({ document }) => document.scene.views.get(place) !== null,
 }));
@@ -66,7 +65,6 @@ export const keepViews: readonly Action[] = places.map((place) => ({
   id: `view.keep.${place}`,
   label: () => t('Keep this view as {place}', { place }),
   keys: [`Ctrl+${place}`],
-  menu: { menu: 'view', group: 'bookmarks', submenu: 'Keep this view' },
   run: (editor) => keepView(editor, place),
 }));
 

@@ -16,7 +16,6 @@ export const alignCameraToView: Action = {
   label: 'Align camera to view',
   keys: ['Ctrl+Shift+F'],
   icon: 'camera',
-  menu: { menu: 'view', group: 'camera' },
   async run(editor) {
     const camera = cameraOf(editor)!;
     const { lookThrough, viewed } = editor.viewport;
@@ -31,7 +30,6 @@ export const alignViewToCamera: Action = {
   id: 'camera.alignView',
   label: 'Align view to camera',
   keys: ['Ctrl+Alt+F'],
-  menu: { menu: 'view', group: 'camera' },
   run: (editor) => editor.viewport.alignTo(cameraOf(editor)!),
   enabled: hasCamera,
 };
@@ -40,7 +38,6 @@ export const createCameraFromView: Action = {
   id: 'camera.fromView',
   label: 'Create camera from view',
   icon: 'camera',
-  menu: { menu: 'view', group: 'camera' },
   async run({ commands, document, viewport }) {
     const { addCameraAt } = await import('../model/cameraEdits');
     commands.run(addCameraAt(document.scene, t('Camera'), viewport.viewed, document.selection.ids));
@@ -53,7 +50,6 @@ export const lookThroughCamera: Action = {
   label: 'Look through the camera',
   keys: ['Numpad0'],
   icon: 'eye',
-  menu: { menu: 'view', group: 'camera' },
   run(editor) {
     const { viewport } = editor;
     viewport.lookThrough = viewport.lookThrough === null ? cameraOf(editor) : null;

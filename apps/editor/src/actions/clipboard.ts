@@ -69,7 +69,6 @@ export const copy: Action = {
   label: 'Copy',
   keys: ['Ctrl+C'],
   icon: 'copy',
-  menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) => copySelection(editor),
   enabled: hasSelection,
 };
@@ -79,7 +78,6 @@ export const cut: Action = {
   label: 'Cut',
   keys: ['Ctrl+X'],
   icon: 'cut',
-  menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) =>
     copySelection(editor, (objects) => editor.commands.run(deleteObjects(editor.document.scene, objects))),
   enabled: hasSelection,
@@ -91,7 +89,6 @@ export const paste: Action = {
   label: 'Paste',
   keys: ['Ctrl+V'],
   icon: 'paste',
-  menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) =>
     pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1)?.parent ?? scene })),
   enabled: ({ clipboard }) => clipboard.hasObjects,
@@ -114,7 +111,6 @@ export const pasteBelow: Action = {
   label: 'Paste below the selected object',
   keys: ['Ctrl+Shift+V'],
   icon: 'paste',
-  menu: { menu: 'edit', group: 'clipboard' },
   run: (editor) => pasteClip(editor, ({ scene, selectedObjects }) => ({ parent: selectedObjects.at(-1) ?? scene })),
   enabled: (editor) => editor.clipboard.hasObjects && hasSelection(editor),
 };

@@ -1,7 +1,7 @@
 import type { EditorApi } from '../api/EditorApi';
 import type { Action } from '../api/Action';
 import { isComposing } from '@farol/editing';
-import { allActions } from './allActions';
+import { allActions } from '.';
 import { matchKey } from './matchKey';
 
 /** Kind of the focused element. Menus and lists count as text: letters choose the entries that begin with them. */

@@ -1,142 +1,151 @@
-import { keepViews, showViews } from './bookmarks';
+import type { Action, MenuPlace } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
 import { align, distribute, drop } from './arrange';
+import { keepViews, showViews } from './bookmarks';
 import { cameraActions } from './cameras';
 import { copy, cut, paste, pasteBelow } from './clipboard';
-import type { Action } from '../api/Action';
-import { bakeLight, toggleStatic } from './bake';
-import { duplicate } from './duplicate';
-import { duplicateMany } from './duplicateMany';
-import { focus } from './focus';
-import { gizmoModes } from './gizmoModes';
-import { gizmoSpace } from './gizmoSpace';
-import { group, ungroup } from './group';
-import { about, guides } from './guides';
-import { hide } from './hide';
-import { chooseLanguage } from './language';
-import { lock } from './lock';
-import { measureDistance } from './measureDistance';
-import { newScene, openExamples } from './newScene';
-import { open } from './open';
-import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
-import { makeMaterial, newMaterial, newScript, unpackModel } from './materials';
-import { physicsActions } from './physics';
-import { makePrefab, unpackPrefab } from './prefabs';
-import { recover } from './recover';
-import { toggleOrthographic, turns } from './projection';
-import { nextView, quadView, resetViews } from './quadView';
-import { redo } from './redo';
-import { remove } from './remove';
-import { rename } from './rename';
-import { save, saveAs } from './save';
-import { exportScene, measure } from './share';
-import { newSurfaces } from './surfaces';
-import { deselect, selectAll } from './selectAll';
-import { shadings, showShadings } from './shadings';
-import { showKeys } from './showKeys';
-import { showPalette } from './showPalette';
-import { goToMenuBar, maximiseViewport, nextPanel, previousPanel, resetPanels } from './showPanels';
-import { lookFrom } from './sides';
-import { snap } from './snap';
-import { alignToSurface, gizmoPivots, snapTargets } from './snapping';
-import { themes } from './themes';
-import { addKeys, record } from './timeline';
-import { undo } from './undo';
-import { startTour, welcome } from './welcome';
 import {
   continuous,
+  measureDistance,
+  nextView,
+  quadView,
+  resetViews,
+  shadings,
   showColliders,
   showGrid,
   showIcons,
   showPictureEffects,
   showRanges,
+  showShadings,
   showStatistics,
-} from './viewportToggles';
-
-/** All built-in actions. A new action is a file and a line here. */
-export const actions: readonly Action[] = [
-  welcome,
-  newScene,
-  ...openExamples,
-  open,
-  save,
-  saveAs,
+  techniqueActions,
+  viewActions,
+} from './display';
+import { deselect, duplicate, redo, remove, selectAll, undo } from './edit';
+import {
   exportScene,
   measure,
+  newScene,
+  open,
+  openExamples,
+  recentActions,
   recover,
-  undo,
-  redo,
-  cut,
-  copy,
-  paste,
-  pasteBelow,
-  duplicate,
+  save,
+  saveAs,
+  welcome,
+} from './file';
+import { alignToSurface, gizmoModes, gizmoPivots, gizmoSpace, snap, snapTargets } from './handles';
+import { about, chooseLanguage, guides, showKeys, showPalette, startTour } from './help';
+import { makeMaterial, newMaterial, newScript, newSurfaces, unpackModel } from './materials';
+import {
+  bakeLight,
   duplicateMany,
-  drop,
-  ...align,
-  ...distribute,
-  measureDistance,
   group,
-  ungroup,
-  remove,
-  rename,
   hide,
   lock,
-  toggleStatic,
-  selectAll,
-  deselect,
   makePrefab,
+  physicsActions,
+  rename,
+  toggleStatic,
+  ungroup,
   unpackPrefab,
-  newMaterial,
-  makeMaterial,
-  ...newSurfaces,
-  unpackModel,
-  newScript,
-  ...physicsActions,
-  bakeLight,
-  ...gizmoModes,
-  gizmoSpace,
-  snap,
-  ...snapTargets,
-  alignToSurface,
-  ...gizmoPivots,
-  focus,
-  showGrid,
-  showPictureEffects,
-  showIcons,
-  showRanges,
-  showColliders,
-  continuous,
-  showStatistics,
-  ...lookFrom,
-  toggleOrthographic,
-  ...turns,
-  ...cameraActions,
-  ...showViews,
-  ...keepViews,
-  quadView,
-  nextView,
-  resetViews,
-  ...shadings,
-  showShadings,
-  play,
-  playFromCamera,
-  playFromHere,
-  muteSound,
-  pause,
-  step,
-  stop,
-  record,
-  addKeys,
-  maximiseViewport,
-  resetPanels,
-  goToMenuBar,
-  nextPanel,
-  previousPanel,
-  ...themes,
-  showPalette,
-  showKeys,
-  startTour,
-  ...guides,
-  ...chooseLanguage,
-  about,
+} from './object';
+import { goToMenuBar, maximiseViewport, nextPanel, previousPanel, resetPanels, showPanels, themes } from './panels';
+import { focus, lookFrom, toggleOrthographic, turns } from './viewpoint';
+import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
+import { addKeys, record } from './timeline';
+
+/** Actions of a menu's groups, some of them in submenus. Separators are drawn between groups. */
+type MenuGroups = Readonly<
+  Record<string, readonly (Action | { readonly submenu: string; readonly actions: readonly Action[] })[]>
+>;
+
+/**
+ * The menu bar. Groups without actions are places of generated and of plugins' actions; groups that only plugins name come
+ * last.
+ */
+export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
+  file: {
+    new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
+    open: [open],
+    save: [save, saveAs],
+    share: [exportScene, measure],
+    recover: [recover],
+  },
+  edit: {
+    history: [undo, redo],
+    clipboard: [cut, copy, paste, pasteBelow, duplicate, remove],
+    select: [selectAll, deselect],
+    handles: [
+      { submenu: 'Handles', actions: [...gizmoModes, gizmoSpace, snap] },
+      { submenu: 'Snapping', actions: [...snapTargets, alignToSurface] },
+      { submenu: 'Pivot', actions: gizmoPivots },
+    ],
+    play: [play, playFromCamera, playFromHere, muteSound, pause, step, stop],
+    animation: [record, addKeys],
+    plugins: [],
+  },
+  object: {
+    name: [rename],
+    state: [hide, lock, toggleStatic],
+    tree: [group, ungroup],
+    duplicate: [duplicateMany],
+    align: [drop, { submenu: 'Align', actions: align }, { submenu: 'Distribute', actions: distribute }],
+    material: [newMaterial, makeMaterial, { submenu: 'New surface', actions: newSurfaces }, unpackModel, newScript],
+    physics: [{ submenu: 'Physics', actions: physicsActions }],
+    prefab: [makePrefab, unpackPrefab],
+    light: [bakeLight],
+  },
+  view: {
+    camera: [focus, ...cameraActions],
+    side: [
+      { submenu: 'Look from', actions: lookFrom },
+      toggleOrthographic,
+      { submenu: 'Turn the view', actions: turns },
+    ],
+    bookmarks: [
+      { submenu: 'Kept views', actions: showViews },
+      { submenu: 'Keep this view', actions: keepViews },
+    ],
+    views: [quadView, nextView, resetViews],
+    shading: [{ submenu: 'Shading', actions: [...shadings, showShadings] }],
+    picture: [],
+    show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
+    measure: [measureDistance],
+    figures: [continuous, showStatistics],
+    panels: [maximiseViewport, resetPanels],
+    window: [
+      { submenu: 'Go to', actions: [goToMenuBar, nextPanel, previousPanel] },
+      { submenu: 'Theme', actions: themes },
+    ],
+  },
+  help: {
+    keys: [showPalette, showKeys],
+    learn: [startTour, { submenu: 'Guides and examples', actions: guides }],
+    language: [{ submenu: 'Language', actions: chooseLanguage }],
+    about: [about],
+  },
+};
+
+const placed = (actions: readonly Action[], menu: MenuPlace): Action[] =>
+  actions.map((action) => ({ ...action, menu }));
+
+/** The built-in actions, each with its place in the menu bar. */
+export const actions: readonly Action[] = (Object.keys(menuBar) as MenuPlace['menu'][]).flatMap((menu) =>
+  Object.entries(menuBar[menu]).flatMap(([group, parts]) =>
+    parts.flatMap((part) =>
+      'submenu' in part
+        ? placed(part.actions, { menu, group, submenu: part.submenu })
+        : placed([part], { menu, group }),
+    ),
+  ),
+);
+
+/** The actions of the registry, and those generated for each recent file, technique, view and panel. */
+export const allActions = (editor: EditorApi): Action[] => [
+  ...editor.actions.list,
+  ...placed(recentActions(editor), { menu: 'file', group: 'open', submenu: 'Recent files' }),
+  ...placed(techniqueActions(editor), { menu: 'view', group: 'picture', submenu: 'Technique' }),
+  ...placed(viewActions, { menu: 'view', group: 'picture', submenu: 'Show' }),
+  ...placed(showPanels(editor), { menu: 'view', group: 'panels', submenu: 'Panels' }),
 ];

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import { ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
+import type { BuiltinSurface, BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
 
 const renderersOf = ({ document }: EditorApi): ObjectRenderer[] =>
   document.selectedObjects.flatMap((object) => object.getComponent(ObjectRenderer) ?? []);
@@ -16,7 +17,6 @@ export const newMaterial: Action = {
   id: 'material.new',
   label: 'New material',
   icon: 'contrast',
-  menu: { menu: 'object', group: 'material' },
   async run(editor) {
     const { addMaterial } = await import('../model/assetEdits');
     const { document, commands } = editor;
@@ -32,7 +32,6 @@ export const makeMaterial: Action = {
   id: 'material.make',
   label: 'Make material asset',
   icon: 'contrast',
-  menu: { menu: 'object', group: 'material' },
   enabled: (editor) => renderersOf(editor).some(({ material, shader }) => material === null && shader === null),
   async run(editor) {
     const { addMaterial, valuesOfOwnMaterial } = await import('../model/assetEdits');
@@ -52,7 +51,6 @@ export const unpackModel: Action = {
   id: 'model.unpack',
   label: 'Unpack model',
   icon: 'tree',
-  menu: { menu: 'object', group: 'material' },
   enabled: (editor) => modelsOf(editor).length > 0,
   async run(editor) {
     const { unpackModels, whatStaysLinked } = await import('../model/unpackModels');
@@ -73,9 +71,47 @@ export const newScript: Action = {
   id: 'script.new',
   label: 'New script',
   icon: 'code',
-  menu: { menu: 'object', group: 'material' },
   async run(editor) {
     const { newScript: make } = await import('../files/newScript');
     make(editor, t('Script'), editor.document.selectedObjects);
   },
 };
+
+/** An action that adds a surface to the library; the selected objects get it by a new material. */
+const newSurface = (id: BuiltinSurfaceName, label: string, nameOf: () => string): Action => ({
+  id: `surface.${id}`,
+  label,
+  icon: 'code',
+  async run(editor) {
+    const [{ builtinSurfaces }, { addSurface, surfaceWearers }] = await Promise.all([
+      import('../model/surfaces/builtinSurfaces'),
+      import('../model/surfaceEdits'),
+    ]);
+    const { document, commands } = editor;
+    const users = surfaceWearers(document.selectedObjects);
+    const { material, needsGrid }: BuiltinSurface = builtinSurfaces[id];
+    let { source }: BuiltinSurface = builtinSurfaces[id];
+    if (source === '') {
+      const { thesisSurface } = await import('../model/surfaces/thesisSurface');
+      source = await thesisSurface(id as 'directional' | 'point' | 'spot');
+    }
+    const made = addSurface(document.scene, nameOf(), source, material, users, needsGrid);
+    commands.run(made.command);
+    document.assetSelection.set([made.material ?? made.surface]);
+    editor.layout.open('inspector');
+  },
+});
+
+export const newSurfaces: readonly Action[] = [
+  newSurface('waves', 'Waves', () => t('Waves')),
+  newSurface('water', 'Water', () => t('Water')),
+  newSurface('snow', 'Snow', () => t('Snow')),
+  newSurface('moss', 'Moss', () => t('Moss')),
+  newSurface('dissolve', 'Dissolve', () => t('Dissolve')),
+  newSurface('rust', 'Rust', () => t('Rust')),
+  newSurface('hologram', 'Hologram', () => t('Hologram')),
+  newSurface('directional', 'Thesis: directional light', () => t('Directional light')),
+  newSurface('point', 'Thesis: point light', () => t('Point light')),
+  newSurface('spot', 'Thesis: spot light', () => t('Spot light')),
+  newSurface('plain', 'Tint', () => t('Tint')),
+];

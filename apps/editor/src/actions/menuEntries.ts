@@ -2,23 +2,11 @@ import { t } from '@farol/editing';
 import type { Action, MenuPlace } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { actionEntry, type MenuEntry } from '../api/MenuEntry';
-import { allActions } from './allActions';
+import { allActions, menuBar } from '.';
 
 export type MenuName = MenuPlace['menu'];
 
-/** Menus of the bar, each with its groups in order. Other groups come after these. */
-const menus: Readonly<Record<MenuName, readonly string[]>> = {
-  file: ['new', 'open', 'save', 'share', 'recover'],
-  edit: ['history', 'clipboard', 'select', 'snapping', 'handles', 'play', 'animation', 'plugins'],
-  object: ['name', 'state', 'tree', 'duplicate', 'align', 'material', 'physics', 'prefab'],
-  view: [
-    ...['camera', 'side', 'bookmarks', 'views', 'shading', 'picture'],
-    ...['show', 'measure', 'figures', 'panels', 'window'],
-  ],
-  help: ['keys', 'learn', 'language', 'about'],
-};
-
-export const menuNames = Object.keys(menus) as readonly MenuName[];
+export const menuNames = Object.keys(menuBar) as readonly MenuName[];
 
 export const menuLabel = (name: MenuName): string =>
   ({ file: t('File'), edit: t('Edit'), object: t('Object'), view: t('View'), help: t('Help') })[name];
@@ -50,7 +38,7 @@ export function menuEntries(editor: EditorApi, menu: MenuName): MenuEntry[] {
     })
     .filter(({ place }) => place.menu === menu);
   const groups = groupsBy(placed, ({ place }) => place.group);
-  const order = [...new Set([...menus[menu], ...groups.keys()])];
+  const order = [...new Set([...Object.keys(menuBar[menu]), ...groups.keys()])];
   const entries: MenuEntry[] = [];
   for (const name of order) {
     const group = groups.get(name);

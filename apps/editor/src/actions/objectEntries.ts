@@ -4,15 +4,9 @@ import { actionEntry, type MenuEntry } from '../api/MenuEntry';
 import type { Action } from '../api/Action';
 import { addEntries } from './addEntries';
 import { copy, cut, paste, pasteBelow } from './clipboard';
-import { duplicate } from './duplicate';
-import { duplicateMany } from './duplicateMany';
-import { focus } from './focus';
-import { group, ungroup } from './group';
-import { hide } from './hide';
-import { lock } from './lock';
-import { makePrefab, unpackPrefab } from './prefabs';
-import { remove } from './remove';
-import { rename } from './rename';
+import { duplicate, remove } from './edit';
+import { duplicateMany, group, hide, lock, makePrefab, rename, ungroup, unpackPrefab } from './object';
+import { focus } from './viewpoint';
 
 /** Context menu of the selected objects; null when nothing is selected. */
 export function objectEntries(editor: EditorApi): MenuEntry[] | null {

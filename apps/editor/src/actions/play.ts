@@ -14,7 +14,6 @@ export const play: Action = {
   keys: ['Ctrl+P'],
   inFields: true,
   icon: 'play',
-  menu: { menu: 'edit', group: 'play' },
   run({ document: { simulation } }) {
     if (simulation.isPlaying) simulation.stop();
     else simulation.play();
@@ -28,7 +27,6 @@ export const pause: Action = {
   keys: ['Ctrl+Shift+P'],
   inFields: true,
   icon: 'pause',
-  menu: { menu: 'edit', group: 'play' },
   run({ document: { simulation } }) {
     if (simulation.isPlaying) simulation.pause();
     else simulation.play();
@@ -43,7 +41,6 @@ export const step: Action = {
   keys: ['Ctrl+Alt+P'],
   inFields: true,
   icon: 'step',
-  menu: { menu: 'edit', group: 'play' },
   run: ({ document }) => document.simulation.step(),
 };
 
@@ -51,7 +48,6 @@ export const stop: Action = {
   id: 'play.stop',
   label: 'Stop, and put everything back',
   icon: 'stop',
-  menu: { menu: 'edit', group: 'play' },
   run: ({ document }) => document.simulation.stop(),
   enabled: ({ document }) => document.simulation.state !== 'stopped',
 };
@@ -63,7 +59,6 @@ export const playFromCamera: Action = {
   keys: ['Alt+P'],
   inFields: true,
   icon: 'camera',
-  menu: { menu: 'edit', group: 'play' },
   run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, false),
   enabled: canPlayThrough,
 };
@@ -75,7 +70,6 @@ export const playFromHere: Action = {
   keys: ['Alt+Shift+P'],
   inFields: true,
   icon: 'eye',
-  menu: { menu: 'edit', group: 'play' },
   run: (editor) => editor.viewport.playThrough(mainCamera(editor)!, true),
   enabled(editor) {
     const parent = mainCamera(editor)?.gameObject.parent;
@@ -88,7 +82,6 @@ export const muteSound: Action = {
   id: 'play.mute',
   label: 'Mute sound',
   icon: 'sound',
-  menu: { menu: 'edit', group: 'play' },
   run: ({ preferences }) => preferences.setState(({ isMuted }) => ({ isMuted: !isMuted })),
   checked: ({ preferences }) => preferences.getState().isMuted,
 };

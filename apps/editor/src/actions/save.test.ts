@@ -5,7 +5,7 @@ import { ConsoleLog } from '../model/ConsoleLog';
 import { type ConfirmDialog, Dialogs } from '../model/Dialogs';
 import { EditorDocument } from '../model/EditorDocument';
 import { Notices } from '../model/Notices';
-import { save } from './save';
+import { save } from './file';
 
 /** Result of the fake file picker. */
 let picked: FileSystemFileHandle | null = null;

@@ -8,7 +8,6 @@ export const addKeys: Action = {
   label: 'Add keys at the playhead',
   keys: ['K'],
   icon: 'key',
-  menu: { menu: 'edit', group: 'animation' },
   async run(editor) {
     const [{ timelineOf }, { keyTransforms }] = await Promise.all([
       import('../model/timeline/timelineOf'),
@@ -28,7 +27,6 @@ export const record: Action = {
   label: 'Record keys',
   keys: ['Shift+K'],
   icon: 'record',
-  menu: { menu: 'edit', group: 'animation' },
   run: ({ timeline }) => timeline?.setRecording(!timeline.isRecording),
   checked: ({ timeline }) => timeline?.isRecording ?? false,
   enabled: ({ timeline }) => timeline !== null && (timeline.isRecording || timeline.canRecord),

@@ -5,7 +5,7 @@ import type { IconName } from '../style/iconPaths';
 /** Place of an action in the menu bar. */
 export interface MenuPlace {
   readonly menu: 'file' | 'edit' | 'object' | 'view' | 'help';
-  /** Group between separators; actions of a group are in the order of `actions/index.ts`. */
+  /** Group between separators; `menuBar` has the built-in ones in order. */
   readonly group: string;
   /** Label of a submenu for similar actions. */
   readonly submenu?: string;
@@ -22,7 +22,7 @@ export interface Action {
   /** Whether the keys work while a text field has the focus; the field is then committed first. */
   readonly inFields?: boolean;
   readonly icon?: IconName;
-  /** Place in the menu bar; a plugin's action without one is in a submenu of Edit. */
+  /** Place in the menu bar; a plugin's action without one is in a submenu of Edit. Built-in ones get theirs from `menuBar`. */
   readonly menu?: MenuPlace;
   run(editor: EditorApi): unknown;
   /** Whether the action is available now; always when absent. */

@@ -1,5 +1,5 @@
 import { type View, views } from '@farol/renderer';
-import { viewLabel } from '../actions/pictureActions';
+import { viewLabel } from '../actions/display';
 import type { SelectOption } from './SelectBox';
 
 /** The debug views, as options of a select box. */

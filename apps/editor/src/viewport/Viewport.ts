@@ -16,12 +16,11 @@ import { Gizmo } from './Gizmo';
 import { Helpers } from './Helpers';
 import { LateParts } from './LateParts';
 import type { BallTurn } from './MaterialBall';
-import { pick } from './pick';
+import { iconOrMesh, pick } from './pick';
 import type { Painter } from './Painter';
 import { PaneDrawing, type PaneSurface } from './panes/PaneDrawing';
 import { Panes } from './panes/Panes';
 import { type Bounds, paneSurface } from './panes/paneSurface';
-import { limitShare, type PaneShare } from './panes/PaneShare';
 import type { ViewPane } from './panes/ViewPane';
 import type { PickSurface } from './PickSurface';
 import { PictureCamera } from './PictureCamera';
@@ -30,9 +29,6 @@ import { PointerPicker } from './PointerPicker';
 import { SceneInput } from './SceneInput';
 import type { Shading } from './shading/Shading';
 import { ViewportSettings } from './ViewportSettings';
-
-/** Icons up to this much farther away (m) than the mesh at the same point are picked first. */
-const ICON_REACH = 0.4;
 
 /**
  * The viewport of the document: canvas, cameras, gizmo, picking and render loop, free of React. Draws when something
@@ -227,14 +223,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.changed.emit();
   }
 
-  /** Sets how four views share the viewport. */
-  shareViews(share: PaneShare): void {
-    const { x, y } = limitShare(share);
-    if (x === this.panes.share.x && y === this.panes.share.y) return;
-    this.panes.share = share;
-    this.invalidate();
-  }
-
   get shading(): Shading {
     return this.panes.active.shading;
   }
@@ -255,11 +243,6 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     return { width, height };
   }
 
-  /** Height of the viewport (CSS pixels). */
-  get pictureHeight(): number {
-    return this.place.height;
-  }
-
   /** Requests the next frame, and as many more as temporal effects need to converge. */
   invalidate(): void {
     this.loop.ask(this.picture.effects.frames);
@@ -272,17 +255,9 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   /** Draws a frame at once. */
   renderNow(): void {
     const { width, height } = this.place;
-    const { list, active } = this.panes;
     const { scene } = this.document;
     this.picture.follow(scene);
-    if (list.length > 1) this.webgl.clear();
-    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.drawing.draw(list[i]);
-    // the active view is drawn last: its handles are hit where they were last drawn
-    this.drawing.draw(active);
-    if (list.length > 1) {
-      this.webgl.setScissorTest(false);
-      this.webgl.setViewport(0, 0, width, height);
-    }
+    this.drawing.drawAll(width, height);
     this.picture.effects.update(scene.settings);
     this.noticeTechnique();
     const { previewed } = this;
@@ -304,8 +279,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     const mesh = pick(this.document.scene, this.rayCamera, point);
     const { width, height } = this.panes.active.rectangle;
     const icon = this.helpers.pickIcon(this.rayCamera, point, width, height);
-    if (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH)) return icon.object;
-    return mesh?.object ?? null;
+    return iconOrMesh(icon, mesh);
   }
 
   /**

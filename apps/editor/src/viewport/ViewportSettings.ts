@@ -8,6 +8,15 @@ import type { Gizmo, GizmoMode, GizmoPivot, GizmoSpace } from './Gizmo';
 import type { SnapTarget } from './handles/DragSnap';
 import type { Helpers } from './Helpers';
 
+/** Settings by the object that holds them, under the same names. */
+const held = {
+  gizmo: ['mode', 'space', 'snapping', 'snapTo', 'alignsToSurface', 'pivot'],
+  helpers: ['showGrid', 'showIcons', 'showRanges'],
+  shown: ['showColliders', 'showStatistics'],
+  loop: ['continuous'],
+  farol: ['view'],
+} as const;
+
 /** Settings of the viewport and its handles; each change emits. */
 export abstract class ViewportSettings {
   /** Emits when one of the settings, or the view, changes. */
@@ -19,8 +28,38 @@ export abstract class ViewportSettings {
   abstract readonly gizmo: Gizmo;
   abstract readonly helpers: Helpers;
   protected abstract readonly loop: FrameLoop;
-  private hasStatistics = false;
-  private hasColliders = false;
+  protected readonly shown = { showColliders: false, showStatistics: false };
+
+  declare mode: GizmoMode;
+  declare space: GizmoSpace;
+  declare snapping: boolean;
+  /** Target of drags while snapping. */
+  declare snapTo: SnapTarget;
+  /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
+  declare alignsToSurface: boolean;
+  /** Point that several objects rotate and scale about. */
+  declare pivot: GizmoPivot;
+  declare showGrid: boolean;
+  declare showIcons: boolean;
+  /** Whether ranges of all lights are drawn, or only of selected ones. */
+  declare showRanges: boolean;
+  /** Whether colliders and joints of all objects are drawn, or only of selected ones. */
+  declare showColliders: boolean;
+  /** Whether every frame is drawn, changed or not, to measure frame rates. */
+  declare continuous: boolean;
+  /** Whether frame statistics are shown over the viewport. */
+  declare showStatistics: boolean;
+  declare view: View;
+
+  /** Whether the scene's bloom, depth of field, grading and vignette are drawn. */
+  get showPictureEffects(): boolean {
+    return this.picture.showsEffects;
+  }
+
+  set showPictureEffects(show: boolean) {
+    this.picture.showsEffects = show;
+    this.changed.emit();
+  }
 
   get technique(): TechniqueName {
     return this.farol.technique;
@@ -38,143 +77,23 @@ export abstract class ViewportSettings {
     this.changed.emit();
   }
 
-  get view(): View {
-    return this.farol.view;
-  }
-
-  set view(view: View) {
-    this.farol.view = view;
-    this.changed.emit();
-  }
-
   /** Sets the number of lights, or draws, per pixel at which heat maps are hottest. */
   setHeatMapMaximum(maximum: number): void {
     this.farol.heatMapMaximum = maximum;
     this.changed.emit();
   }
+}
 
-  get mode(): GizmoMode {
-    return this.gizmo.mode;
-  }
-
-  set mode(mode: GizmoMode) {
-    this.gizmo.mode = mode;
-    this.changed.emit();
-  }
-
-  get space(): GizmoSpace {
-    return this.gizmo.space;
-  }
-
-  set space(space: GizmoSpace) {
-    this.gizmo.space = space;
-    this.changed.emit();
-  }
-
-  get snapping(): boolean {
-    return this.gizmo.snapping;
-  }
-
-  set snapping(snapping: boolean) {
-    this.gizmo.snapping = snapping;
-    this.changed.emit();
-  }
-
-  /** Target of drags while snapping. */
-  get snapTo(): SnapTarget {
-    return this.gizmo.snapTo;
-  }
-
-  set snapTo(target: SnapTarget) {
-    this.gizmo.snapTo = target;
-    this.changed.emit();
-  }
-
-  /** Whether objects dropped on a surface are rotated so that their y axis is the surface normal. */
-  get alignsToSurface(): boolean {
-    return this.gizmo.alignsToSurface;
-  }
-
-  set alignsToSurface(aligns: boolean) {
-    this.gizmo.alignsToSurface = aligns;
-    this.changed.emit();
-  }
-
-  /** Point that several objects rotate and scale about. */
-  get pivot(): GizmoPivot {
-    return this.gizmo.pivot;
-  }
-
-  set pivot(pivot: GizmoPivot) {
-    this.gizmo.pivot = pivot;
-    this.changed.emit();
-  }
-
-  get showGrid(): boolean {
-    return this.helpers.showGrid;
-  }
-
-  set showGrid(show: boolean) {
-    this.helpers.showGrid = show;
-    this.changed.emit();
-  }
-
-  get showIcons(): boolean {
-    return this.helpers.showIcons;
-  }
-
-  set showIcons(show: boolean) {
-    this.helpers.showIcons = show;
-    this.changed.emit();
-  }
-
-  /** Whether the scene's bloom, depth of field, grading and vignette are drawn. */
-  get showPictureEffects(): boolean {
-    return this.picture.showsEffects;
-  }
-
-  set showPictureEffects(show: boolean) {
-    this.picture.showsEffects = show;
-    this.changed.emit();
-  }
-
-  /** Whether ranges of all lights are drawn, or only of selected ones. */
-  get showRanges(): boolean {
-    return this.helpers.showRanges;
-  }
-
-  set showRanges(show: boolean) {
-    this.helpers.showRanges = show;
-    this.changed.emit();
-  }
-
-  /** Whether colliders and joints of all objects are drawn, or only of selected ones. */
-  get showColliders(): boolean {
-    return this.hasColliders;
-  }
-
-  set showColliders(show: boolean) {
-    this.hasColliders = show;
-    this.changed.emit();
-  }
-
-  /** Whether every frame is drawn, changed or not, to measure frame rates. */
-  get continuous(): boolean {
-    return this.loop.continuous;
-  }
-
-  set continuous(continuous: boolean) {
-    this.loop.continuous = continuous;
-    this.changed.emit();
-  }
-
-  /** Whether frame statistics are shown over the viewport. */
-  get showStatistics(): boolean {
-    return this.hasStatistics;
-  }
-
-  set showStatistics(show: boolean) {
-    this.hasStatistics = show;
-    this.changed.emit();
+for (const [holder, names] of Object.entries(held)) {
+  for (const name of names) {
+    Object.defineProperty(ViewportSettings.prototype, name, {
+      get(this: Record<string, Record<string, unknown>>) {
+        return this[holder][name];
+      },
+      set(this: Record<string, Record<string, unknown>> & ViewportSettings, value: unknown) {
+        this[holder][name] = value;
+        this.changed.emit();
+      },
+    });
   }
 }

@@ -8,6 +8,9 @@ export interface PickHit {
   readonly distance: number;
 }
 
+/** Icons up to this much farther away (m) than the mesh at the same point are picked first. */
+const ICON_REACH = 0.4;
+
 const ownerOf = (hit: Intersection): GameObject | null => gameObjectOf(hit.object, hit.instanceId);
 
 /**
@@ -20,3 +23,7 @@ export function pick(scene: Scene, camera: Camera, point: Vector2): PickHit | nu
   const object = hit && ownerOf(hit);
   return object ? { object, distance: hit.distance } : null;
 }
+
+/** The picked object of an icon and a mesh at one point: the icon's unless it lies well behind the mesh. */
+export const iconOrMesh = (icon: PickHit | null, mesh: PickHit | null): GameObject | null =>
+  (icon && (!mesh || icon.distance < mesh.distance + ICON_REACH) ? icon : mesh)?.object ?? null;

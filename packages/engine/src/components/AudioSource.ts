@@ -1,6 +1,7 @@
 import { asset, boolean, choice, number } from '@farol/editing/fields';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 
 const whenPositional = { field: 'positional', equals: [true] } as const;
 
@@ -53,6 +54,7 @@ export class AudioSource extends component({
   static override readonly typeName: string = 'AudioSource';
   static override readonly icon: string = 'sound';
   static override readonly help: string = 'A sound that plays, from where the object is or everywhere.';
+  static override readonly newObjects: readonly NewObject[] = [{ label: 'Sound' }];
   static override readonly callable: readonly string[] = ['play', 'stop', 'pause'];
 
   private state: 'stopped' | 'playing' | 'paused' = 'stopped';

@@ -1,6 +1,7 @@
 import { angle, boolean, choice, number } from '@farol/editing/fields';
 import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 import type { Transform } from '../core/Transform';
 import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 
@@ -80,6 +81,7 @@ export class Camera extends component({
   static override readonly icon: string = 'camera';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A view of the scene.';
+  static override readonly newObjects: readonly NewObject[] = [{ label: 'Camera' }];
 
   private camera: PerspectiveCamera | OrthographicCamera | null = null;
   private canvasAspect = 16 / 9;

@@ -9,6 +9,7 @@ import {
 } from 'three';
 import { materialFields, type MaterialValues } from '../assets/materialFields';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
 import { decalCode, decalsEffect, loadDecalCode } from './decalCode';
@@ -63,6 +64,8 @@ export class Decal extends component({
   static override readonly typeName: string = 'Decal';
   static override readonly icon: string = 'decal';
   static override readonly help: string = 'A picture on whatever surface lies in a box.';
+  /** Decals project along -Z: turned to point down. */
+  static override readonly newObjects: readonly NewObject[] = [{ label: 'Decal', rotation: [-Math.PI / 2, 0, 0] }];
   static override readonly effect: RequiredEffect = decalsEffect;
 
   private box: ThreeDecal | null = null;

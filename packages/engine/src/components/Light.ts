@@ -10,10 +10,12 @@ import {
 } from 'three';
 import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
+import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 import { applyLightFields } from './applyLightFields';
 import { lightFields } from './lightFields';
+import { newLights } from './newLights';
 import { SkyLight } from './SkyLight';
 
 type AnyLight = AmbientLight | HemisphereLight | DirectionalLight | PointLight | SpotLight | RectAreaLight;
@@ -52,6 +54,8 @@ export class Light extends component(lightFields) {
   static override readonly unique: boolean = true;
   static override readonly help: string =
     'Ambient, hemisphere, directional, point or spot light, or one that shines from a rectangle, a disc or a tube.';
+
+  static override readonly newObjects: readonly NewObject[] = newLights;
 
   private light: AnyLight | null = null;
   /** Name of the photometric profile that is being loaded; null for none. */

@@ -1,6 +1,10 @@
 import type { BufferGeometry } from 'three';
 import type { Component } from '../core/Component';
+import { meshShadows } from './newShadows';
 import { ObjectRenderer } from './ObjectRenderer';
+
+/** The component that draws the shape of a new object. */
+export const drawnShape = [ObjectRenderer, { mesh: null, ...meshShadows }] as const;
 
 /** Geometry that a component makes of its fields; notifies the ObjectRenderer that draws it. */
 export class OwnShape {

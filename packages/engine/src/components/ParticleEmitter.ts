@@ -2,10 +2,11 @@ import type { AssetType } from '@farol/editing/fields';
 import type { ParticleEmitter as ThreeEmitter } from '@farol/renderer/particles';
 import { type BufferGeometry, Mesh, type Object3D, type Texture } from 'three';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
 import { ObjectRenderer } from './ObjectRenderer';
-import { loadParticleCode, particleCode, particlesEffect } from './particleCode';
+import { loadParticleCode, particleCode, particlePreset, particlesEffect } from './particleCode';
 import { type ColliderPose, ColliderPoses } from './ColliderPoses';
 import { particleFields } from './particleFields';
 import { colliderObjects, type ParticleParts } from './particleSettings';
@@ -22,6 +23,13 @@ export class ParticleEmitter extends component(particleFields) {
   static override readonly typeName: string = 'ParticleEmitter';
   static override readonly icon: string = 'particles';
   static override readonly help: string = 'Particles such as fire, smoke and sparks, which may light the scene.';
+  static override readonly newObjects: readonly NewObject[] = [
+    { label: 'Emitter', name: 'Particles', group: 'particles' },
+    { label: 'Fire', group: 'particles', values: () => particlePreset('fire') },
+    { label: 'Smoke', group: 'particles', values: () => particlePreset('smoke') },
+    { label: 'Sparks', group: 'particles', values: () => particlePreset('sparks') },
+    { label: 'Fireflies', group: 'particles', values: () => particlePreset('fireflies') },
+  ];
   static override readonly effect: RequiredEffect = particlesEffect;
   static override readonly callable: readonly string[] = ['restart', 'emit', 'stop'];
 

@@ -1,9 +1,10 @@
 import { boolean, choice, number } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening, type Opening, type OpeningSize } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { OwnShape } from './OwnShape';
+import { drawnShape, OwnShape } from './OwnShape';
 
 const sides = ['front', 'right', 'back', 'left'] as const;
 type Side = (typeof sides)[number];
@@ -68,6 +69,7 @@ export class Room extends component({
   static override readonly icon: string = 'room';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A room with a door and a window: the shape that the Object Renderer draws.';
+  static override readonly newObjects: readonly NewObject[] = [{ label: 'Room', group: 'building', with: drawnShape }];
 
   private readonly own = new OwnShape(this, () => this.makeShape());
 

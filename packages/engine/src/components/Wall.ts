@@ -1,9 +1,10 @@
 import { choice, number } from '@farol/editing/fields';
 import type { BufferGeometry } from 'three';
 import { component } from '../core/Component';
+import type { NewObject } from '../core/NewObject';
 import { fitOpening, isInOpening } from '../geometry/openings';
 import { solidGrid } from '../geometry/solidGrid';
-import { OwnShape } from './OwnShape';
+import { drawnShape, OwnShape } from './OwnShape';
 
 const metres = { unit: 'm', step: 0.05 };
 const size = { ...metres, min: 0.01 };
@@ -39,6 +40,7 @@ export class Wall extends component({
   static override readonly icon: string = 'wall';
   static override readonly unique: boolean = true;
   static override readonly help: string = 'A wall with a door or a window: the shape that the Object Renderer draws.';
+  static override readonly newObjects: readonly NewObject[] = [{ label: 'Wall', group: 'building', with: drawnShape }];
 
   private readonly own = new OwnShape(this, () => this.makeShape());
 

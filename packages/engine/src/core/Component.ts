@@ -6,6 +6,7 @@ import type { CostlyEvents, EngineKeyEvent, EnginePointerEvent, ObjectPointerEve
 import type { RequiredEffect } from './RequiredEffect';
 import type { ComponentClass } from './ComponentClass';
 import type { GameObject } from './GameObject';
+import type { NewObject } from './NewObject';
 import type { Scene } from './Scene';
 
 /**
@@ -20,6 +21,7 @@ export abstract class Component extends FieldOwner {
   static readonly help: string = '';
   static readonly icon: string = 'object';
   static readonly effect: RequiredEffect | null = null;
+  static readonly newObjects: readonly NewObject[] = [];
   static readonly callable: readonly string[] | null = null;
 
   private attachedObject: GameObject | null = null;
@@ -227,7 +229,7 @@ export abstract class Component extends FieldOwner {
  */
 export type ComponentBase<F extends FieldTable> = Pick<
   ComponentClass,
-  'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'callable'
+  'typeName' | 'version' | 'unique' | 'help' | 'icon' | 'effect' | 'newObjects' | 'callable'
 > & { readonly fields: F } & (abstract new () => Component & ValuesOf<F>);
 
 /** Names of methods that the engine calls if present; forbidden as names of fields, which would be called. */

@@ -1,5 +1,6 @@
 import type { FieldTable, FieldValue } from '@farol/editing/fields';
 import type { Component } from './Component';
+import type { NewObject } from './NewObject';
 import type { RequiredEffect } from './RequiredEffect';
 
 /** A class of components as the registry, the menus and the file format see it. */
@@ -20,6 +21,8 @@ export interface ComponentClass<T extends Component = Component> {
   readonly icon: string;
   /** The effect of the renderer that the component cannot be seen without, such as decals; null for none. */
   readonly effect: RequiredEffect | null;
+  /** Objects with the component that the Add menu offers; classes that extend this one do not inherit them. */
+  readonly newObjects: readonly NewObject[];
   /**
    * Names of the methods that EventTriggers offer; null for all that the class and those it extends have, but for the
    * ones that the engine calls. For built-in classes, null means no methods.

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { viewLabel } from '../../actions/pictureActions';
+import { viewLabel } from '../../actions/display';
 import { gridCells, LABEL } from '../../viewport/painters/gridCells';
 import { gridViews, ViewsPainter } from '../../viewport/painters/ViewsPainter';
 import { WipePainter } from '../../viewport/painters/WipePainter';

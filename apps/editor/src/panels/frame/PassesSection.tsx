@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from 'react';
-import { continuous } from '../../actions/viewportToggles';
+import { continuous } from '../../actions/display';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor } from '../../ui/EditorContext';
 import { usePoll } from '../../ui/usePoll';

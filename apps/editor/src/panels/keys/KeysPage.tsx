@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { type Action, labelOf } from '../../api/Action';
-import { allActions } from '../../actions/allActions';
+import { allActions } from '../../actions';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { useKeyBindings } from '../../ui/useKeyBindings';

@@ -1,7 +1,7 @@
 import { isComposing, t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
 import { type KeyboardEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
-import { showPalette } from '../../actions/showPalette';
+import { showPalette } from '../../actions/help';
 import { matchKey } from '../../actions/matchKey';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';

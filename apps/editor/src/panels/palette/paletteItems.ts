@@ -1,8 +1,8 @@
 import { t } from '@farol/editing';
 import { addCreation } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
-import { showPalette } from '../../actions/showPalette';
-import { allActions } from '../../actions/allActions';
+import { showPalette } from '../../actions/help';
+import { allActions } from '../../actions';
 import type { EditorApi } from '../../api/EditorApi';
 import { creations } from '../../model/creations';
 import type { IconName } from '../../style/iconPaths';
@@ -50,7 +50,7 @@ export const OBJECTS = 30;
 export function paletteItems(editor: EditorApi): PaletteItem[] {
   const { document } = editor;
   const done = allActions(editor)
-    .filter((action) => action !== showPalette && (action.enabled?.(editor) ?? true))
+    .filter((action) => action.id !== showPalette.id && (action.enabled?.(editor) ?? true))
     .map((action): PaletteItem => ({
       id: action.id,
       label: labelOf(action, editor),

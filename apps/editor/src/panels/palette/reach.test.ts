@@ -1,7 +1,6 @@
 import { builtinComponents, Camera, ComponentRegistry, GameObject, Scene } from '@farol/engine';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { actions } from '../../actions';
-import { allActions } from '../../actions/allActions';
+import { actions, allActions } from '../../actions';
 import { menuEntries, menuNames } from '../../actions/menuEntries';
 import { labelOf } from '../../api/Action';
 import type { EditorApi } from '../../api/EditorApi';

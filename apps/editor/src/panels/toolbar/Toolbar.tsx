@@ -1,14 +1,10 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { addEntries } from '../../actions/addEntries';
-import { duplicate } from '../../actions/duplicate';
-import { open } from '../../actions/open';
+import { duplicate, redo, remove, undo } from '../../actions/edit';
+import { open, save } from '../../actions/file';
+import { showKeys } from '../../actions/help';
 import { pause, play, step, stop } from '../../actions/play';
-import { redo } from '../../actions/redo';
-import { remove } from '../../actions/remove';
-import { save } from '../../actions/save';
-import { showKeys } from '../../actions/showKeys';
-import { undo } from '../../actions/undo';
 import { ActionButton } from '../../ui/ActionButton';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';

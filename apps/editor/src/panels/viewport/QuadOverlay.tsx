@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
-import { sideName, sides } from '../../actions/sides';
+import { sideName, sides } from '../../actions/viewpoint';
 import { useEditor } from '../../ui/EditorContext';
 import { PaneEdges } from './PaneEdges';
 import type { ViewPane } from '../../viewport/panes/ViewPane';

@@ -1,7 +1,7 @@
 import { Menu } from '@base-ui/react/menu';
 import { t } from '@farol/editing';
 import { type ReactNode, useEffect, useState } from 'react';
-import { setShading, shadings } from '../../actions/shadings';
+import { setShading, shadings } from '../../actions/display';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import type { EditorApi } from '../../api/EditorApi';
 import { useEditor } from '../../ui/EditorContext';

@@ -1,18 +1,16 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { Camera } from '@farol/engine';
-import { gizmoModes } from '../../actions/gizmoModes';
-import { gizmoSpace } from '../../actions/gizmoSpace';
-import { quadView } from '../../actions/quadView';
-import { snap } from '../../actions/snap';
+import { gizmoModes, gizmoSpace, snap } from '../../actions/handles';
 import {
   continuous,
+  quadView,
   showColliders,
   showGrid,
   showIcons,
   showRanges,
   showStatistics,
-} from '../../actions/viewportToggles';
+} from '../../actions/display';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
 import { ActionButton } from '../../ui/ActionButton';
 import { MenuButton } from '../../ui/MenuButton';

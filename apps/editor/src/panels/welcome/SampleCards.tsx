@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import { openExamples } from '../../actions/newScene';
+import { openExamples } from '../../actions/file';
 import { useEditor } from '../../ui/EditorContext';
 import { labelOf } from '../../api/Action';
 

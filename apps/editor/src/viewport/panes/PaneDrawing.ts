@@ -24,28 +24,41 @@ export interface PaneSurface {
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
-  /** Height of all views together (CSS pixels). */
-  readonly pictureHeight: number;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;
   raysOf(pane: ViewPane): Camera;
   invalidate(): void;
 }
 
-/** Draws a view: the scene with the view's shading, then lines, icons and handles. */
+/** Draws the views: the scene with each view's shading, then lines, icons and handles. */
 export class PaneDrawing {
   /** Renderer for shadings without lights; null while it is fetched, undefined before. */
   private plain: PlainShading | null | undefined;
 
   constructor(private readonly surface: PaneSurface) {}
 
-  draw(pane: ViewPane): void {
+  /** Draws all views. @param width - width of all together (CSS pixels) @param height - their height */
+  drawAll(width: number, height: number): void {
+    const { webgl, panes } = this.surface;
+    const { list, active } = panes;
+    if (list.length > 1) webgl.clear();
+    for (let i = 0; i < list.length; i++) if (list[i] !== active) this.draw(list[i], height);
+    // the active view is drawn last: its handles are hit where they were last drawn
+    this.draw(active, height);
+    if (list.length > 1) {
+      webgl.setScissorTest(false);
+      webgl.setViewport(0, 0, width, height);
+    }
+  }
+
+  /** @param fullHeight - height of all views together (CSS pixels) */
+  private draw(pane: ViewPane, fullHeight: number): void {
     const { surface } = this;
     const { webgl, panes, gizmo, helpers } = surface;
     const { x, y, width, height } = pane.rectangle;
     if (panes.list.length > 1) {
       // y is measured from the lower edge
-      const bottom = surface.pictureHeight - y - height;
+      const bottom = fullHeight - y - height;
       webgl.setViewport(x, bottom, width, height);
       webgl.setScissor(x, bottom, width, height);
       webgl.setScissorTest(true);

@@ -87,7 +87,9 @@ export class Panes {
   }
 
   set share(share: PaneShare) {
-    this.part = limitShare(share);
+    const { x, y } = limitShare(share);
+    if (x === this.part.x && y === this.part.y) return;
+    this.part = { x, y };
     this.resize(this.width, this.height);
   }
 

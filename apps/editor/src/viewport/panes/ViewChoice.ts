@@ -20,7 +20,8 @@ export const defaultViews: ViewChoice = {
 /** Applies stored settings to the views. Unknown shadings are replaced by the defaults. */
 export function applyViews(viewport: Viewport, { quad, shadings, share = halfShare }: ViewChoice): void {
   viewport.isQuad = quad;
-  viewport.shareViews(share);
+  viewport.panes.share = share;
+  viewport.invalidate();
   for (const pane of viewport.panes.list) {
     const chosen: unknown = shadings[pane.name];
     const shading = isShading(chosen) ? chosen : defaultViews.shadings[pane.name];

@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import type { EditorApi } from '../api/EditorApi';
-import { lookFrom, sides } from './sides';
+import { lookFrom, sides } from './viewpoint';
 
 it.each(sides)('looks from %s by the camera of the editor, not through one of the scene', (side, direction) => {
   const done: unknown[] = [];

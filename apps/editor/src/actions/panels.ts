@@ -1,5 +1,6 @@
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
+import type { Preferences } from '../api/preferences';
 
 /** Focuses a panel once it is rendered. */
 function focusPanel(id: string): void {
@@ -25,7 +26,6 @@ export const nextPanel: Action = {
   label: 'Go to the next panel',
   keys: ['F6'],
   inFields: true,
-  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(1),
 };
 
@@ -34,7 +34,6 @@ export const previousPanel: Action = {
   label: 'Go to the panel before',
   keys: ['Shift+F6'],
   inFields: true,
-  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => goRound(-1),
 };
 
@@ -43,7 +42,6 @@ export const maximiseViewport: Action = {
   label: 'Maximise the viewport',
   keys: ['Space'],
   icon: 'maximise',
-  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.maximise(layout.maximised() === null ? 'viewport' : null),
   checked: ({ layout }) => layout.maximised() !== null,
 };
@@ -52,7 +50,6 @@ export const resetPanels: Action = {
   id: 'panels.reset',
   label: 'Panels as at first',
   icon: 'panels',
-  menu: { menu: 'view', group: 'panels' },
   run: ({ layout }) => layout.reset(),
 };
 
@@ -62,7 +59,6 @@ export const showPanels = ({ panels }: EditorApi): Action[] =>
     id: `panels.show.${id}`,
     label: title,
     icon,
-    menu: { menu: 'view', group: 'panels', submenu: 'Panels' },
     run({ layout }) {
       if (layout.isInFront(id)) layout.close(id);
       else {
@@ -78,6 +74,18 @@ export const goToMenuBar: Action = {
   label: 'Go to the menus',
   keys: ['F10'],
   inFields: true,
-  menu: { menu: 'view', group: 'window', submenu: 'Go to' },
   run: () => document.querySelector<HTMLElement>('.menu-bar [role="menuitem"], button.menu-bar')?.focus(),
 };
+
+const labels = [
+  ['system', "The system's theme"],
+  ['dark', 'Dark theme'],
+  ['light', 'Light theme'],
+] as const satisfies readonly (readonly [Preferences['theme'], string])[];
+
+export const themes: readonly Action[] = labels.map(([theme, label]) => ({
+  id: `view.theme.${theme}`,
+  label,
+  run: ({ preferences }) => preferences.setState({ theme }),
+  checked: ({ preferences }) => preferences.getState().theme === theme,
+}));

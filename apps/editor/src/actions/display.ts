@@ -1,0 +1,163 @@
+import { t } from '@farol/editing';
+import { type View, views } from '@farol/renderer';
+import type { Action } from '../api/Action';
+import type { EditorApi } from '../api/EditorApi';
+import type { IconName } from '../style/iconPaths';
+import type { Shading } from '../viewport/shading/Shading';
+
+/** An action that switches a setting of the viewport. */
+const toggle = (
+  setting: 'continuous' | `show${'Colliders' | 'Grid' | 'Icons' | 'PictureEffects' | 'Ranges' | 'Statistics'}`,
+  id: string,
+  label: string,
+  icon: IconName,
+): Action => ({
+  id,
+  label,
+  icon,
+  run({ viewport }) {
+    viewport[setting] = !viewport[setting];
+  },
+  checked: ({ viewport }) => viewport[setting],
+});
+
+export const showGrid = toggle('showGrid', 'view.grid', 'Grid', 'grid');
+export const showIcons = toggle('showIcons', 'view.icons', 'Icons of lights and cameras', 'point');
+
+/** Shows ranges of all lights, or only of selected ones. */
+export const showRanges = toggle(
+  'showRanges',
+  'view.ranges',
+  'Ranges of all lights, not of selected ones alone',
+  'ranges',
+);
+
+/** Shows colliders of all objects, or only of selected ones. */
+export const showColliders = toggle(
+  'showColliders',
+  'view.colliders',
+  'Colliders and joints of all objects, not of selected ones alone',
+  'collider',
+);
+
+/** Shows the scene's effects, such as depth of field, which can be in the way of editing. */
+export const showPictureEffects = toggle(
+  'showPictureEffects',
+  'view.pictureEffects',
+  'Picture effects: bloom, depth of field, grading, vignette',
+  'contrast',
+);
+
+export const continuous = toggle('continuous', 'view.continuous', 'Draw without pause, to see frame rates', 'motion');
+export const showStatistics = toggle('showStatistics', 'view.statistics', 'Figures of the frames', 'chart');
+
+/** Opens the tool that measures the distance between two clicked points. */
+export const measureDistance: Action = {
+  id: 'view.measure-distance',
+  label: 'Measure distance',
+  keys: ['M'],
+  async run({ viewport, tools }) {
+    if (tools.current?.id === 'measure') return void tools.end();
+    const { MeasureTool } = await import('../viewport/placing/MeasureTool');
+    tools.open(new MeasureTool(viewport));
+  },
+  checked: ({ tools }) => tools.current?.id === 'measure',
+};
+
+/** Switches between one view, and four: top, front, right and the main one. */
+export const quadView: Action = {
+  id: 'view.quad',
+  label: 'Four views',
+  keys: ['Ctrl+Alt+Q'],
+  icon: 'quad',
+  run({ preferences, viewport }) {
+    const quad = !viewport.isQuad;
+    preferences.setState(({ views }) => ({ views: { ...views, quad } }));
+  },
+  checked: ({ viewport }) => viewport.isQuad,
+};
+
+/** Activates the next of four views. */
+export const nextView: Action = {
+  id: 'view.nextView',
+  label: 'Next view',
+  keys: ['Ctrl+Alt+W'],
+  run({ viewport }) {
+    viewport.panes.activateNext(1);
+    viewport.canvas.focus();
+  },
+  enabled: ({ viewport }) => viewport.isQuad,
+};
+
+/** Aims the side views at the main view's target again. */
+export const resetViews: Action = {
+  id: 'view.resetViews',
+  label: 'Bring the other views to where this one looks',
+  run({ viewport }) {
+    viewport.panes.lookFromSides();
+    viewport.viewChanged();
+  },
+  enabled: ({ viewport }) => viewport.isQuad,
+};
+
+/** Sets the active view's shading, and remembers it. */
+export function setShading({ viewport, preferences }: EditorApi, shading: Shading): void {
+  const { active } = viewport.panes;
+  viewport.shade(active, shading);
+  preferences.setState(({ views }) => ({
+    views: { ...views, shadings: { ...views.shadings, [active.name]: shading } },
+  }));
+}
+
+const shading = (name: Shading & string, label: string): Action => ({
+  id: `view.shading.${name}`,
+  label,
+  run: (editor) => setShading(editor, name),
+  checked: ({ viewport }) => viewport.shading === name,
+  enabled: ({ viewport }) => viewport.painter === null,
+});
+
+/** One action for each shading of the active view. */
+export const shadings: readonly Action[] = [
+  shading('scene', "As the scene's technique lights it"),
+  shading('unlit', 'Unlit colours'),
+  shading('clay', 'Clay'),
+  shading('wireframe', 'Wireframe'),
+];
+
+/** Opens the viewport's menu of shadings. */
+export const showShadings: Action = {
+  id: 'view.shadingMenu',
+  label: 'Choose the shading…',
+  keys: ['Z'],
+  run: ({ viewport }) => viewport.shadingAsked.emit(),
+  enabled: ({ viewport }) => viewport.painter === null,
+};
+
+/** English name of a debug view. */
+export const englishViewLabel = (view: View): string =>
+  view.charAt(0).toUpperCase() + view.slice(1).replaceAll('-', ' ');
+
+/** Name of a debug view, in the user's language. */
+export const viewLabel = (view: View): string => t(englishViewLabel(view));
+
+export const techniqueActions = ({ viewport: { farol } }: EditorApi): Action[] =>
+  Object.entries(farol.techniques).map(([name, { label }]) => ({
+    id: `technique.${name}`,
+    label,
+    icon: 'lamp',
+    run({ viewport }) {
+      viewport.technique = name as typeof viewport.technique;
+    },
+    checked: ({ viewport }) => viewport.technique === name,
+  }));
+
+export const viewActions: readonly Action[] = views.map((view) => ({
+  id: `shown.${view}`,
+  label: englishViewLabel(view),
+  icon: 'eye',
+  run({ viewport }) {
+    viewport.view = view;
+  },
+  checked: ({ viewport }) => viewport.view === view,
+}));
