@@ -142,7 +142,7 @@ export const inspectorFollows = (page: Page): Promise<void> =>
   expect(page.locator('.inspector[aria-busy="true"]')).toHaveCount(0);
 
 /** A menu on its way out still takes letters and Escape for itself, as menus do. */
-const menuIsGone = (page: Page): Promise<void> => expect(page.getByRole('menu')).toHaveCount(0);
+export const menuIsGone = (page: Page): Promise<void> => expect(page.getByRole('menu')).toHaveCount(0);
 
 export const serialized = (page: Page): Promise<string> => page.evaluate(() => window.editor.serialize());
 

@@ -1,6 +1,6 @@
 import { byExtent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
-import { addObject, fieldOf, history, serialized } from './editor';
+import { addObject, fieldOf, history, menuIsGone, serialized } from './editor';
 import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1200, height: 700 } });
@@ -10,6 +10,7 @@ async function makePhysics(page: Page, label: string): Promise<void> {
   await page.getByRole('menuitem', { name: 'Object', exact: true }).click();
   await page.getByRole('menuitem', { name: 'Physics', exact: true }).press('ArrowRight');
   await page.getByRole('menuitem', { name: label, exact: true }).click();
+  await menuIsGone(page);
 }
 
 /** Bits of where the box is. */

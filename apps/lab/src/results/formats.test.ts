@@ -48,6 +48,19 @@ describe('runCSV', () => {
     expect(cells[heading.indexOf('psnr_db')]).toBe('');
   });
 
+  it.each(['=', '+', '-', '@', '\t', '\r'])(
+    'puts an apostrophe before a text that begins with %j, and before no other',
+    (first) => {
+      const text = (problem: string): string => {
+        const row = { ...testRow('forward', 'planes-lights', 0, 1), problem };
+        const [heading, cells] = readCSV(runCSV(testRun({ rows: [row] })));
+        return cells[heading.indexOf('problem')];
+      };
+      expect(text(`${first}1+1`)).toBe(`'${first}1+1`);
+      expect(text(`1${first}1`)).toBe(`1${first}1`);
+    },
+  );
+
   it('tells an equal picture from one without a figure', () => {
     const likeness = { reference: 'forward', psnr: null, thumbnail: '' };
     const row = { ...testRow('forward', 'planes-lights', 0, 1), likeness };

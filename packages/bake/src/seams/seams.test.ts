@@ -100,6 +100,38 @@ describe('stitchLightmap', () => {
     for (let i = 3; i < before.length; i += 4) expect(after[i]).toBe(before[i]);
   });
 
+  it('takes an edge for a seam where it is smooth at both ends, by its normals or its faces', () => {
+    // two triangles at one edge, whose charts lie apart
+    const positions = Float32Array.of(
+      ...[0, 0, 0],
+      ...[0, 1, 0],
+      ...[1, 0, 0],
+      ...[0, 0, 0],
+      ...[0, 1, 0],
+      ...[-1, 0, 0],
+    );
+    const index = Uint32Array.of(0, 2, 1, 3, 4, 5);
+    const uv1 = Float32Array.of(0, 0, 0, 0.4, 0.4, 0, 0.6, 0, 0.6, 0.4, 1, 0);
+    const sourceVertex = Uint32Array.of(0, 1, 2, 3, 4, 5);
+    const [front, side] = [
+      [0, 0, 1],
+      [1, 0, 0],
+    ];
+    const seamsBy = (low: number[], high: number[]): number => {
+      const normals = Float32Array.of(...front, ...front, ...front, ...low, ...high, ...front);
+      return findSeams({ positions, normals, index }, { uv1, index, sourceVertex }).length / 4;
+    };
+    expect([seamsBy(front, front), seamsBy(side, front), seamsBy(front, side), seamsBy(side, side)]).toEqual([
+      1, 0, 0, 0,
+    ]);
+    const seamsOf = (z: number): number => {
+      const bent = positions.slice();
+      bent[17] = z;
+      return findSeams({ positions: bent, normals: null, index }, { uv1, index, sourceVertex }).length / 4;
+    };
+    expect([seamsOf(0), seamsOf(0.2), seamsOf(1)]).toEqual([1, 1, 0]);
+  });
+
   it('leaves hard edges alone, where light may differ', () => {
     const { surface, unwrapped } = unwrap(new BoxGeometry());
     expect(findSeams(surface, unwrapped)).toHaveLength(0);

@@ -85,6 +85,21 @@ describe('calls the methods of events', () => {
     expect(told()).toEqual([0.5]);
   });
 
+  test('an event at the time that a clip is put to is called, one before it is not', () => {
+    const { scene, animation } = listening({ wrap: 'loop' });
+    scene.update(0.7);
+    expect(told()).toEqual([0, 0.5]);
+    animation.time = 1.25;
+    scene.update(0.1);
+    expect(told()).toEqual([1.25]);
+    animation.play('Rise', { time: 0.5 });
+    scene.update(0.1);
+    expect(told()).toEqual([0.5]);
+    animation.time = 0.6;
+    scene.update(0.1);
+    expect(told()).toEqual([]);
+  });
+
   test('without a value where there is none; what throws is told, and the others are called; nothing of every component is', () => {
     const { scene, errors, object } = listening({ wrap: 'once' }, [
       { time: 0, method: 'onStep' },

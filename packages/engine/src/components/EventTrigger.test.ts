@@ -178,6 +178,28 @@ test('switches and fields are simulation: a reset puts all back, bit for bit', (
   expect(errors).toEqual([]);
 });
 
+test('a reset puts back the first state of what was switched several times', () => {
+  const lamp = new GameObject('Other');
+  const light = lamp.addComponent(Light);
+  const off = new GameObject('Off');
+  const dark = off.addComponent(Light);
+  dark.enabled = off.active = false;
+  scene.add(lamp).add(off);
+  for (const [target, method] of [lamp.id, off.id].flatMap((id) => [
+    [id, 'Light.toggle'],
+    [id, 'GameObject.toggle'],
+  ]))
+    trigger({ event: 'keyDown', target, method });
+  const states = (): boolean[] => [light.enabled, lamp.active, dark.enabled, off.active];
+  for (const times of [1, 2, 3]) {
+    scene.update(0.1);
+    for (let i = 0; i < times; i++) key('down', 'KeyE');
+    expect(states()).toEqual(times === 2 ? [true, true, false, false] : [false, false, true, true]);
+    scene.reset();
+    expect(states()).toEqual([true, true, false, false]);
+  }
+});
+
 test('waits, and calls even when its object was switched off meanwhile; once is once until a reset', () => {
   trigger({ event: 'keyDown', delay: 0.5, once: true });
   trigger({ event: 'keyUp', method: 'GameObject.activate', delay: 1 });

@@ -4,9 +4,11 @@ import '../components/index';
 import { Light } from '../components/Light';
 import { component, Component } from './Component';
 import { serialize } from '../files/serialize';
+import type { EngineKeyEvent, EnginePointerEvent } from './events';
 import { GameObject } from './GameObject';
 import { Scene } from './Scene';
 import type { SceneSystem } from './SceneSystem';
+import { scriptClasses } from './scriptClasses';
 
 const calls: string[] = [];
 
@@ -84,6 +86,40 @@ test('what starts may bring others, which start in the same frame; inactive ones
   sleeper.active = true;
   scene.update(0.1);
   expect(calls.filter((call) => call === 'start')).toHaveLength(2);
+});
+
+test('a component that goes to another scene, or whose script threw, is called by the first scene no more', () => {
+  class Hearer extends Component {
+    static override readonly typeName = 'Hearer';
+    override update = (): number => calls.push('update');
+    override lateUpdate = (): number => calls.push('late');
+    override onKeyDown = (): number => calls.push('key down');
+    override onPointerMove = (): number => calls.push('move');
+    override onPointerOver = (): number => calls.push('over');
+  }
+  const all = ['update', 'late', 'key down', 'move'];
+  const callsOf = (scene: Scene): string[] => {
+    calls.length = 0;
+    scene.update(0.1);
+    scene.dispatchKey({ type: 'down', code: 'KeyE', key: 'e', repeat: false } as EngineKeyEvent);
+    scene.dispatchPointer({ type: 'move' } as EnginePointerEvent);
+    return calls.splice(0);
+  };
+  const [first, second] = [new Scene(), new Scene()];
+  const object = new GameObject();
+  const hearer = object.addComponent(Hearer);
+  first.add(object);
+  expect(callsOf(first)).toEqual(all);
+  first.remove(object);
+  second.add(object);
+  expect(callsOf(first)).toEqual([]);
+  expect([first.takesKeys, second.takesKeys]).toEqual([false, true]);
+  expect(callsOf(second)).toEqual(all);
+  scriptClasses.add(Hearer);
+  second.onComponentError = () => {};
+  second.reportError(hearer, new Error('broken'));
+  expect(callsOf(second)).toEqual([]);
+  expect(second.takesKeys).toBe(false);
 });
 
 test('a field cannot have the name of a method that the engine calls', () => {

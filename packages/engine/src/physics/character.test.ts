@@ -272,3 +272,29 @@ test('a RigidBody beside it is told once', async () => {
   expect(errors).toEqual([expect.stringMatching(/'Person' has a CharacterController.*remove the RigidBody/)]);
   expect(worldOf(person).y).toBeCloseTo(0.01, 1);
 });
+
+test('normals of a contact point to whom they are told, also of a character that comes while the scene plays', async () => {
+  for (const isLate of [false, true]) {
+    const { scene, person } = walker();
+    const told: Record<string, number[]> = {};
+    class Hearer extends Component {
+      static override readonly typeName = 'Hearer';
+      onCollisionEnter({ other, normal }: CollisionEvent): void {
+        if (other.name === 'Ground') return;
+        told[this.gameObject.name] = normal!.toArray().map((each) => Math.round(each) + 0);
+      }
+    }
+    const wall = box('Wall', [0, 1, -2], null);
+    wall.transform.scale = [4, 2, 1];
+    for (const each of [person, wall]) each.addComponent(Hearer);
+    scene.add(wall);
+    if (isLate) scene.remove(person);
+    await prepare(scene);
+    run(scene, 2);
+    if (isLate) scene.add(person);
+    run(scene, 30);
+    key(scene, 'down', 'KeyW');
+    run(scene, 90);
+    expect(told, `comes late: ${isLate}`).toEqual({ Person: [0, 0, 1], Wall: [0, 0, -1] });
+  }
+});

@@ -233,6 +233,34 @@ test('forces, impulses, velocities and teleports by script', async () => {
   expect(worldOf(d).toArray()).toEqual([15, 0, 0]);
 });
 
+test('a force or an impulse at a point turns a body about its centre of mass, wherever its origin is', async () => {
+  const scene = makeScene();
+  scene.settings.gravity = [0, 0, 0];
+  const bodyPushed = (x: number, push: (body: RigidBody) => void): RigidBody => {
+    // its collider, and so its centre of mass, lies 1 m beside it
+    const object = box(`Body ${x}`, [x, 0, 0], { angularDamping: 0 }, { fit: false, offset: [1, 0, 0] });
+    const body = object.getComponent(RigidBody)!;
+    class Pusher extends Component {
+      static override readonly typeName = 'Pusher';
+      override start(): void {
+        push(body);
+      }
+    }
+    object.addComponent(Pusher);
+    scene.add(object);
+    return body;
+  };
+  const bodies = [0, 0.5, -0.5].flatMap((arm, i) => [
+    // during a frame of 1/60 s: 1 N·s
+    bodyPushed(20 * i, (body) => body.applyForce([0, 60, 0], [20 * i + 1 + arm, 0, 0])),
+    bodyPushed(20 * i + 10, (body) => body.applyImpulse([0, 1, 0], [20 * i + 11 + arm, 0, 0])),
+  ]);
+  await prepare(scene);
+  run(scene, 4);
+  // 0.5 N·m·s on a cube of 1 kg and 1 m, whose moment of inertia is 1/6 kg·m²
+  [0, 0, 3, 3, -3, -3].forEach((turn, i) => expect(bodies[i].angularVelocity.z, `body ${i}`).toBeCloseTo(turn, 2));
+});
+
 const heard: string[] = [];
 
 class Listener extends Component {

@@ -124,6 +124,20 @@ void surface(inout SurfaceData s) { if (s.height > height) { discard; } s.color 
       movesByTime: true,
     });
   });
+
+  it.each([
+    ['s.opacity = 0.5;', true],
+    ['s.opacity *= 0.5;', true],
+    ['s.opacity-=0.5;', true],
+    ['s.opacity += 0.5;', true],
+    ['s.opacity /= 2.0;', true],
+    ['discard;', true],
+    ['if (s.opacity == 1.0) s.color *= 2.0;', false],
+    ['s.color *= s.opacity;', false],
+    ['// s.opacity = 0.5; discard;', false],
+  ])('may leave pixels out by `%s`: %s', (line, discards) => {
+    expect(parse(`void surface(inout SurfaceData s) {\n${line}\n}`).discards).toBe(discards);
+  });
 });
 
 describe('a declared reach', () => {

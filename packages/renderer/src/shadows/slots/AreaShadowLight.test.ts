@@ -36,8 +36,16 @@ describe('the light that draws the shadow map of an area light', () => {
   it('follows changes', () => {
     const light = new RectAreaLight();
     light.userData.farol = { shadowMapSize: 64 };
-    AreaShadowLight.follow(light, 0);
+    light.layers.set(3);
+    expect(AreaShadowLight.follow(light, 0).layers.mask).toBe(8);
     delete light.userData.farol;
-    expect(AreaShadowLight.follow(light, 0).shadow.mapSize.x).toBe(1024);
+    light.layers.enable(1);
+    light.width = 8;
+    light.height = 0.5;
+    light.position.x = 5;
+    light.updateMatrixWorld();
+    const stand = AreaShadowLight.follow(light, 2);
+    expect([stand.shadow.mapSize.x, stand.layers.mask, stand.distance, softSizeOf(stand)]).toEqual([1024, 10, 2, 1]);
+    expect(stand.matrixWorld.elements[12]).toBe(5);
   });
 });
