@@ -17,10 +17,11 @@ it('a touch takes the camera from the mouse, and the next press of the mouse giv
     releasePointerCapture: () => {},
   });
   const mouse = { enabled: true };
+  const keys = { enabled: true };
   const three = new PerspectiveCamera();
   const gameObject = {
     object3D: three,
-    getComponent: (type: object) => (type === MouseController ? mouse : type === KeyController ? {} : null),
+    getComponent: (type: object) => (type === MouseController ? mouse : type === KeyController ? keys : null),
   };
   const activeCamera = { gameObject, three };
   const viewer = { app: { canvas, scene: { activeCamera } }, scene: new Scene(), redraw: () => {} };
@@ -28,7 +29,9 @@ it('a touch takes the camera from the mouse, and the next press of the mouse giv
   const press = (pointerType: string): boolean => {
     const event = { pointerType, pointerId: 1, button: 0, clientX: 1, clientY: 1, pageX: 1, pageY: 1 };
     canvas.dispatchEvent(Object.assign(new Event('pointerdown'), event));
+    expect(keys.enabled, 'a finger that orbits does not walk').toBe(pointerType !== 'touch');
     canvas.dispatchEvent(Object.assign(new Event('pointerup'), event));
+    expect(keys.enabled).toBe(true);
     return mouse.enabled;
   };
   expect(['mouse', 'touch', 'touch', 'mouse', 'pen'].map(press)).toEqual([true, false, false, true, true]);

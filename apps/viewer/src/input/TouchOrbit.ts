@@ -1,4 +1,4 @@
-import { type CameraComponent, MouseController } from '@farol/engine';
+import { type CameraComponent, KeyController, MouseController } from '@farol/engine';
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Viewer } from '../Viewer';
@@ -15,6 +15,8 @@ export class TouchOrbit {
     const { canvas } = viewer.app;
     // in the capture phase: before the controls' own listener
     canvas.addEventListener('pointerdown', (event) => this.begin(event.pointerType === 'touch'), { capture: true });
+    canvas.addEventListener('pointerup', () => this.keysMove(true));
+    canvas.addEventListener('pointercancel', () => this.keysMove(true));
     this.controls = new OrbitControls(this.proxy, canvas);
     this.controls.enabled = false;
     this.controls.addEventListener('change', () => this.follow());
@@ -24,8 +26,15 @@ export class TouchOrbit {
     const camera = this.viewer.app.scene.activeCamera;
     const mouse = camera?.gameObject.getComponent(MouseController);
     if (mouse) mouse.enabled = !touch;
+    // else a finger on the left half would walk
+    this.keysMove(!touch);
     if (touch && camera && !this.isFollowed(camera)) this.takePose(camera);
     this.controls.enabled = touch;
+  }
+
+  private keysMove(enabled: boolean): void {
+    const keys = this.viewer.app.scene.activeCamera?.gameObject.getComponent(KeyController);
+    if (keys) keys.enabled = enabled;
   }
 
   private isFollowed({ gameObject }: CameraComponent): boolean {

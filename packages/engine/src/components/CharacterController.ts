@@ -6,12 +6,11 @@ import { toVector3, type Vector3Input } from '../core/toVector3';
 import { characterFields } from '../physics/characterFields';
 import type { CharacterControl } from '../physics/CharacterControl';
 import { physicsComponent } from '../physics/physicsComponent';
+import { TouchStick } from './TouchStick';
 
 const UP = new Vector3(0, 1, 0);
 const RIGHT = new Vector3(1, 0, 0);
-/** Length of a finger's drag that gives full walking speed (CSS pixels). */
-const STICK_REACH = 60;
-/** Greatest duration of a tap that makes the character jump (s). */
+/** Greatest duration (s) and drag (CSS pixels) of a tap that makes the character jump. */
 const TAP_TIME = 0.25;
 const TAP_REACH = 10;
 /** Deflection of a gamepad's stick that is ignored, 0 to 1. */
@@ -48,8 +47,7 @@ function standardPad(): Gamepad | null {
 /**
  * Walks a GameObject through the scene's colliders: up steps and slopes, jumping, pushing what is in its way. Its
  * origin is at its feet. Keys, gamepad and fingers lead it, and turn it with the camera below it; scripts lead it by
- * `walk` and
- * `jump`. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
+ * `walk` and `jump`. What it does is simulation: it is not saved, and `scene.reset()` undoes it.
  */
 export class CharacterController extends physicsComponent(characterFields) {
   static override readonly typeName: string = 'CharacterController';
@@ -71,7 +69,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   private readonly held = new Set<string>();
   /** Movement that a script has asked for; null for none. */
   private asked: Vector3 | null = null;
-  private readonly stick = { pointer: -1, x: 0, y: 0, right: 0, back: 0 };
+  private readonly stick = new TouchStick();
   private readonly finger = { pointer: -1, since: 0, way: 0 };
   private pitch = 0;
   private wasPadJump = false;
@@ -142,21 +140,17 @@ export class CharacterController extends physicsComponent(characterFields) {
 
   override onPointerDown(event: EnginePointerEvent): void {
     if (event.pointerType !== 'touch') return;
-    const { stick, finger } = this;
-    if (event.ndcX < 0 && this.keys && stick.pointer < 0) {
-      Object.assign(stick, { pointer: event.pointerId, x: event.x, y: event.y, right: 0, back: 0 });
-    } else if (finger.pointer < 0) {
+    const { finger } = this;
+    if ((!this.keys || !this.stick.press(event)) && finger.pointer < 0) {
       Object.assign(finger, { pointer: event.pointerId, since: this.scene?.time ?? 0, way: 0 });
     }
   }
 
   override onPointerMove(event: EnginePointerEvent): void {
-    const { stick, finger } = this;
+    const { finger } = this;
+    this.stick.move(event);
     if (event.pointerType !== 'touch') {
       if (this.look === 'move' || (this.look === 'drag' && (event.buttons & 1) !== 0)) this.turnBy(event.dx, event.dy);
-    } else if (event.pointerId === stick.pointer) {
-      stick.right = (event.x - stick.x) / STICK_REACH;
-      stick.back = (event.y - stick.y) / STICK_REACH;
     } else if (event.pointerId === finger.pointer) {
       finger.way += Math.abs(event.dx) + Math.abs(event.dy);
       if (this.look !== 'none') this.turnBy(event.dx, event.dy);
@@ -164,10 +158,9 @@ export class CharacterController extends physicsComponent(characterFields) {
   }
 
   override onPointerUp(event: EnginePointerEvent): void {
-    const { stick, finger } = this;
-    if (event.pointerType !== 'touch') return;
-    if (event.pointerId === stick.pointer) Object.assign(stick, { pointer: -1, right: 0, back: 0 });
-    if (event.pointerId !== finger.pointer) return;
+    const { finger } = this;
+    this.stick.lift(event);
+    if (event.pointerType !== 'touch' || event.pointerId !== finger.pointer) return;
     finger.pointer = -1;
     const isTap = finger.way < TAP_REACH && (this.scene?.time ?? 0) - finger.since < TAP_TIME;
     if (isTap && this.keys) this.jump();
@@ -230,8 +223,8 @@ export class CharacterController extends physicsComponent(characterFields) {
 
   private letGo(): void {
     this.held.clear();
-    this.stick.pointer = this.finger.pointer = -1;
-    this.stick.right = this.stick.back = 0;
+    this.stick.letGo();
+    this.finger.pointer = -1;
     this.control.wish.set(0, 0, 0);
     this.control.wantsJump = false;
   }

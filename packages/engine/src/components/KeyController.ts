@@ -1,14 +1,15 @@
 import { number, string, vector3 } from '@farol/editing/fields';
 import { Vector3 } from 'three';
-import type { EngineKeyEvent } from '../core/events';
+import type { EngineKeyEvent, EnginePointerEvent } from '../core/events';
 import { component } from '../core/Component';
+import { TouchStick } from './TouchStick';
 
 const move = new Vector3();
 const axis = new Vector3();
 
 /**
- * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5).
- * Movement is simulation: not saved, and undone by `scene.reset()`.
+ * Moves a GameObject by keys along its own front and right axes, and up and down in the world (thesis 3.2.5.5); on a
+ * touch screen by a finger put down on the left half of the picture and dragged. Movement is simulation: not saved, and undone by `scene.reset()`.
  */
 export class KeyController extends component({
   front: vector3([0, 0, -1], { help: 'Own axis that the forward key follows.' }),
@@ -25,10 +26,16 @@ export class KeyController extends component({
   static override readonly typeName: string = 'KeyController';
   static override readonly icon: string = 'keyboard';
   static override readonly unique: boolean = true;
-  static override readonly help: string = 'Motion by keys.';
+  static override readonly help: string = 'Motion by keys, or by a finger on the left half.';
 
   private readonly held = new Set<string>();
   private boosted = false;
+  private readonly stick = new TouchStick();
+
+  /** Whether the pointer is the finger that moves the object, so that it turns nothing. */
+  isMovedBy(event: EnginePointerEvent): boolean {
+    return this.stick.isHeldBy(event);
+  }
 
   override onKeyDown(event: EngineKeyEvent): void {
     this.boosted = event.shiftKey;
@@ -40,19 +47,34 @@ export class KeyController extends component({
     this.held.delete(event.code);
   }
 
+  override onPointerDown(event: EnginePointerEvent): void {
+    this.stick.press(event);
+  }
+
+  override onPointerMove(event: EnginePointerEvent): void {
+    this.stick.move(event);
+  }
+
+  override onPointerUp(event: EnginePointerEvent): void {
+    this.stick.lift(event);
+  }
+
   override onDetach(): void {
-    this.held.clear();
+    this.letGo();
   }
 
   override onActiveChanged(): void {
-    if (!this.isActive) this.held.clear();
+    if (!this.isActive) this.letGo();
   }
 
   override update(deltaSeconds: number): void {
-    if (this.held.size === 0) return;
+    const { stick } = this;
+    if (this.held.size === 0 && stick.right === 0 && stick.back === 0) return;
     const { object3D } = this.gameObject;
-    const forward = this.direction(this.forwardKey, 'ArrowUp') - this.direction(this.backwardKey, 'ArrowDown');
-    const sideways = this.direction(this.rightKey, 'ArrowRight') - this.direction(this.leftKey, 'ArrowLeft');
+    const ahead = this.direction(this.forwardKey, 'ArrowUp') - this.direction(this.backwardKey, 'ArrowDown');
+    const forward = ahead - stick.back;
+    const sideways =
+      this.direction(this.rightKey, 'ArrowRight') - this.direction(this.leftKey, 'ArrowLeft') + stick.right;
     const upward = this.direction(this.upKey, 'PageUp') - this.direction(this.downKey, 'PageDown');
     const { front, right } = this;
     move.set(0, 0, 0).addScaledVector(axis.set(front[0], front[1], front[2]), forward);
@@ -60,7 +82,12 @@ export class KeyController extends component({
     move.y += upward;
     if (move.lengthSq() === 0) return;
     const distance = this.speed * (this.boosted ? this.boost : 1) * deltaSeconds;
-    object3D.position.addScaledVector(move.normalize(), distance);
+    object3D.position.addScaledVector(move.clampLength(0, 1), distance);
+  }
+
+  private letGo(): void {
+    this.held.clear();
+    this.stick.letGo();
   }
 
   private direction(key: string, arrow: string): number {

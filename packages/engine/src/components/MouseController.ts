@@ -2,6 +2,7 @@ import { angle, choice, number, vector3 } from '@farol/editing/fields';
 import { Quaternion, Vector3 } from 'three';
 import type { EnginePointerEvent } from '../core/events';
 import { component } from '../core/Component';
+import { KeyController } from './KeyController';
 
 const BUTTONS: Record<string, number> = { left: 1, right: 2, middle: 4, any: 7 };
 
@@ -10,7 +11,7 @@ const axis = new Vector3();
 const front = new Vector3();
 
 /**
- * Turns a GameObject by dragging over the canvas: sideways about an axis of the world, up and down about one of its own,
+ * Turns a GameObject by dragging over the canvas, with the mouse or a finger: sideways about an axis of the world, up and down about one of its own,
  * so that it never tilts (thesis 3.2.5.5). What it does is simulation: it is not saved, and `scene.reset()` undoes it.
  */
 export class MouseController extends component({
@@ -36,10 +37,11 @@ export class MouseController extends component({
   static override readonly typeName: string = 'MouseController';
   static override readonly icon: string = 'mouse';
   static override readonly unique: boolean = true;
-  static override readonly help: string = 'Rotation by the mouse.';
+  static override readonly help: string = 'Rotation by the mouse or a finger.';
 
   override onPointerMove(event: EnginePointerEvent): void {
     if (this.button !== 'none' && (event.buttons & BUTTONS[this.button]) === 0) return;
+    if (this.gameObject.getComponent(KeyController)?.isMovedBy(event)) return;
     if (event.dx !== 0) this.turnSideways(-event.dx * this.speed);
     if (event.dy !== 0) this.turnUpwards(-event.dy * this.speed);
   }

@@ -61,6 +61,49 @@ describe('KeyController', () => {
   });
 });
 
+describe('fingers', () => {
+  const finger = (type: 'down' | 'move' | 'up', extra: Partial<EnginePointerEvent>): EnginePointerEvent => ({
+    ...drag(0, 0, type === 'up' ? 0 : 1),
+    ...{ type, pointerType: 'touch' as const },
+    ...extra,
+  });
+
+  test('on the left half moves, slower for a shorter drag, and stops where it is lifted', () => {
+    const { scene, object } = walker('KeyController', 'MouseController');
+    scene.dispatchPointer(finger('down', { ndcX: -0.5, x: 90, y: 200 }));
+    scene.dispatchPointer(finger('move', { ndcX: -0.5, x: 90, y: 170, dy: -30 }));
+    scene.update(1);
+    expect(object.transform.position[2]).toBeCloseTo(-2.5, 9);
+    scene.dispatchPointer(finger('move', { ndcX: 0.5, x: 390, y: 200, dx: 300, dy: 30 }));
+    scene.update(1);
+    expect(object.transform.position[0], 'at most at full speed').toBeCloseTo(5, 9);
+    expect(object.transform.rotation, 'it turns nothing').toEqual([0, 0, 0]);
+    scene.dispatchPointer(finger('up', { ndcX: 0.5 }));
+    scene.update(1);
+    expect(object.transform.position[0]).toBeCloseTo(5, 9);
+  });
+
+  test('on the right half turns while another moves', () => {
+    const { scene, object } = walker('KeyController', 'MouseController');
+    scene.dispatchPointer(finger('down', { ndcX: -0.5, x: 90, y: 200 }));
+    scene.dispatchPointer(finger('down', { ndcX: 0.5, x: 300, y: 200, pointerId: 2 }));
+    scene.dispatchPointer(finger('move', { ndcX: 0.5, x: 200, y: 200, dx: -100, pointerId: 2 }));
+    expect(object.transform.rotation[1]).toBeCloseTo(0.4, 9);
+    scene.update(1);
+    expect(object.transform.position).toEqual([0, 0, 0]);
+  });
+
+  test('lets go when the component is switched off', () => {
+    const { scene, object } = walker('KeyController');
+    scene.dispatchPointer(finger('down', { ndcX: -0.5, x: 90, y: 200 }));
+    scene.dispatchPointer(finger('move', { ndcX: -0.5, x: 90, y: 100, dy: -100 }));
+    object.active = false;
+    object.active = true;
+    scene.update(1);
+    expect(object.transform.position).toEqual([0, 0, 0]);
+  });
+});
+
 describe('MouseController', () => {
   test('turns sideways about the vertical of the world, and never tilts', () => {
     const { scene, object } = walker('MouseController');
