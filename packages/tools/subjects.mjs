@@ -27,7 +27,7 @@ export const subjects = [
   ['packages/renderer/src/techniques/multipass', ['render/sharedMaterial', 'render/glass']],
   ['packages/renderer/src/three/nodes', ['render/nodeMaterials']],
   ['packages/renderer/src/views', ['viewer/gui']],
-  ['packages/renderer', ['render/agreement', 'render/claims', 'render/host', 'perf/draws']],
+  ['packages/renderer', ['render/agreement', 'render/claims', 'render/host', 'perf/cpuCounts']],
 
   ['packages/bake', ['render/bake']],
 
