@@ -34,7 +34,7 @@ describe('TechniqueChooser', () => {
       'tiled-deferred',
       'tiled-deferred',
     ]);
-    expect([over(195, 46), over(954, 123), over(1600, 400)]).toEqual([
+    expect([over(195, 46), over(390, 123), over(500, 140)]).toEqual([
       'clustered-deferred',
       'clustered-deferred',
       'tiled-deferred',
@@ -67,9 +67,9 @@ describe('TechniqueChooser', () => {
     ],
     [
       'large lights',
-      { bounded: 1500, coverage: 400 },
+      { bounded: 400, coverage: 120 },
       'clustered-deferred',
-      { bounded: 1501, coverage: 400 },
+      { bounded: 401, coverage: 120 },
       'tiled-deferred',
     ],
   ] as const)('changes at a bound that was measured: %s', (_, at, technique, beyond, other) => {
@@ -123,15 +123,19 @@ describe('TechniqueChooser', () => {
     expect(frames.at(-1)).toBe('clustered-deferred');
   });
 
-  it('keeps to its choice a little past the bound, however long, on either side', () => {
+  it('keeps to its choice a little past the bound, on either side, until the other was best for long', () => {
     for (const [from, to] of [
       [1.6, 2.4],
       [2.4, 1.6],
     ]) {
       const chooser = new TechniqueChooser();
       const first = chooser.choose(scene({ coverage: from })).technique;
-      expect(new TechniqueChooser().choose(scene({ coverage: to })).technique).not.toBe(first);
-      expect(new Set(frames(chooser, 50, scene({ coverage: to }), false))).toEqual(new Set([first]));
+      const { technique } = new TechniqueChooser().choose(scene({ coverage: to }));
+      expect(technique).not.toBe(first);
+      expect(new Set(frames(chooser, 100, scene({ coverage: to }), false))).toEqual(new Set([first]));
+      frames(chooser, 1, scene({ coverage: from }));
+      expect(new Set(frames(chooser, 120, scene({ coverage: to }), false)), 'counted anew').toEqual(new Set([first]));
+      expect(frames(chooser, 20, scene({ coverage: to }), false).at(-1)).toBe(technique);
     }
   });
 

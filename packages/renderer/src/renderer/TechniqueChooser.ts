@@ -47,13 +47,15 @@ const MANY_LIGHTS = 90;
  */
 const SMALL_LIGHT = 0.125;
 /**
- * Number of lights with a range, of any size, from which on the CPU sorts them into clusters for longer than the GPU
- * draws.
+ * Number of lights with a range, of any size, from which on clusters, which the CPU sorts lights into, cost more than they
+ * save.
  */
-const VERY_MANY_LIGHTS = 1500;
+const VERY_MANY_LIGHTS = 400;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
+/** Frames in a row in which another technique is best, by however little, after which the choice no longer stays. */
+const LASTING = 120;
 /**
  * A bound passed by this factor counts at once in a scene's first frames: it is loading, and may not be drawn again
  * soon.
@@ -92,6 +94,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
   drawn: TechniqueName | null = null;
   private current: Choice | null = null;
   private waited = 0;
+  /** Frames in a row in which another technique than `current` was best. */
+  private outdone = 0;
   private frames = 0;
 
   /** Whether the scene was drawn so often that it must be taken to be on the screen, no longer loading. */
@@ -110,7 +114,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     const { current } = this;
     if (current === null) return (this.current = best);
     if (!this.settled) this.frames++;
-    const holds = best === current || this.holds(figures, SLACK);
+    this.outdone = best === current ? 0 : this.outdone + 1;
+    const holds = best === current || (this.outdone < LASTING && this.holds(figures, SLACK));
     this.waited = holds ? 0 : this.waited + 1;
     const deferred = current.technique.endsWith('deferred');
     const impossible = deferred ? !figures.floatTargets : figures.surfaces && figures.floatTargets;
