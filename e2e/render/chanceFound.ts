@@ -7,6 +7,11 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
     lights: [{ kind: 'field', position: [0, 0, 3] }],
     things: [{}],
   },
+  'a line lit by the material of the scene, whose segments meet in a pixel': {
+    world: { override: {} },
+    lights: [{ position: [1.5, 2, 2] }, { position: [-2, 1, 3] }],
+    things: [{ as: 'line', shape: 'box', position: [1.3, 0.57, -0.85] }],
+  },
   'levels of detail, chosen by the place of an array of cameras': {
     view: { camera: 'array', position: [-2.1, 1.6, 5.6] },
     lights: [{ kind: 'ambient' }],

@@ -96,7 +96,8 @@ export class MultipassLightsPass implements Pass {
     // by index: an iterator allocates until the loop is compiled
     for (let i = 0; i < opaque.length; i++) {
       const item = opaque[i];
-      if (item.route !== 'split' || !this.sums(item.material, frame)) continue;
+      // segments of a line meet at one depth with unlike normals: the last would have ambient light, the first the others
+      if (item.route !== 'split' || 'isLine' in item.object || !this.sums(item.material, frame)) continue;
       frame.drawTwin(item, base);
       item.drawn = true;
       items.push(item);
