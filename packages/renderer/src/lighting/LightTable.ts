@@ -89,8 +89,13 @@ export class LightTable extends VisibleLights {
     return this.bounded + this.slots;
   }
 
-  override collect(lights: readonly Light[], camera: Camera, settings: RecordSettings): void {
-    super.collect(lights, camera, settings);
+  override collect(
+    lights: readonly Light[],
+    camera: Camera,
+    settings: RecordSettings,
+    places: readonly number[] | null = null,
+  ): void {
+    super.collect(lights, camera, settings, places);
     this.bounded = this.boundeds.length;
   }
 

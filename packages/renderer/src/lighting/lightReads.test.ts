@@ -1,36 +1,91 @@
-import { PerspectiveCamera, PointLight } from 'three';
+import { Camera, PerspectiveCamera, PointLight, Scene } from 'three';
 import { expect, it } from 'vitest';
+import { collectLights, type FoundLights } from '../renderer/collectLights';
+import { fetchLightsAhead } from '../techniques/light-lists/fetchLights';
 import { rankByDepth } from '../techniques/light-lists/rankByDepth';
 import { LightTable } from './LightTable';
 
 /** Properties that a frame may read of a plain point light, its colour and matrix counted as one each time. */
-const MOST_READS = 21;
+const MOST_READS = 12;
+/** Properties more of one of at least 64 lights, which are fetched ahead. */
+const FETCHED_READS = 6;
+/** Properties that finding a light and bringing its matrices up to date may read. */
+const FOUND_READS = 28;
 
-it('reads few properties of a plain point light a frame, whether it moved or not: each may wait for memory', () => {
+fetchLightsAhead();
+
+let reads = 0;
+let matrixReads = 0;
+
+function countedLight(): PointLight {
+  const light = new PointLight(0xffffff, 1, 5);
+  light.position.z = -10;
+  light.updateMatrixWorld();
+  return new Proxy(light, {
+    get: (target, key) => {
+      reads++;
+      if (key === 'matrixWorld') matrixReads++;
+      return Reflect.get(target, key, target) as unknown;
+    },
+  });
+}
+
+function makeCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(60, 1, 0.1, 100);
   camera.updateMatrixWorld();
-  let reads = 0;
-  const lights = Array.from({ length: 50 }, () => {
-    const light = new PointLight(0xffffff, 1, 5);
-    light.position.z = -10;
-    light.updateMatrixWorld();
-    return new Proxy(light, {
-      get: (target, key) => {
-        reads++;
-        return Reflect.get(target, key, target) as unknown;
-      },
-    });
-  });
-  const table = new LightTable();
-  const readsOfFrame = (): number => {
-    reads = 0;
-    table.collect(lights, camera, { shadows: 'all', layers: null });
-    table.write(camera, 'by-depth', { width: 64, height: 64 }, null, rankByDepth);
-    return reads / lights.length;
+  return camera;
+}
+
+it.each([
+  [50, MOST_READS],
+  [64, MOST_READS + FETCHED_READS],
+])(
+  'reads few properties of each of %i plain point lights a frame, moved or not: each may wait for memory',
+  (n, most) => {
+    const camera = makeCamera();
+    const lights = Array.from({ length: n }, countedLight);
+    const table = new LightTable();
+    const readsOfFrame = (places: readonly number[] | null = null): number => {
+      reads = matrixReads = 0;
+      table.collect(lights, camera, { shadows: 'all', layers: null }, places);
+      table.write(camera, 'by-depth', { width: 64, height: 64 }, null, rankByDepth);
+      return reads / n;
+    };
+    expect(readsOfFrame()).toBe(most);
+    expect(readsOfFrame()).toBe(most);
+    for (const { matrixWorld } of lights) matrixWorld.elements[12] = 1;
+    expect(readsOfFrame()).toBe(most);
+    expect(table.visible).toBe(n);
+    const places = Array.from({ length: n * 3 }, () => -10);
+    expect(readsOfFrame(places)).toBe(most - 1);
+    expect(matrixReads, 'matrices whose places are known are not read again').toBe(0);
+    expect(Array.from(table.spheres.subarray(0, 4))).toEqual([-10, -10, -10, 5]);
+  },
+);
+
+it('reads few properties of a light to find it and to bring its matrices up to date', () => {
+  const scene = new Scene();
+  for (let i = 0; i < 50; i++) {
+    const light = countedLight();
+    light.parent = scene;
+    scene.children.push(light);
+  }
+  const found: FoundLights = {
+    all: [],
+    count: 0,
+    places: [],
+    nested: [],
+    rest: [],
+    seeksMasks: true,
+    masks: 0,
+    left: 0,
+    hasArea: false,
   };
-  expect(readsOfFrame()).toBe(MOST_READS);
-  expect(readsOfFrame()).toBe(MOST_READS);
-  for (const { matrixWorld } of lights) matrixWorld.elements[12] = 1;
-  expect(readsOfFrame()).toBe(MOST_READS);
-  expect(table.visible).toBe(50);
+  const left = { shadows: false, cookies: false, areas: false, all: false };
+  for (let frame = 0; frame < 2; frame++) {
+    reads = 0;
+    collectLights(scene, new Camera(), left, found, true);
+    expect(reads / 50).toBe(FOUND_READS);
+  }
+  expect(found.count).toBe(50);
 });

@@ -8,7 +8,7 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { lightRange } from './lightData';
 import { createRandom, randomDirection } from './testScenes';
 import { VisibleLights } from './VisibleLights';
@@ -154,4 +154,41 @@ describe.each(
     expect(visible.sphereCount).toBeGreaterThan(10);
     expect(visible.coneCount + visible.sphereCount).toBe(visible.boundeds.length);
   });
+});
+
+it('has plain point lights as their class has them, with places read before or not', () => {
+  const random = createRandom(23);
+  const camera = placed(perspective({ reversed: false }), random);
+  const pick = <T>(usual: T, ...rare: T[]): T => (random() < 0.9 ? usual : rare[Math.floor(random() * rare.length)]);
+  const lights = randomLights(600, random, camera.position).map(({ position }) => {
+    const light = new PointLight(
+      pick(0x8899aa, 0x000000),
+      pick(2, 0, NaN),
+      pick(5, 0, Infinity, -1),
+      pick(2, 0, -1, NaN),
+    );
+    light.position.copy(position);
+    light.position.x = pick(position.x, NaN, Infinity);
+    light.updateMatrixWorld();
+    return light;
+  });
+  const places = lights.flatMap(({ matrixWorld }) => matrixWorld.elements.slice(12, 15));
+  const warn = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
+  const figures = (withPlaces: boolean): unknown[] => {
+    const visible = new VisibleLights();
+    visible.collect(lights, camera, settings, withPlaces ? places : null);
+    const { boundeds, unboundeds, coverage, sphereCount, coneCount, spheres, cones } = visible;
+    const used = boundeds.length * 4;
+    const bounds = [...spheres.subarray(0, used), ...cones.subarray(0, used)];
+    return [[...boundeds], [...unboundeds], visible.visible, coverage, sphereCount, coneCount, bounds];
+  };
+  const plain = figures(true);
+  const warnings = warn.mock.calls.length;
+  expect(figures(false)).toEqual(plain);
+  for (const light of lights) light.userData.farol = {}; // of another class, with nothing that sets it apart
+  expect(figures(false)).toEqual(plain);
+  expect(warn.mock.calls.length).toBe(3 * warnings);
+  expect(warnings).toBeGreaterThan(10);
+  expect(plain[2]).toBeGreaterThan(100);
+  expect((plain[1] as Light[]).length).toBeGreaterThan(5);
 });

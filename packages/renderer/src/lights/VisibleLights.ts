@@ -7,8 +7,9 @@ import {
   type PointLight,
   Vector3,
 } from 'three';
-import { LightFacts, type MaskSettings } from './classifyLight';
-import { fieldCount, type LightFieldData } from './lightData';
+import { isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
+import { FETCHED_FROM, fetching } from './fetching';
+import { fieldCount, type LightFieldData, rangeOf } from './lightData';
 import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
 
 const up = new Vector3();
@@ -57,19 +58,38 @@ export class VisibleLights {
    * Takes the lights of a frame. World matrices must be up to date.
    * @param lights - managed ones that are visible to the camera's layers
    * @param camera - gives view space and the frustum
+   * @param places - world positions of the lights (m), three numbers each, read before. Default: read here
    */
-  collect(lights: readonly Light[], camera: Camera, settings: MaskSettings): void {
+  collect(
+    lights: readonly Light[],
+    camera: Camera,
+    settings: MaskSettings,
+    places: readonly number[] | null = null,
+  ): void {
     const { facts, space } = this;
     space.view = camera.matrixWorldInverse;
     space.projection = camera.projectionMatrix.elements;
     viewFrustumPlanes(space.projection, space.planes);
     this.settings = settings;
     this.clear(lights);
-    for (const light of lights) {
+    const fetcher = lights.length < FETCHED_FROM ? null : fetching.fetcher;
+    let fetched = 0;
+    for (let i = 0; i < lights.length; i++) {
+      const light = lights[i];
+      if (fetcher !== null && i === fetched) fetched = fetcher.fetchEmissions(lights, i);
+      if (
+        isPlainPoint(light, settings) &&
+        this.addPoint(light, places ?? light.matrixWorld.elements, places ? i * 3 : 12)
+      )
+        continue;
       if (!facts.classify(light, settings)) continue;
       const { kind } = facts;
       if (facts.range > 0) {
-        if (!this.addBounded(light)) continue;
+        const at = this.kept * 4;
+        if (!this.addBounded(light, facts.range)) continue;
+        this.emissions[at + 3] = -1;
+        if (facts.isMasked) this.masked.push(light);
+        if (kind === 'area') this.areas++;
       } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
       else if (kind === 'field') this.addField(light as LightFieldData);
       else this.addEndless(light, kind === 'directional' ? this.directionals : this.unboundeds);
@@ -126,26 +146,39 @@ export class VisibleLights {
     if (this.facts.isMasked) this.masked.push(light);
   }
 
-  /** @returns false for a light that reaches nothing that is seen */
-  private addBounded(light: Light): boolean {
-    const { cones, emissions, facts } = this;
+  /**
+   * Adds a plain point light, unless it gives no light or reaches nothing that is seen.
+   * @param from - numbers of which three, from `first` on, are the light's world position
+   * @returns false for a light with a value that is not finite
+   */
+  private addPoint(light: PointLight, from: readonly number[], first: number): boolean {
+    const { emissions } = this;
+    const { color, decay, intensity } = light;
+    const { r, g, b } = color;
+    const sum = from[first] + from[first + 1] + from[first + 2] + r + g + b + intensity + decay;
+    if (!Number.isFinite(sum)) return false;
+    if (intensity === 0 || (r === 0 && g === 0 && b === 0)) return true;
+    const range = rangeOf(light.distance);
     const at = this.kept * 4;
-    const coverage = boundLight(light, facts.range, this.space, this.spheres, cones, at);
-    if (coverage < 0) return false;
-    this.coverage += coverage;
-    if (cones[at + 3] > -1) this.coneCount++;
-    else this.sphereCount++;
-    if (facts.kind === 'area') this.areas++;
-    if (facts.isMasked) this.masked.push(light);
-    const isPlain = facts.kind === 'point' && !facts.isMasked && (light as PointLight).decay >= 0;
-    if (isPlain) {
-      const { r, g, b } = light.color;
-      const { intensity } = light;
+    if (range === 0) this.unboundeds.push(light);
+    else if (this.addBounded(light, range, from, first)) {
       emissions[at] = r * intensity;
       emissions[at + 1] = g * intensity;
       emissions[at + 2] = b * intensity;
-    }
-    emissions[at + 3] = isPlain ? (light as PointLight).decay : -1;
+      emissions[at + 3] = decay >= 0 ? decay : -1;
+    } else return true;
+    this.visible++;
+    return true;
+  }
+
+  /** @returns false for a light that reaches nothing that is seen */
+  private addBounded(light: Light, range: number, from?: readonly number[], first?: number): boolean {
+    const at = this.kept * 4;
+    const coverage = boundLight(light, range, this.space, this.spheres, this.cones, at, from, first);
+    if (coverage < 0) return false;
+    this.coverage += coverage;
+    if (this.cones[at + 3] > -1) this.coneCount++;
+    else this.sphereCount++;
     this.boundeds[this.kept++] = light;
     return true;
   }

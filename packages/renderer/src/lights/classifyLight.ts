@@ -131,6 +131,11 @@ export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
   );
 }
 
+/** True for a point light as three has it: with neither a mask nor `userData.farol`. */
+export function isPlainPoint(light: Light, masks: MaskSettings): light is PointLight {
+  return (light as AnyLight).isPointLight === true && light.userData.farol === undefined && !mayBeMasked(light, masks);
+}
+
 /** True if a directional, point or spot light gives nothing to any surface. */
 function isBlackLight(light: Light): boolean {
   if (light.intensity === 0) return true;
@@ -185,7 +190,6 @@ function hasFiniteValues(light: Light): boolean {
   const { elements } = light.matrixWorld;
   const { r, g, b } = light.color;
   let sum = elements[12] + elements[13] + elements[14] + r + g + b + light.intensity;
-  if ((light as AnyLight).isPointLight === true) return Number.isFinite(sum + ((light as PointLight).decay ?? 0));
   const { decay, angle, penumbra, width, height, groundColor, target } = light as SpotLight &
     RectAreaLight &
     HemisphereLight;

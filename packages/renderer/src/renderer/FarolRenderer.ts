@@ -247,7 +247,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     draws.begin(sceneView, effects, this.antialias);
     try {
       for (const effect of effects.all) effect.begin?.(frame);
-      this.lights.update(scene, frame, finder, this, this.pick);
+      this.lights.update(scene, frame, finder, this, effects.all.length > 0, this.pick);
       const { fills = 'behind' } = this.set.known[picker.active];
       sceneView.render(
         frame.camera,

@@ -40,9 +40,17 @@ export class FrameLights {
   /**
    * Brings the lights of a frame up to date.
    * @param finder - holds the lights found in the scene
+   * @param moves - whether code that ran since they were found may have moved them
    * @param pick - picks the technique by the visible lights; returns the order of lights that it needs
    */
-  update(scene: Object3D, frame: Frame, finder: LightFinder, settings: LightSettings, pick: () => LightOrder): void {
+  update(
+    scene: Object3D,
+    frame: Frame,
+    finder: LightFinder,
+    settings: LightSettings,
+    moves: boolean,
+    pick: () => LightOrder,
+  ): void {
     const { table, masks } = this;
     const { webgl } = settings;
     const { shadows } = finder;
@@ -52,7 +60,8 @@ export class FrameLights {
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
-    table.collect(finder.found.all, frame.camera, masks);
+    const { all, places } = finder.found;
+    table.collect(all, frame.camera, masks, moves ? null : places);
     layers?.end();
     const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
     table.slots = 0;

@@ -22,6 +22,7 @@ export class LightFinder {
   readonly found: FoundLights = {
     all: [],
     count: 0,
+    places: [],
     nested: [],
     rest: [],
     seeksMasks: true,

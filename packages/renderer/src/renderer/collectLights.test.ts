@@ -5,7 +5,8 @@ import { collectLights, type FoundLights } from './collectLights';
 const nothingLeft = { shadows: false, cookies: false, areas: false, all: false };
 
 function nothingFound(): FoundLights {
-  return { all: [], count: 0, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0, hasArea: false };
+  const places: number[] = [];
+  return { all: [], count: 0, places, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0, hasArea: false };
 }
 
 function collect(root: Object3D): FoundLights {
@@ -127,6 +128,9 @@ describe('collectLights', () => {
           if (each instanceof Own) expect(each.calls).toBe((wanted as Own).calls);
         });
         expect(names(found.all)).toEqual(names(collect(root).all));
+        found.all.forEach(({ matrixWorld: { elements } }, n) =>
+          expect(found.places.slice(n * 3, n * 3 + 3)).toEqual(elements.slice(12, 15)),
+        );
       }
     }
   });

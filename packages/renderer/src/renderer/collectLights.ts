@@ -1,4 +1,5 @@
 import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
+import { FETCHED_FROM, fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
@@ -7,6 +8,8 @@ export interface FoundLights {
   readonly all: Light[];
   /** Number of lights of this frame in `all`. */
   count: number;
+  /** World positions (m) of these lights, three numbers each; longer where earlier frames had more. */
+  readonly places: number[];
   /**
    * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
    */
@@ -85,9 +88,13 @@ function visitChildren(
 ): void {
   const { children } = parent;
   const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
+  // the length is that of the last frame
+  const fetcher = matrices === KEPT || found.all.length < FETCHED_FROM ? null : fetching.fetcher;
+  let fetched = 0;
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
     const isLight = (child as Light).isLight === true;
+    if (fetcher !== null && isLight && i >= fetched) fetched = fetcher.fetchPlaces(children, i);
     if (matrices !== KEPT) {
       if (!isLight || child.children.length > 0 || child.updateMatrixWorld !== updateMatrixWorld) {
         child.updateMatrixWorld(matrices === FORCED);
@@ -131,6 +138,8 @@ function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLight
     // three would warn of one that casts shadows in each frame: it is dark until its code is there
     return light.castShadow;
   }
+  const { elements } = light.matrixWorld;
+  for (let i = 0; i < 3; i++) found.places[found.count * 3 + i] = elements[12 + i];
   found.all[found.count++] = light;
   return true;
 }

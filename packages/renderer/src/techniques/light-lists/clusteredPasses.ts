@@ -4,10 +4,12 @@ import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import { lightLoopClustered, lightTiles, tiledOutput } from './chunks';
 import { LightGridPass } from './LightGridPass';
 import { TiledOutputPass } from './TiledOutputPass';
+import { fetchLightsAhead } from './fetchLights';
 import { forwardTail } from '../forwardTail';
 
 export { rankByGrid } from './rankByGrid';
 
+fetchLightsAhead();
 addBuiltinMicroShaders({ lightLoopClustered, lightTiles, tiledOutput });
 
 /** The passes of 'clustered-forward'. */

@@ -14,10 +14,12 @@ import {
 } from './chunks';
 import { LightTilesPass } from './LightTilesPass';
 import { TiledOutputPass } from './TiledOutputPass';
+import { fetchLightsAhead } from './fetchLights';
 import { forwardTail } from '../forwardTail';
 
 export { rankByDepth } from './rankByDepth';
 
+fetchLightsAhead();
 addBuiltinMicroShaders({
   ...{ lightLoopTiled, lightTileLists, lightTiles, tileDepth, tileDepthBlocks, tileMask, tileSummary, tiledOutput },
 });

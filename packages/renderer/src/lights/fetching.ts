@@ -1,0 +1,18 @@
+import type { Light, Object3D } from 'three';
+
+/** Readers of what many lights have in memory, ahead of its use. */
+export interface LightFetcher {
+  /**
+   * Reads what an update of the matrices of some lights needs.
+   * @returns index after the last object looked at
+   */
+  fetchPlaces(objects: readonly Object3D[], first: number): number;
+  /** Reads what some lights give. @returns index after the last light looked at */
+  fetchEmissions(lights: readonly Light[], first: number): number;
+}
+
+/** Number of lights from which on they are fetched ahead: fewer stay in a processor's caches from frame to frame. */
+export const FETCHED_FROM = 64;
+
+/** The fetcher is null until the code of light lists is there, which has it. */
+export const fetching: { fetcher: LightFetcher | null } = { fetcher: null };
