@@ -32,6 +32,12 @@ const PRECISION = `${FULL_PRECISION}precision highp sampler2D;\nprecision highp 
 // three's chunks are written for GLSL 1
 const GLSL1_NAMES = '#define texture2D texture\n#define varying in\n';
 
+/** Material whose `version` counts changes of three's chunks too. */
+interface Versioned {
+  /** Changes of the material itself. */
+  ownVersion: number;
+}
+
 /** Composes the material's shaders from the registry, and again after a live edit. */
 function compose(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): void {
   const raw = (material as RawShaderMaterial).isRawShaderMaterial === true;
@@ -42,14 +48,6 @@ function compose(material: ShaderMaterial, registry: MicroShaderRegistry, option
 }
 
 function follow(material: ShaderMaterial, registry: MicroShaderRegistry, options: PassMaterialOptions): () => void {
-  let version = 0;
-  // a change of three's chunks, which the text includes, is another version, and another program
-  Object.defineProperty(material, 'version', {
-    get: () => version + threeChunks.revision,
-    set(value: number) {
-      version = value - threeChunks.revision;
-    },
-  });
   material.customProgramCacheKey = () => `${threeChunks.revision}`;
   compose(material, registry, options);
   const names = [...options.vertex, ...options.fragment];
@@ -67,9 +65,28 @@ function parameters(options: PassMaterialOptions): ShaderMaterialParameters {
   return { transparent: false, depthTest: false, depthWrite: false, fog: false, toneMapped: false, ...rest };
 }
 
+/**
+ * Makes `version` of a class count changes of three's chunks too, which the texts include. An accessor on each material would
+ * give it a slow hidden class, which slows what three reads of every material.
+ */
+function countChunks(prototype: ShaderMaterial): void {
+  Object.defineProperty(prototype, 'version', {
+    get(this: Versioned) {
+      return this.ownVersion + threeChunks.revision;
+    },
+    set(this: Versioned, version: number) {
+      this.ownVersion = version - threeChunks.revision;
+    },
+  });
+}
+
 /** Material of a pass into a target of Farol's own, composed of microshaders: nothing of three's state changes its program. */
 export class PassMaterial extends RawShaderMaterial {
   private readonly unfollow: () => void;
+
+  static {
+    countChunks(PassMaterial.prototype);
+  }
 
   constructor(registry: MicroShaderRegistry, options: PassMaterialOptions) {
     super({ glslVersion: GLSL3, ...parameters(options) });
@@ -88,6 +105,10 @@ export class OutputMaterial extends ShaderMaterial {
   /** Whether draws with the material are in the reactive mask. Default false. */
   isReactive = false;
   private readonly unfollow: () => void;
+
+  static {
+    countChunks(OutputMaterial.prototype);
+  }
 
   constructor(registry: MicroShaderRegistry, options: PassMaterialOptions) {
     super(parameters(options));
