@@ -61,6 +61,48 @@ test('the light count of a pixel is what the technique evaluates there', async (
   }
 });
 
+/** Lights between a near and a far wall, of which none reaches either. */
+const BETWEEN = 8;
+
+test('lists by depth leave out the lights in the gap behind an edge', async ({ page }) => {
+  const measured = await page.evaluate(
+    ([hottest, between]) => {
+      const { testPage } = window;
+      const { three } = testPage;
+      const [width, height] = [64, 32];
+      const bench = new testPage.Bench(width, height);
+      bench.farol.heatMapMaximum = hottest;
+      bench.farol.view = 'light-count';
+      const scene = new three.Scene();
+      const camera = new three.PerspectiveCamera(40, width / height, 0.5, 50);
+      const wall = (x: number, distance: number) => {
+        const mesh = new three.Mesh(new three.PlaneGeometry(60, 60), new three.MeshStandardMaterial());
+        mesh.position.set(x, 0, -distance);
+        scene.add(mesh);
+      };
+      wall(0, 20);
+      // its edge is 1.5 pixels right of the middle: inside a block of 4 pixels and a tile of 16
+      wall(0.17 - 30, 5);
+      for (let i = 0; i < between; i++) {
+        const light = new three.PointLight(0xffffff, 1, 1);
+        light.position.set(0.1 * i, 0, -8 - i);
+        scene.add(light);
+      }
+      return (['tiled-deferred', 'forward-plus'] as const).map((technique) => {
+        const { data } = bench.byTechnique(technique, scene, camera);
+        const row = (height / 2) * width;
+        return {
+          technique,
+          colours: [30, 31, 32, 33, 34, 35, 40].map((x) => Array.from(data.slice(4 * (row + x), 4 * (row + x) + 3))),
+        };
+      });
+    },
+    [HOTTEST, BETWEEN] as const,
+  );
+  for (const { technique, colours } of measured)
+    expect(colours.map(countOf), `${technique}: lights evaluated beside the edge`).toEqual(colours.map(() => 0));
+});
+
 test('the overdraw of a pixel is how often it is shaded', async ({ page }) => {
   const measured = await page.evaluate(
     ([hottest, layers]) => {

@@ -41,6 +41,10 @@ FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
   return lit;
 }
 
+vec3 farol_pixelNormal(const in FarolPixel lit) {
+  return lit.lobe.normalVS;
+}
+
 // record: a light with a range
 void farol_addToPixel(inout FarolPixel lit, const in int record) {
   farol_sumLight(lit.sums, lit.lobe, lit.positionVS, farol_localLight(record, lit.positionVS));

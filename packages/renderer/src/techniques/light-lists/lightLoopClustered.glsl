@@ -72,7 +72,12 @@ bool farol_mayHavePlain() {
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   if (farol_mayHavePlain()) {
-    FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record); FAROL_END_LISTED
+    // the shading model is asked before the loop, not light by light
+    if (farol_isPhysical(s)) {
+      FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record, true); FAROL_END_LISTED
+    } else {
+      FAROL_FOR_EACH_LISTED(s.positionVS) farol_addPoint(s, farol_record, false); FAROL_END_LISTED
+    }
   }
   if (FAROL_OTHER_LIGHTS > 0) {
     FAROL_FOR_EACH_UNMARKED(s.positionVS, farol_receivesShadows(s.flags))

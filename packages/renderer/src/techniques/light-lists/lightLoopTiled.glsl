@@ -19,7 +19,12 @@ uint farol_quadsFrom(const in uint bits, const in int start, const in int first,
 void farol_addAll(inout FarolShading s) {
   farol_addUnbounded(s);
   ivec2 farol_tile = farol_tileOf(gl_FragCoord.xy);
-  FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record); FAROL_END_LISTED
+  // the shading model is asked before the loop, not light by light
+  if (farol_isPhysical(s)) {
+    FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record, true); FAROL_END_LISTED
+  } else {
+    FAROL_FOR_EACH_LISTED_IN(0, farol_tileRun.w - 1) farol_addPoint(s, farol_record, false); FAROL_END_LISTED
+  }
   if (FAROL_OTHER_LIGHTS > 0) {
     FAROL_FOR_EACH_LISTED_IN(farol_tileRun.w, farol_tiles.w - 1) farol_addLocal(s, farol_record); FAROL_END_LISTED
   }

@@ -7,6 +7,8 @@
 //? farol_bitsFrom(0, 0, 31) == 4294967295u
 //? farol_bitsFrom(32, 33, 34) == 6u
 //? farol_bitsFrom(32, 0, 20) == 0u
+//? farol_packGap(vec2(0.0, 1.0)) == 4294770692u
+//? farol_packGap(vec2(1.0, 0.0)) == 65534u
 // grids side by side in a row of a list texture, as a power of two; tiles in x; tiles in y; quads a tile
 uniform highp ivec4 farol_tiles;
 // x: first record of the listed lights; y: their number; z: summary texels a tile; w: quads of plain point lights
@@ -29,4 +31,14 @@ uint farol_bitsFrom(const in int start, const in int first, const in int last) {
   int high = min(last - start, 31);
   if (low > high) return 0u;
   return (4294967295u << uint(low)) & (4294967295u >> uint(31 - high));
+}
+
+// the largest gap between the surfaces of a tile, as parts of their range, rounded to a smaller gap; bit 0 stays free
+uint farol_packGap(const in vec2 gap) {
+  vec2 steps = clamp(gap, 0.0, 1.0) * vec2(32767.0, 65535.0) + vec2(2.0, -2.0);
+  return min(uint(steps.x), 32767u) << 1 | uint(max(steps.y, 0.0)) << 16;
+}
+
+vec2 farol_unpackGap(const in uint packed) {
+  return vec2(packed >> 1 & 32767u, packed >> 16) / vec2(32767.0, 65535.0);
 }

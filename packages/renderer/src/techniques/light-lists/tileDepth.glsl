@@ -1,10 +1,11 @@
-// Nearest and farthest distance of the surfaces in each tile, and bits of the 32 slices between them that hold any.
+// Nearest and farthest distance of the surfaces in each tile, bits of the 32 slices between them that hold any, and the
+// largest gap.
 // Harada 2012, A 2.5D Culling for Forward+
 #include "lightTiles"
 #include "unproject"
 uniform highp usampler2D farol_blocks;
 uniform vec2 farol_size;
-// x, y: float bits of nearest and farthest (m); z: slices; w: 1 if a pixel is empty
+// x, y: float bits of nearest and farthest (m); z: slices; w: 1 if a pixel is empty, and the gap: farol_tileGap
 layout(location = 0) out highp uvec4 farol_tileDepthOut;
 
 // depth: from farol_blocks, negative if reversed; steps: rounding steps added to it
@@ -13,6 +14,14 @@ float farol_viewDistance(const in float depth, const in float steps) {
   float distanceVS = -farol_viewZ(farol_depthMode.y > 0.0 ? depth : min(depth + steps * 6e-8, 1.0));
   // 1e15: too far for depth to tell
   return distanceVS < 1e15 && (distanceVS > 0.0 || farol_perspective == 0.0) ? distanceVS : 1e15;
+}
+
+// distances (m) of the surfaces of a block: from x to y, and from z to w
+vec4 farol_blockRuns(const in uvec4 block) {
+  vec2 depths = uintBitsToFloat(block.xy);
+  vec2 gap = depths.x + vec2(block.w & 65535u, block.w >> 16) * ((depths.y - depths.x) / 65535.0);
+  return vec4(farol_viewDistance(depths.x, -4.0), farol_viewDistance(gap.x, 4.0), farol_viewDistance(gap.y, -4.0),
+    farol_viewDistance(depths.y, 4.0));
 }
 //# main
 ivec2 first = ivec2(gl_FragCoord.xy) << (FAROL_TILE_SHIFT - 2);
@@ -38,13 +47,35 @@ if (farthest < -1.5) {
   float scale = 32.0 / max(to - from, 1e-6);
   for (int y = first.y; y < last.y; y++) {
     for (int x = first.x; x < last.x; x++) {
-      vec2 block = uintBitsToFloat(texelFetch(farol_blocks, ivec2(x, y), 0).xy);
-      if (block.y >= -1.5) {
-        int low = int(clamp((farol_viewDistance(block.x, -4.0) - from) * scale, 0.0, 31.0));
-        int high = int(clamp((farol_viewDistance(block.y, 4.0) - from) * scale, 0.0, 31.0));
-        slices |= farol_bitsFrom(0, low, high);
+      uvec4 block = texelFetch(farol_blocks, ivec2(x, y), 0);
+      if (uintBitsToFloat(block.y) >= -1.5) {
+        ivec4 ends = ivec4(clamp((farol_blockRuns(block) - from) * scale, 0.0, 31.0));
+        slices |= farol_bitsFrom(0, ends.x, ends.y) | farol_bitsFrom(0, ends.z, ends.w);
       }
     }
   }
-  farol_tileDepthOut = uvec4(floatBitsToUint(from), floatBitsToUint(to), slices, empty);
+  // the longest run of empty slices, by shortening all of them by one until none is left
+  uint left = 0u;
+  float count = 0.0;
+  for (uint holes = ~slices; holes != 0u; holes &= holes << 1) {
+    left = holes;
+    count += 1.0;
+  }
+  vec2 gap = vec2(to);
+  if (count > 0.0) {
+    float middle = from + (float(farol_lowestBit(left)) + 1.0 - 0.5 * count) / scale;
+    gap.x = from;
+    for (int y = first.y; y < last.y; y++) {
+      for (int x = first.x; x < last.x; x++) {
+        uvec4 block = texelFetch(farol_blocks, ivec2(x, y), 0);
+        if (uintBitsToFloat(block.y) >= -1.5) {
+          vec4 runs = farol_blockRuns(block);
+          if (runs.x <= middle) gap.x = max(gap.x, runs.w <= middle ? runs.w : runs.y);
+          if (runs.w > middle) gap.y = min(gap.y, runs.x > middle ? runs.x : runs.z);
+        }
+      }
+    }
+  }
+  farol_tileDepthOut = uvec4(floatBitsToUint(from), floatBitsToUint(to), slices,
+    empty | farol_packGap((gap - from) * (1.0 / max(to - from, 1e-6))));
 }

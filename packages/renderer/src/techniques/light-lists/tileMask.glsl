@@ -1,6 +1,6 @@
 // Bits of 128 lights that touch one tile: the sphere of a light's range (and its cone) against the tile's frustum, and
-// the box and slices of the depths in the tile where these are known. FAROL_COARSE: all lights against blocks of 4 × 4
-// tiles, which the fine tiles follow.
+// the boxes and slices of the depths in the tile where these are known: a box before the largest gap in depth and one
+// behind it. FAROL_COARSE: all lights against blocks of 4 × 4 tiles, which the fine tiles follow.
 // Olsson and Assarsson 2011, Tiled Shading; Harada 2012, A 2.5D Culling for Forward+; Wronski 2017, Cull that cone
 #include "lightTiles"
 #include "lightTable"
@@ -16,11 +16,27 @@ struct FarolTile {
   vec4 slopes; // xy: low sides, zw: high sides of the tile at distance 1 m (orthographic: at any distance)
   vec4 scales; // one over the length of each side's normal
   vec2 range; // nearest and farthest distance (m)
-  vec3 low; // corners low and high of the box round the surfaces (view space, m)
-  vec3 high;
+  // corners low and high of the boxes round the surfaces before and behind the gap (view space, m)
+  vec3 low[2];
+  vec3 high[2];
   uint slices;
   float beyond; // distance (m) from which on surfaces may be missing in depth
 };
+
+// corners of the box round what a tile shows between two distances (m)
+void farol_boxOf(const in vec4 slopes, const in vec2 range, out vec3 low, out vec3 high) {
+  vec2 at = mix(vec2(1.0), range, farol_perspective);
+  vec4 nearSides = slopes * at.x;
+  vec4 farSides = slopes * at.y;
+  low = vec3(min(nearSides.xy, farSides.xy), -range.y);
+  high = vec3(max(nearSides.zw, farSides.zw), -range.x);
+}
+
+// squared distance of a point from a box (m²)
+float farol_outside(const in vec3 position, const in vec3 low, const in vec3 high) {
+  vec3 outside = max(max(low - position, position - high), 0.0);
+  return dot(outside, outside);
+}
 
 FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   FarolTile t;
@@ -36,13 +52,13 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
   uvec4 depths = texelFetch(farol_tileDepth, tile, 0);
   // widened, since positions are rounded
   t.range = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
+  vec2 ends = uintBitsToFloat(depths.xy);
+  vec2 gap = ends.x + farol_unpackGap(depths.w) * (ends.y - ends.x);
+  gap += vec2(0.0001, -0.0001) * abs(gap);
   t.slices = depths.z;
-  if (depths.w != 0u || farol_beyond < -1e29) t.beyond = farol_beyond;
-  vec2 at = mix(vec2(1.0), t.range, farol_perspective);
-  vec4 nearSides = t.slopes * at.x;
-  vec4 farSides = t.slopes * at.y;
-  t.low = vec3(min(nearSides.xy, farSides.xy), -t.range.y);
-  t.high = vec3(max(nearSides.zw, farSides.zw), -t.range.x);
+  if ((depths.w & 1u) != 0u || farol_beyond < -1e29) t.beyond = farol_beyond;
+  farol_boxOf(t.slopes, vec2(t.range.x, gap.x), t.low[0], t.high[0]);
+  farol_boxOf(t.slopes, vec2(gap.y, t.range.y), t.low[1], t.high[1]);
 #endif
   return t;
 }
@@ -55,8 +71,8 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
 #ifdef FAROL_DEPTH
   if (radius - sphere.z >= tile.beyond) return true;
   if (tile.range.x > tile.range.y) return false;
-  vec3 outside = max(max(tile.low - sphere.xyz, sphere.xyz - tile.high), 0.0);
-  if (dot(outside, outside) > radius * radius) return false;
+  if (min(farol_outside(sphere.xyz, tile.low[0], tile.high[0]), farol_outside(sphere.xyz, tile.low[1], tile.high[1]))
+    > radius * radius) return false;
 #if FAROL_DEPTH > 1
   vec2 slices = (vec2(-sphere.z - radius, -sphere.z + radius) - tile.range.x)
     * (32.0 / max(tile.range.y - tile.range.x, 1e-6));
@@ -69,8 +85,10 @@ bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int l
     vec4 cone = farol_lightCone(farol_tileRun.x + light);
     if (farol_lightIsCone(cone)) {
       float cutoff = farol_lightCutoff(cone);
-      vec3 towards = 0.5 * (tile.low + tile.high) - sphere.xyz;
-      float around = 0.5 * length(tile.high - tile.low) * 1.0001;
+      vec3 low = min(tile.low[0], tile.low[1]);
+      vec3 high = max(tile.high[0], tile.high[1]);
+      vec3 towards = 0.5 * (low + high) - sphere.xyz;
+      float around = 0.5 * length(high - low) * 1.0001;
       float along = -dot(towards, farol_lightAxis(cone));
       float across = sqrt(max(dot(towards, towards) - along * along, 0.0));
       if (cutoff * across - along * sqrt(1.0 - cutoff * cutoff) > around || along < -around) return false;

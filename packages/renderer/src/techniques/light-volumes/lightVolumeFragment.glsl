@@ -15,6 +15,8 @@ vec3 toLight = farol_lightPosition(sphere) - farol_pixelPosition(pixel, depth);
 float range = farol_lightRange(sphere);
 if (dot(toLight, toLight) >= range * range) discard;
 FarolPixel lit = farol_beginPixel(pixel, depth);
+// a plain point light gives nothing to a surface that faces away: neither shading nor blending
+if (farol_lightIsPlain(farol_record) && !(dot(farol_pixelNormal(lit), toLight) > 0.0)) discard;
 farol_addToPixel(lit, farol_record);
 farol_endPixel(lit, pixel);
 #endif

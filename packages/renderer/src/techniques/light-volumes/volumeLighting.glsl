@@ -22,6 +22,10 @@ FarolPixel farol_beginPixel(const in ivec2 pixel, const in float depth) {
   return farol_beginShading(pixel, depth, farol_size);
 }
 
+vec3 farol_pixelNormal(const in FarolPixel lit) {
+  return lit.normalVS;
+}
+
 void farol_addUnboundedToPixel(inout FarolPixel lit) {
   farol_addUnbounded(lit);
 }
