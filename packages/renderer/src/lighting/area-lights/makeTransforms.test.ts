@@ -10,7 +10,7 @@ it('has both tables of three’s, in halves where whole floats are not filtered'
   const whole = makeTransforms(deviceWith('OES_texture_float_linear'));
   const half = makeTransforms(deviceWith());
   expect([whole.type, half.type]).toEqual([FloatType, HalfFloatType]);
-  const { LTC_FLOAT_1, LTC_FLOAT_2 } = RectAreaLightTexturesLib;
+  const { LTC_FLOAT_1, LTC_FLOAT_2 } = RectAreaLightTexturesLib.init();
   const tables = [LTC_FLOAT_1, LTC_FLOAT_2].flatMap((table) => [...(table!.image.data as Float32Array)]);
   expect([...whole.image.data!]).toEqual(tables);
   expect(half.image.data).toHaveLength(tables.length);
