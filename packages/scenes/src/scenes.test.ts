@@ -155,6 +155,21 @@ describe('benchmarkLightsObjects', () => {
   });
 });
 
+test.each([
+  ['Planes', () => benchmarkLights(3, 1, { assets: shared })],
+  ['Objects', () => benchmarkLightsObjects(3, 1, 'sphere', { assets: shared })],
+  ['Objects', () => benchmarkLightsObjects(4, 1, 'sphere', { assets: shared })],
+])('%s of a benchmark stand round the middle of the scene', async (name, build) => {
+  const scene = await build();
+  const middle = new Vector3();
+  const { children } = scene.find(name)!;
+  for (const { transform } of children) middle.add(transform.worldPosition);
+  const count = children.length;
+  scene.dispose();
+  expect(middle.x / count).toBeCloseTo(0, 9);
+  expect(middle.z / count).toBeCloseTo(0, 9);
+});
+
 describe('sponza', () => {
   test('is an atrium of about 100 meshes and 260,000 triangles, with a dozen materials', async () => {
     const scene = await sponza(0, { assets: shared, textureSize: 128 });

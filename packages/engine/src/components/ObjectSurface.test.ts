@@ -241,6 +241,35 @@ describe('a model that wears a surface', () => {
   });
 });
 
+test('objects and models share their materials again after a simulation gave one of them values of its own', () => {
+  const { scene, assets, box } = made();
+  const cube = new Group();
+  cube.add(new Mesh(new BoxGeometry(), new MeshStandardMaterial()));
+  assets.register('cube', new Model(cube, []));
+  const modelOf = (name: string): ModelRenderer => {
+    const object = new GameObject(name);
+    scene.add(object);
+    return object.addComponent(ModelRenderer, { model: 'cube', surface: 'Rust' });
+  };
+  const models = ['One', 'Two'].map(modelOf);
+  const boxes = ['Three', 'Four'].map((name) => box(name, { surface: 'Rust' }));
+  const drawnBy = (renderer: ModelRenderer | ObjectRenderer): unknown =>
+    ((renderer.three!.children[0] ?? renderer.three) as Mesh).material;
+  for (const [one, other] of [models, boxes]) {
+    const shared = drawnBy(one);
+    expect(drawnBy(other)).toBe(shared);
+    // the second ends with the value that it has authored
+    for (const last of [0.75, 0.25]) {
+      for (const amount of [0.5, last]) one.simulate('surface.amount', amount);
+      expect(drawnBy(one)).not.toBe(shared);
+      one.endSimulation();
+      expect(drawnBy(one)).toBe(shared);
+      expect(getSurfaces(shared as MeshStandardMaterial)[0].uniforms.amount.value).toBe(0.25);
+    }
+  }
+  scene.dispose();
+});
+
 describe('tracks of uniforms', () => {
   const COUNT = 1000;
 

@@ -115,6 +115,33 @@ test("tone mapping reaches the renderer for the frame alone, with the camera's o
   expect([farol.webgl.toneMapping, farol.webgl.toneMappingExposure]).toEqual([NoToneMapping, 1]);
 });
 
+test('effects forget the frames that they have gathered when tones change, and not else', async () => {
+  const scene = new Scene();
+  scene.settings.antialiasing = 'taa';
+  const camera = new Camera();
+  scene.add(new GameObject('Camera').addComponent(camera).gameObject);
+  const farol = makeFarol('forward-single-pass');
+  const picture = new PictureRenderer(farol, { failed });
+  picture.render(scene, camera.three, camera);
+  await vi.waitFor(() => expect(names(farol)).toEqual(['TAA']));
+  picture.render(scene, camera.three, camera);
+  const reset = vi.spyOn(farol.effects[0] as Required<FarolEffect>, 'reset');
+  const forgets = (change: () => void): number => {
+    change();
+    for (let i = 0; i < 2; i++) picture.render(scene, camera.three, camera);
+    const { length } = reset.mock.calls;
+    reset.mockClear();
+    return length;
+  };
+  expect(forgets(() => (scene.settings.exposure = 2))).toBe(0); // which counts with a tone mapping alone
+  expect(forgets(() => (scene.settings.toneMapping = 'reinhard'))).toBe(1);
+  expect(forgets(() => (scene.settings.exposure = 3))).toBe(1);
+  expect(forgets(() => (camera.exposureCompensation = 1))).toBe(1);
+  expect(forgets(() => (camera.toneMapping = 'agx'))).toBe(1);
+  expect(forgets(() => (camera.fov = 1))).toBe(0);
+  expect(forgets(() => (camera.toneMapping = 'none'))).toBe(1);
+});
+
 test('a technique that is not there is told once, and the default draws until it comes', () => {
   const scene = new Scene();
   scene.settings.technique = 'glow';

@@ -1,5 +1,6 @@
 import { GameObject, Light, ObjectRenderer, Scene } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
+import { Color } from 'three';
 import { describe, expect, it } from 'vitest';
 import { EditorDocument } from '../EditorDocument';
 import { arrangement } from '../testing/randomArrangement';
@@ -102,6 +103,18 @@ describe('arrangeObjects', () => {
     expect(document.serialize()).toBe(before);
     document.commands.redo();
     expect(document.serialize()).toBe(after);
+  });
+
+  it('goes once through all hues, in equal steps, and does not repeat the first', () => {
+    const { document, run } = lampDocument();
+    run({ kind: 'ring', count: 6, radius: 8, colours: 'rainbow' });
+    const hues = document.scene.componentsOf(Light).map(({ diffuse }) => {
+      const [r, g, b] = diffuse;
+      return Math.round(
+        (new Color(r, g, b).multiplyScalar(1 / Math.max(r, g, b)).getHSL({ h: 0, s: 0, l: 0 }).h * 360) / 60,
+      );
+    });
+    expect(hues.toSorted((a, b) => a - b)).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
   it('gives a copy the same look whatever the count is', () => {
