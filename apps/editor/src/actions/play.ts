@@ -2,7 +2,7 @@ import type { Camera } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { isEvenlyScaled } from '../model/isEvenlyScaled';
-import { isTouchScreen } from '../ui/isTouchScreen';
+import { isTouchScreen } from '../viewport/isTouchScreen';
 
 const mainCamera = ({ document }: EditorApi): Camera | null => document.scene.activeCamera as Camera | null;
 

@@ -4,7 +4,7 @@ import { type ReactNode, useEffect, useRef } from 'react';
 import { play } from '../../actions/play';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
-import { isTouchScreen } from '../../ui/isTouchScreen';
+import { isTouchScreen } from '../../viewport/isTouchScreen';
 import { keyText } from '../../ui/keyText';
 import { useSoundWaits } from '../../ui/useAudioOutput';
 import { useKeyBindings } from '../../ui/useKeyBindings';

@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { isTouchScreen } from '../../ui/isTouchScreen';
+import { isTouchScreen } from '../../viewport/isTouchScreen';
 import type { Viewport } from '../../viewport/Viewport';
 
 /** Notes while playing: who receives keys, and whether the camera that is looked through can be moved. */
