@@ -17,6 +17,7 @@ const names = {
     'PictureRenderer',
     'effectFields',
     'techniqueAbilities',
+    'TouchControls',
     'watchPixelRatio',
   ],
   scene: [

@@ -9,6 +9,7 @@ export { effectFields } from './settings/effectFields';
 export { techniqueAbilities, type TechniqueAbilities } from './picture/techniqueAbilities';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
 export { InputRouter, type InputSink, type InputSurface } from './app/InputRouter';
+export { TouchControls } from './app/TouchControls';
 export { watchPixelRatio } from './app/watchPixelRatio';
 export { MicroShaderOverrides, type MicroShaderProblem } from './app/MicroShaderOverrides';
 

@@ -2,6 +2,7 @@ import type { Camera } from '@farol/engine';
 import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import { isEvenlyScaled } from '../model/isEvenlyScaled';
+import { isTouchScreen } from '../viewport/isTouchScreen';
 
 const mainCamera = ({ document }: EditorApi): Camera | null => document.scene.activeCamera as Camera | null;
 
@@ -14,8 +15,11 @@ export const play: Action = {
   keys: ['Ctrl+P'],
   inFields: true,
   icon: 'play',
-  run({ document: { simulation } }) {
+  run(editor) {
+    const { simulation } = editor.document;
     if (simulation.isPlaying) simulation.stop();
+    // a finger that would turn the editor's camera leads the scene's character instead
+    else if (isTouchScreen() && canPlayThrough(editor)) editor.viewport.playThrough(mainCamera(editor)!, false);
     else simulation.play();
   },
   checked: ({ document }) => document.simulation.isPlaying,

@@ -8,6 +8,7 @@ import {
   KeyController,
   MouseController,
   type Scene,
+  TouchControls,
   watchPixelRatio,
 } from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
@@ -181,8 +182,10 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
   app.canvas.setAttribute('role', 'img');
   app.canvas.setAttribute('aria-label', scene.name);
   let resized: (width: number, height: number) => void = () => {};
-  if ((scripted || listens(scene)) && scene.activeCamera) app.start();
-  else resized = orbit(app, scene);
+  if ((scripted || listens(scene)) && scene.activeCamera) {
+    app.start();
+    new TouchControls(app.canvas, document.body, () => app.scene);
+  } else resized = orbit(app, scene);
   const resize = (): void => {
     const { innerWidth: width, innerHeight: height } = window;
     app.resize(Math.max(1, width), Math.max(1, height), Math.min(devicePixelRatio, 2));

@@ -210,7 +210,7 @@ export const components: Texts = {
   'Of decals in one place the highest is on top.':
     'De las calcomanías en un lugar, la de número más alto queda encima.',
   'Key Controller': 'Control por teclas',
-  'Motion by keys.': 'Movimiento con teclas.',
+  'Motion by keys, or by a finger on the left half.': 'Movimiento con teclas, o con un dedo en la mitad izquierda.',
   Front: 'Frente',
   'Own axis that the forward key follows.': 'Eje propio que sigue la tecla de avance.',
   Right: 'Derecha',
@@ -231,7 +231,7 @@ export const components: Texts = {
   'Down key': 'Tecla de bajar',
   'Key to sink.': 'Tecla para bajar.',
   'Mouse Controller': 'Control por ratón',
-  'Rotation by the mouse.': 'Rotación con el ratón.',
+  'Rotation by the mouse or a finger.': 'Rotación con el ratón o un dedo.',
   'Sideways axis': 'Eje lateral',
   "The world's axis that sideways motion turns about.": 'Eje del mundo en torno al que gira el movimiento lateral.',
   'Up and down axis': 'Eje vertical',

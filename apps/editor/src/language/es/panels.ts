@@ -328,6 +328,8 @@ export const panels: Texts = {
   'The stop button': 'El botón de detener',
   Playing: 'En reproducción',
   Paused: 'En pausa',
+  'Tap Stop to put everything back': 'Toca Detener para dejar todo como estaba',
+  Jump: 'Saltar',
   '{keys} stops and puts everything back': '{keys} detiene y deja todo como estaba',
   'Stop puts everything back; {keys} plays on': 'Detener deja todo como estaba; {keys} continúa',
   Menus: 'Menús',

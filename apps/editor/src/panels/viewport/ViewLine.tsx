@@ -1,11 +1,13 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { isTouchScreen } from '../../viewport/isTouchScreen';
 import type { Viewport } from '../../viewport/Viewport';
 
 /** Notes while playing: who receives keys, and whether the camera that is looked through can be moved. */
 function textOf(viewport: Viewport): string {
   const { input, lookThrough, document } = viewport;
+  if (isTouchScreen() && document.simulation.state !== 'stopped') return '';
   if (input.hasKeys) return t('Keys go to the scene. Esc gives them back.');
   if (input.wantsKeys) return t("Keys are the editor's. Press the picture to give them to the scene.");
   if (!lookThrough?.isAttached || document.simulation.state !== 'stopped') return '';
