@@ -184,7 +184,7 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
   let resized: (width: number, height: number) => void = () => {};
   if ((scripted || listens(scene)) && scene.activeCamera) {
     app.start();
-    new TouchControls(app.canvas, document.body, () => app.scene);
+    new TouchControls(app.canvas, document.body, () => app.scene, t('Jump'));
   } else resized = orbit(app, scene);
   const resize = (): void => {
     const { innerWidth: width, innerHeight: height } = window;

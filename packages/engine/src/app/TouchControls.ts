@@ -1,4 +1,3 @@
-import { t } from '@farol/editing';
 import type { CharacterController } from '../components/CharacterController';
 import type { Scene } from '../core/Scene';
 
@@ -60,17 +59,19 @@ export class TouchControls {
    * @param canvas - the canvas whose pointer events go to the scene
    * @param parent - positioned element, as large as the canvas, over which the controls are laid
    * @param getScene - gives the scene that is played
+   * @param jumpLabel - text of the jump button
    */
   constructor(
     private readonly canvas: HTMLElement,
     parent: HTMLElement,
     private readonly getScene: () => Scene,
+    jumpLabel: string,
   ) {
     const { signal } = this.abort;
     this.ring.append(this.knob);
     this.ring.dataset.touchStick = '';
     this.jump.type = 'button';
-    this.jump.textContent = t('Jump');
+    this.jump.textContent = jumpLabel;
     this.root.append(this.ring, this.jump);
     parent.append(this.root);
     canvas.addEventListener('pointerdown', (event) => this.press(event), { signal });

@@ -15,7 +15,9 @@ vec2 farol_blockRange(const in ivec2 block) {
       uvec4 depths = texelFetch(farol_fieldTileDepth, ivec2(x, y), 0);
       vec2 tile = uintBitsToFloat(depths.xy) * vec2(0.9999, 1.0001);
       if (tile.x <= tile.y) range = vec2(min(range.x, tile.x), max(range.y, tile.y));
-      if ((depths.w & 1u) != 0u || farol_beyond < -1e29) range.y = max(range.y, 1e30), range.x = min(range.x, farol_beyond);
+      if ((depths.w & 1u) != 0u || farol_beyond < -1e29) {
+        range = vec2(min(range.x, farol_beyond), max(range.y, 1e30));
+      }
     }
   }
   return range;

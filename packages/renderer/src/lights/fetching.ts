@@ -1,4 +1,7 @@
-import type { Light, Object3D } from 'three';
+import type { Light } from 'three';
+
+/** A light, or an object above one. */
+type Placed = NonNullable<Light['parent']>;
 
 /** Readers of what many lights have in memory, ahead of its use. */
 export interface LightFetcher {
@@ -6,7 +9,7 @@ export interface LightFetcher {
    * Reads what an update of the matrices of some lights needs.
    * @returns index after the last object looked at
    */
-  fetchPlaces(objects: readonly Object3D[], first: number): number;
+  fetchPlaces(objects: readonly Placed[], first: number): number;
   /** Reads what some lights give. @returns index after the last light looked at */
   fetchEmissions(lights: readonly Light[], first: number): number;
 }

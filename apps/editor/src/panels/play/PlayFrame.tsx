@@ -23,7 +23,7 @@ export function PlayFrame(): ReactNode {
   const isLed = viewport.lookThrough !== null && state === 'playing';
   useEffect(() => {
     if (!isLed) return undefined;
-    const controls = new TouchControls(viewport.canvas, place.current!, () => document.scene);
+    const controls = new TouchControls(viewport.canvas, place.current!, () => document.scene, t('Jump'));
     return () => controls.dispose();
   }, [isLed, viewport, document]);
   if (state === 'stopped') return null;
