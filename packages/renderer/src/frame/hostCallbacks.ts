@@ -1,4 +1,4 @@
-import { BatchedMesh, Object3D, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { type BatchedMesh, Mesh, Object3D, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 
 const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
@@ -21,13 +21,22 @@ function draws(callback: Callback): boolean {
   return known;
 }
 
+/** `BatchedMesh.prototype.onBeforeRender`, found from a batch: to import the class would add 4 kB to every page. */
+function callbackOfBatches(batch: Object3D): Callback {
+  let prototype: Object3D | null = batch;
+  let above: Object3D | null = null;
+  while (prototype && (above = Object.getPrototypeOf(prototype) as Object3D | null) !== Mesh.prototype)
+    prototype = above;
+  return prototype?.onBeforeRender ?? onBeforeRender;
+}
+
 /**
  * Whether the host's code, run when an object is drawn, may clear depth or draw: by what is known of it, and that of whatever
  * has a place in the order of draws.
  */
 export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;
-  const own = (object as BatchedMesh).isBatchedMesh ? BatchedMesh.prototype.onBeforeRender : onBeforeRender;
+  const own = (object as BatchedMesh).isBatchedMesh ? callbackOfBatches(object) : onBeforeRender;
   if (before === own && after === onAfterRender) return false;
   return hasPlace || draws(before) || draws(after);
 }
