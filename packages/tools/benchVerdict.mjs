@@ -205,7 +205,9 @@ export function reachedText(run, before) {
     for (const row of rows) {
       const figures = figuresOf(row);
       if (figures && !row.competitor.endsWith(AGAINST))
-        cases[`${name}: ${row.competitor}`] = figures.map((value) => value && Number(value.toPrecision(3)));
+        cases[`${name}: ${row.competitor}`] = figures.map(
+          (value) => value && (Number.isInteger(value) ? value : Number(value.toPrecision(3))),
+        );
     }
   }
   const lines = Object.entries(cases).map(
