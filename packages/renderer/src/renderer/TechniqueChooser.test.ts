@@ -34,7 +34,7 @@ describe('TechniqueChooser', () => {
       'tiled-deferred',
       'tiled-deferred',
     ]);
-    expect([over(195, 46), over(390, 123), over(500, 140)]).toEqual([
+    expect([over(100, 30), over(195, 46), over(205, 46)]).toEqual([
       'clustered-deferred',
       'clustered-deferred',
       'tiled-deferred',
@@ -67,9 +67,23 @@ describe('TechniqueChooser', () => {
     ],
     [
       'large lights',
-      { bounded: 400, coverage: 120 },
+      { bounded: 200, coverage: 60 },
       'clustered-deferred',
-      { bounded: 401, coverage: 120 },
+      { bounded: 201, coverage: 60 },
+      'tiled-deferred',
+    ],
+    [
+      'lights over objects that take the CPU longer than the GPU',
+      { bounded: 60, coverage: 30, objects: 1000 },
+      'clustered-deferred',
+      { bounded: 60, coverage: 30, objects: 1001 },
+      'tiled-deferred',
+    ],
+    [
+      'lights over many objects',
+      { bounded: 50, coverage: 30, objects: 2000 },
+      'clustered-deferred',
+      { bounded: 51, coverage: 30, objects: 2000 },
       'tiled-deferred',
     ],
   ] as const)('changes at a bound that was measured: %s', (_, at, technique, beyond, other) => {

@@ -50,7 +50,13 @@ const SMALL_LIGHT = 0.125;
  * Number of lights with a range, of any size, from which on clusters, which the CPU sorts lights into, cost more than they
  * save.
  */
-const VERY_MANY_LIGHTS = 400;
+const VERY_MANY_LIGHTS = 200;
+/**
+ * Number of opaque items from which on the CPU takes longer than the GPU, and number of lights from which on it then takes
+ * less for lists of tiles, which the GPU makes.
+ */
+const MANY_OBJECTS = 1000;
+const MANY_LIGHTS_OVER_MANY_OBJECTS = 50;
 /** A choice stays until its bound is passed by this factor, this many frames in a row. */
 const SLACK = 1.3;
 const PATIENCE = 8;
@@ -151,7 +157,8 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     }
     const many = bounded * scale;
     const small = coverage <= SMALL_LIGHT * many;
-    const tiled = !transparents && many > (small ? MANY_LIGHTS : VERY_MANY_LIGHTS);
-    return tiled ? 'tiled-deferred' : 'clustered-deferred';
+    const ofAnyObjects = small ? MANY_LIGHTS : VERY_MANY_LIGHTS;
+    const bound = objects * scale > MANY_OBJECTS ? MANY_LIGHTS_OVER_MANY_OBJECTS : ofAnyObjects;
+    return many > bound && !transparents ? 'tiled-deferred' : 'clustered-deferred';
   }
 }
