@@ -31,12 +31,12 @@ const limits: Record<string, CPUCounts> = {
     ...{ objectReads: 77.3, lightReads: 50, stillBytes: 0, movingBytes: 16 },
   },
   'atrium, 100 lights': {
-    ...{ technique: 'tiled-deferred', draws: 105, calls: 287, programs: 7, visited: 202 },
-    ...{ objectReads: 79.1, lightReads: 50.1, stillBytes: 0, movingBytes: 6416 },
+    ...{ technique: 'tiled-deferred', draws: 105, calls: 289, programs: 7, visited: 202 },
+    ...{ objectReads: 79.1, lightReads: 55.1, stillBytes: 0, movingBytes: 6416 },
   },
   'atrium, 1,000 lights': {
-    ...{ technique: 'tiled-deferred', draws: 106, calls: 294, programs: 7, visited: 1102 },
-    ...{ objectReads: 79.1, lightReads: 50, stillBytes: 0, movingBytes: 65_536 },
+    ...{ technique: 'tiled-deferred', draws: 106, calls: 296, programs: 7, visited: 1102 },
+    ...{ objectReads: 79.1, lightReads: 55, stillBytes: 0, movingBytes: 65_536 },
   },
   'model, 3 lights': {
     ...{ technique: 'forward-single-pass', draws: 13, calls: 72, programs: 2, visited: 22 },

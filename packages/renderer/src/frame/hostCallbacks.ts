@@ -36,8 +36,9 @@ function callbackOfBatches(batch: Object3D): Callback {
  */
 export function isStepOfHost(object: Object3D, hasPlace: boolean): boolean {
   const { onBeforeRender: before, onAfterRender: after } = object;
-  const own = (object as BatchedMesh).isBatchedMesh ? callbackOfBatches(object) : onBeforeRender;
-  if (before === own && after === onAfterRender) return false;
+  const isOwn =
+    before === onBeforeRender || ((object as BatchedMesh).isBatchedMesh && before === callbackOfBatches(object));
+  if (isOwn && after === onAfterRender) return false;
   return hasPlace || draws(before) || draws(after);
 }
 
