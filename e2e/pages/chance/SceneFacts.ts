@@ -34,7 +34,7 @@ export const kinds = [
   ...['line', 'segments', 'loop', 'points', 'sprite'],
 ] as const;
 export type Kind = (typeof kinds)[number] & string;
-export type Shape = 'ball' | 'box' | 'knot' | 'sheet' | 'cone' | 'bowl' | 'crystal';
+export type Shape = 'ball' | 'box' | 'knot' | 'sheet' | 'tiles' | 'cone' | 'bowl' | 'crystal';
 export type Trait = 'interleaved' | 'without index' | 'wide index' | 'bytes' | 'range' | 'tangents' | 'without normals';
 
 export interface ShadowFacts {

@@ -7,6 +7,7 @@ const shapes: Readonly<Record<Shape, () => THREE.BufferGeometry>> = {
   box: () => new THREE.BoxGeometry(0.9, 0.9, 0.9),
   knot: () => new THREE.TorusKnotGeometry(0.4, 0.14, 48, 8),
   sheet: () => new THREE.PlaneGeometry(1, 1),
+  tiles: () => new THREE.PlaneGeometry(1, 1, 40, 40),
   cone: () => new THREE.ConeGeometry(0.5, 1, 9),
   bowl: () => new THREE.SphereGeometry(0.6, 16, 12, 0, Math.PI),
   crystal: () => new THREE.IcosahedronGeometry(0.6, 1),

@@ -57,8 +57,9 @@ export function placeThing(dice: Dice, template: ThingFacts): ThingFacts {
 /** A floor and a wall, for shadows and the edges of lights to fall on. */
 export function chooseRoom(dice: Dice, floor: ThingFacts): ThingFacts[] {
   const wide = dice.of([12, 12, 12, 40, 100]);
+  const shape = wide > 12 ? 'tiles' : 'sheet'; // see `leftOut`
   const room: ThingFacts[] = [
-    { ...floor, shape: 'sheet', position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [wide, wide, 1] },
+    { ...floor, shape, position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [wide, wide, 1] },
   ];
   if (dice.in(0.6))
     room.push({ ...floor, shape: 'sheet', position: [0.1, 2, -2.9], rotation: [0.05, 0.1, 0], scale: [14, 9, 1] });

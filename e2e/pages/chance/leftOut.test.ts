@@ -35,3 +35,10 @@ it.each([1729, 1733, 1824, 1831])('leaves nothing of that in the scene of seed %
   expect(materialsOf(left).some(isLeftOut)).toBe(false);
   expect(left.world?.override?.transmission).toBeUndefined();
 });
+
+it('has no floor of 40 m and more that is one polygon', () => {
+  const floors = Array.from({ length: 100 }, (_, seed) => leaveOut(chooseScene(seed)).things![0]);
+  const wide = floors.filter(({ scale }) => scale![0] >= 40);
+  expect(wide.length).toBeGreaterThan(20);
+  expect(new Set(wide.map(({ shape }) => shape))).toEqual(new Set(['tiles']));
+});

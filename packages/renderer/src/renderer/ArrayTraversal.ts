@@ -1,9 +1,10 @@
-import { type BufferGeometry, type Camera, Matrix4, type Object3D, type Sphere, Vector4 } from 'three';
+import { type BufferGeometry, type Camera, Matrix4, type Object3D, Sphere, Vector4 } from 'three';
 
 type Seeing = Camera & { zoom: number; isArrayCamera?: boolean };
 
 const projectionView = new Matrix4();
 const center = new Vector4();
+const ORIGIN = new Sphere();
 
 /**
  * Three's traversal of a scene for one camera of an array. Stock three traverses once for the whole array: levels of detail
@@ -22,18 +23,16 @@ export class ArrayTraversal {
     this.exchange((this.array = seenBy as Seeing));
   }
 
-  end(): void {
-    if (this.array !== null) this.exchange(this.array);
-    this.array = null;
-  }
-
   /** Depth by which three sorts an object (clip space of the array), or the one of its camera where no array is traversed. */
   depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
     if (this.array === null) return z;
-    const sphere = object.boundingSphere ?? boundingSphere;
-    if (sphere === null || 'isSprite' in object) center.set(0, 0, 0, 1);
-    else center.set(...sphere.center.toArray(), 1);
+    center.copy((object.boundingSphere ?? boundingSphere ?? ORIGIN).center as unknown as Vector4); // w becomes 1
     return center.applyMatrix4(object.matrixWorld).applyMatrix4(projectionView).z;
+  }
+
+  end(): void {
+    if (this.array !== null) this.exchange(this.array);
+    this.array = null;
   }
 
   private exchange(array: Seeing): void {

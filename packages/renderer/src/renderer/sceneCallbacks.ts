@@ -11,16 +11,13 @@ export function updateCamera(camera: Camera): void {
 }
 
 /**
- * Calls a Scene's `onBeforeRender`, where the host has set one, with scene and camera up to date. An array of cameras is
- * brought up to date in any case: its cameras are when they draw.
+ * Calls a Scene's `onBeforeRender`, where the host has set one, with scene and camera up to date: an array of them always.
  * @returns whether they were brought up to date
  */
 export function beforeRender(webgl: WebGLRenderer, object: Object3D, camera: Camera): boolean {
   const scene = object as Scene;
-  if (scene.isScene !== true || scene.onBeforeRender === NO_CALLBACK) {
-    if ((camera as ArrayCamera).isArrayCamera === true) updateCamera(camera);
-    return false;
-  }
+  if ((camera as ArrayCamera).isArrayCamera === true) updateCamera(camera);
+  if (scene.isScene !== true || scene.onBeforeRender === NO_CALLBACK) return false;
   if (scene.matrixWorldAutoUpdate) scene.updateMatrixWorld();
   updateCamera(camera);
   (scene.onBeforeRender as unknown as SceneCallback)(webgl, scene, camera, webgl.getRenderTarget());
