@@ -21,7 +21,7 @@ import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUnif
 import { isPlain, type RenderItem } from '../../frame/RenderItem';
 import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
-import { DistancePass } from './DistancePass';
+import { DistancePass } from '../../passes/forward/DistancePass';
 import occlusionFilter from './occlusionFilter.glsl?raw';
 import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
