@@ -50,3 +50,51 @@ test('SMAA brings every thin line nearer to a supersampled one, or leaves it as 
     expect.soft(least[1], `${name}: least of the line, ${least[0]} without`).toBeGreaterThan(0.95 * least[0]);
   }
 });
+
+test("SMAA leaves thin lines that their own shader smooths, as drei's Grid does, unblurred at their crossings", async ({
+  benchPage: page,
+}) => {
+  const pairs = await page.evaluate(() => {
+    const { Bench, compareImages, effects, supersampled, three } = window.testPage;
+    const [width, height] = [320, 180];
+    const material = new three.ShaderMaterial({
+      transparent: true,
+      // pixels: number of pixels of the picture in one that counts
+      uniforms: { thickness: { value: 1 }, pixels: { value: 1 } },
+      vertexShader: `varying vec2 place;
+        void main() { place = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
+      fragmentShader: `varying vec2 place;
+        uniform float thickness;
+        uniform float pixels;
+        void main() {
+          vec2 cell = place / 0.5;
+          vec2 away = abs(fract(cell - 0.5) - 0.5) / (pixels * fwidth(cell));
+          gl_FragColor = vec4(vec3(0.8), 1.0 - min(min(away.x, away.y) + 1.0 - thickness, 1.0));
+          #include <colorspace_fragment>
+        }`,
+    });
+    const plane = new three.Mesh(new three.PlaneGeometry(20, 20), material);
+    plane.rotation.x = -Math.PI / 2;
+    const scene = new three.Scene();
+    scene.background = new three.Color(0.02, 0.02, 0.02);
+    scene.add(plane);
+    const camera = new three.PerspectiveCamera(50, width / height, 0.1, 60);
+    camera.position.set(0.3, 1.1, 4);
+    camera.lookAt(0.2, 0.3, 0);
+    const bench = new Bench(width, height);
+    const smaa = new effects.SMAA();
+    return [0.5, 1, 1.5].map((thickness) => {
+      material.uniforms.thickness.value = thickness;
+      material.uniforms.pixels.value = 4;
+      const wanted = supersampled(width, height, scene, camera);
+      material.uniforms.pixels.value = 1;
+      const [none, smooth] = [[], [smaa]].map((each) => {
+        bench.farol.effects = each;
+        return compareImages(wanted, bench.byTechnique('forward-single-pass', scene, camera)).psnr;
+      });
+      return { thickness, none, smooth };
+    });
+  });
+  for (const { thickness, none, smooth } of pairs)
+    expect.soft(smooth, `lines ${thickness} px thick, ${none} dB without`).toBeGreaterThan(none - 0.25);
+});

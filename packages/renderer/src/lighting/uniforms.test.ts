@@ -33,7 +33,15 @@ describe('the uniforms of a microshader', () => {
     [
       'gridUniforms and maskUniforms',
       { ...gridUniforms(), ...maskUniforms() },
-      ['lightLoopClustered', 'imageSamplers', 'lightImage', 'lightShadow', 'shadowMask', 'lightMaskLayers'],
+      [
+        'lightLoopClustered',
+        'imageSamplers',
+        'lightImage',
+        'targetPixel',
+        'lightShadow',
+        'shadowMask',
+        'lightMaskLayers',
+      ],
     ],
     [
       'gbufferUniforms',

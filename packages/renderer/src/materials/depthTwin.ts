@@ -25,8 +25,12 @@ export const depthBehindTwin: TwinKind = {
  * depth of 24 bits and of floats.
  */
 export function hasDepthTwin(material: Material): boolean {
+  return !(material.polygonOffset && material.polygonOffsetUnits > 1) && hasDistanceTwin(material);
+}
+
+/** True for materials of which a twin can be made that writes depth, or distance, for itself. */
+export function hasDistanceTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
-  if (m.polygonOffset && m.polygonOffsetUnits > 1) return false;
   const { side } = m;
   return (
     m.isShaderMaterial !== true && !hasNodes(m) && (side === FrontSide || side === BackSide || side === DoubleSide)

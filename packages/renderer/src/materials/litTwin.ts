@@ -1,4 +1,4 @@
-import { Material } from 'three';
+import { Material, ShaderChunk } from 'three';
 import { lightLoops, type LightLoop } from './LightLoop';
 import { beforeLastBrace } from '../three/beforeLastBrace';
 import { withLayers } from './layersAttribute';
@@ -30,11 +30,18 @@ const COUNT = 'float farol_lightsEvaluated;\n';
 /** Marks lightMaskLayers.glsl in a header. */
 const LAYERS = '#define FAROL_LAYERS';
 
+/** Turns the disk of three's own soft shadows by the pixel of the host's target. */
+function shadowsInTarget(text: string): string {
+  if (findChunk(text, 'shadowmap_pars_fragment') === null) return text;
+  const pars = ShaderChunk.shadowmap_pars_fragment.replaceAll('gl_FragCoord.xy', 'farol_targetPixel()');
+  return replaceChunk(text, 'shadowmap_pars_fragment', () => pars);
+}
+
 /** Makes a kind of twin for lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
     ...(oneByOne ? ['lightOneByOne'] : []),
-    ...['ambientLight', loop, 'shadeThree', ...(options.chunks ?? [])],
+    ...['ambientLight', loop, 'shadeThree', 'targetPixel', ...(options.chunks ?? [])],
   ];
   const chunks = chunksOf(options.loop, options.oneByOne ?? false);
   const ownChunks = chunksOf(options.loop, true);
@@ -66,6 +73,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
       if (layers) shader.vertexShader = withLayers(shader.vertexShader);
       let text = replaceChunk(fragmentShader, 'lights_pars_begin', (pars) => `${pars}\n${defines}${COUNT}${header}`);
       text = replaceChunk(text, 'lights_fragment_begin', begin);
+      text = shadowsInTarget(text);
       if (options.rewrite) text = options.rewrite(text, source);
       if (options.atEnd) text = beforeLastBrace(text, options.atEnd);
       shader.fragmentShader = text;

@@ -21,7 +21,7 @@ import { setUnprojectUniforms, unprojectUniforms } from '../../gpu/unprojectUnif
 import { isPlain, type RenderItem } from '../../frame/RenderItem';
 import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import ambientOcclusion from './ambientOcclusion.glsl?raw';
-import { DistancePass } from './DistancePass';
+import { DistancePass } from '../../passes/forward/DistancePass';
 import occlusionFilter from './occlusionFilter.glsl?raw';
 import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
@@ -100,7 +100,7 @@ export class AmbientOcclusion implements FarolEffect {
     farol_occlusionMap: { value: null as Texture | null },
     farol_occlusionOffset: { value: new Vector2() },
   };
-  private readonly distances = new DistancePass();
+  private readonly distances = new DistancePass(({ route, material }) => route === 'split' && hasDepthTwin(material));
   private readonly twins = new Map<TwinKind, TwinKind>();
 
   get bytes(): number {
@@ -122,7 +122,7 @@ export class AmbientOcclusion implements FarolEffect {
     if (gbuffer !== undefined) this.occludeGBuffer(frame, gbuffer);
     else if (thin === undefined) {
       this.use = 'prepass';
-      this.setDistances(frame, frame.storesDistance ? this.distances.render(frame) : null);
+      this.setDistances(frame, frame.storesDistance ? this.distances.render(frame).texture : null);
       this.draw(frame, this.share, resources.get('scene-depth'), null);
     } else if (thin.scale === 1) {
       this.use = 'light-buffer';

@@ -52,13 +52,17 @@ bool farol_isEdge(const in ivec2 pixel, const in int along) {
 }
 
 // The way an edge turns at its end: 1 to the own side, -1 to the other, 2 both, 0 neither. A step of a slanted line
-// goes on outwards after one pixel; what does not is a corner, or the end of a thin line, and stays sharp: else lines
-// would thin out towards their ends and crossings.
+// goes on outwards for a part of its length before: for the given number of pixels at least. What does not is a corner,
+// the end of a thin line, or its crossing with another, and stays sharp: else lines would thin out there, or blur.
 // own, other: whether an edge across leaves to either side; outside: the pixel beyond the end, on the own side
 float farol_turn(const in bool own, const in bool other, const in ivec2 outside, const in ivec2 over,
-  const in int along) {
-  bool ownStep = own && farol_isEdge(outside - over, along);
-  bool otherStep = other && farol_isEdge(outside + over, along);
+  const in ivec2 outwards, const in int along, const in int pixels) {
+  bool ownStep = own;
+  bool otherStep = other;
+  for (int i = 0; i < pixels && (ownStep || otherStep); i++) {
+    ownStep = ownStep && farol_isEdge(outside - over + i * outwards, along);
+    otherStep = otherStep && farol_isEdge(outside + over + i * outwards, along);
+  }
   return ownStep ? (otherStep ? 2.0 : 1.0) : otherStep ? -1.0 : 0.0;
 }
 
@@ -68,23 +72,22 @@ vec2 farol_edgeWeights(const in ivec2 pixel, const in int along) {
   ivec2 over = along == 0 ? ivec2(0, -1) : ivec2(-1, 0);
   int before = 0;
   int after = 0;
-  float first = 0.0;
-  float last = 0.0;
+  bvec2 first = bvec2(false); // whether an edge across leaves to the own side, to the other
+  bvec2 last = bvec2(false);
   for (; before <= FAROL_REACH; before++) {
     ivec2 at = pixel - before * step;
-    bool own = farol_isEdge(at, along);
-    bool other = farol_isEdge(at + over, along);
-    if (own || other) first = farol_turn(own, other, at - step, over, 1 - along);
-    if (own || other || !farol_isEdge(at - step, 1 - along)) break;
+    first = bvec2(farol_isEdge(at, along), farol_isEdge(at + over, along));
+    if (any(first) || !farol_isEdge(at - step, 1 - along)) break;
   }
   for (; after <= FAROL_REACH; after++) {
     ivec2 at = pixel + (after + 1) * step;
-    bool own = farol_isEdge(at, along);
-    bool other = farol_isEdge(at + over, along);
-    if (own || other) last = farol_turn(own, other, at, over, 1 - along);
-    if (own || other || !farol_isEdge(at, 1 - along)) break;
+    last = bvec2(farol_isEdge(at, along), farol_isEdge(at + over, along));
+    if (any(last) || !farol_isEdge(at, 1 - along)) break;
   }
-  return farol_edgeArea(float(before), float(after), first, last);
+  int pixels = clamp((before + after + 1) / 3, 1, 4);
+  return farol_edgeArea(float(before), float(after),
+    farol_turn(first.x, first.y, pixel - (before + 1) * step, over, -step, 1 - along, pixels),
+    farol_turn(last.x, last.y, pixel + (after + 1) * step, over, step, 1 - along, pixels));
 }
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -15,6 +15,7 @@ import type { ReactiveMask } from '../../frame/ReactiveMask';
 import type { RenderItem } from '../../frame/RenderItem';
 import type { LightTextures } from '../../light-fields/LightTextures';
 import { targetBytes } from '../../gpu/targetBytes';
+import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import { setUnprojectUniforms } from '../../gpu/unprojectUniforms';
 import type { OutputMaterial } from '../../gpu/PassMaterial';
 import { WebGLMultipleRenderTargets } from '../../three/WebGLMultipleRenderTargets';
@@ -234,12 +235,17 @@ export class ParticleState {
     else emitter.geometry.setDrawRange(0, 6 * count);
   }
 
-  /** @param depth - depth of the opaque surfaces */
-  setDepth(frame: Frame, depth: Texture): void {
+  /**
+   * @param depth - depth of the opaque surfaces
+   * @param distances - their distances as storedDistance.glsl packs them; null where depth tells them
+   */
+  setDepth(frame: Frame, depth: Texture, distances: Texture | null): void {
     const { uniforms } = this;
     const { near } = frame.camera as PerspectiveCamera;
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_particleDepth.value = depth;
+    uniforms.farol_particleDistances.value = distances;
+    uniforms.farol_particleStored.value = distances === null ? 0 : storedKind(frame.camera);
     uniforms.farol_softness.value.set(1 / this.emitter.softness, near, frame.width, frame.height);
   }
 

@@ -46,7 +46,7 @@ export class Particles implements FarolEffect {
   begin(frame: Frame): void {
     this.hide(); // an exception may have ended the last frame
     this.frame = frame;
-    this.depth.texture = null;
+    this.depth.begin();
     this.loop = 'lightLoopAll';
   }
 
@@ -145,7 +145,7 @@ export class Particles implements FarolEffect {
     const { frame } = this;
     const state = this.states.get(emitter);
     if (frame === null || state === undefined) return;
-    if (emitter.softness > 0) state.setDepth(frame, this.depth.of(frame));
+    if (emitter.softness > 0) state.setDepth(frame, this.depth.of(frame), this.depth.distances);
     if (emitter.lit) {
       state.findLight(frame, this.lightingPass(), this.surroundings);
       frame.bindTarget();

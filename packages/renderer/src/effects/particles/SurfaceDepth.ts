@@ -1,26 +1,42 @@
 import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
-import { depthTwin, hasDepthTwin } from '../../materials/depthTwin';
+import { depthTwin, hasDepthTwin, hasDistanceTwin } from '../../materials/depthTwin';
 import type { Frame } from '../../frame/Frame';
-import { isPlain } from '../../frame/RenderItem';
+import { isPlain, type RenderItem } from '../../frame/RenderItem';
 import { PassTarget } from '../../gpu/PassTarget';
 import { targetBytes } from '../../gpu/targetBytes';
+import { DistancePass } from '../../passes/forward/DistancePass';
+
+const isDrawn = (item: RenderItem) => isPlain(item) && !item.ownShader;
 
 /**
  * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: from the technique's
- * resources, else a copy of the target's depth texture, else drawn once more.
+ * resources, else a copy of the target's depth texture, else drawn once more; with distances where depth does not
+ * tell them.
  */
 export class SurfaceDepth {
   /** Depth of this frame; null until `of` is called. */
   texture: Texture | null = null;
+  /** Distances of the surfaces as storedDistance.glsl packs them, where depth does not tell them; else null. */
+  distances: Texture | null = null;
   private copied: WebGLRenderTarget | null = null;
   private readonly drawn = new PassTarget({ depthTexture: true });
+  private readonly distancePass = new DistancePass((item) => isDrawn(item) && hasDistanceTwin(item.material));
 
   get bytes(): number {
-    return this.drawn.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
+    return this.drawn.bytes + this.distancePass.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
+  }
+
+  /** Forgets the last frame. */
+  begin(): void {
+    this.texture = this.distances = null;
   }
 
   /** Returns the depth texture, and binds the frame's target. Call when all opaque surfaces are drawn. */
   of(frame: Frame): Texture {
+    if (frame.storesDistance) {
+      if (this.distances === null) this.drawDistances(frame);
+      return this.texture!;
+    }
     if (this.texture !== null) return this.texture;
     const { target } = frame;
     const own = target?.depthTexture ?? null;
@@ -31,9 +47,17 @@ export class SurfaceDepth {
 
   dispose(): void {
     this.drawn.dispose();
+    this.distancePass.dispose();
     this.copied?.depthTexture?.dispose();
     this.copied?.dispose();
-    this.copied = this.texture = null;
+    this.copied = this.texture = this.distances = null;
+  }
+
+  private drawDistances(frame: Frame): void {
+    const { texture, depthTexture } = this.distancePass.render(frame);
+    this.distances = texture;
+    this.texture = depthTexture;
+    frame.bindTarget();
   }
 
   private copy(frame: Frame, { type, format }: DepthTexture): Texture {
@@ -62,7 +86,7 @@ export class SurfaceDepth {
     frame.bind(target);
     frame.clear(0, true);
     for (const item of frame.queue.opaque)
-      if (isPlain(item) && !item.ownShader && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      if (isDrawn(item) && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     return target.depthTexture!;
   }
 }

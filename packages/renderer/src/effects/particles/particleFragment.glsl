@@ -1,6 +1,7 @@
 // Colours one particle: picture or soft dot, light that has reached it, fading out before surfaces and the camera.
 // Lorach 2007, Soft Particles (NVIDIA white paper); three.js r187's chunks for tone mapping, colour space and clipping
 //# stage fragment
+#include "storedDistance"
 #include "unproject"
 #include "viewport"
 #include <fog_pars_fragment>
@@ -11,6 +12,8 @@ uniform sampler2D farol_particleMap;
 #endif
 #ifdef FAROL_SOFT
 uniform highp sampler2D farol_particleDepth; // depth of opaque surfaces
+uniform highp sampler2D farol_particleDistances; // their distances, see storedDistance.glsl
+uniform highp int farol_particleStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
 uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: size of the picture (pixels)
 #endif
 in highp vec4 farol_particleColor;
@@ -48,7 +51,11 @@ ivec2 farol_pixel = ivec2((gl_FragCoord.xy - farol_offset) / farol_softness.zw
   * vec2(textureSize(farol_particleDepth, 0)));
 float farol_surface = texelFetch(farol_particleDepth, farol_pixel, 0).r;
 float farol_room = farol_particleDistance - farol_softness.y;
-if (!farol_isEmpty(farol_surface)) farol_room = min(farol_room, -farol_viewZ(farol_surface) - farol_particleDistance);
+if (!farol_isEmpty(farol_surface)) {
+  float farol_away = farol_particleStored == 0 ? -farol_viewZ(farol_surface)
+    : farol_unpackDistance(texelFetch(farol_particleDistances, farol_pixel, 0).rg, farol_particleStored == 2);
+  farol_room = min(farol_room, farol_away - farol_particleDistance);
+}
 farol_color.a *= clamp(farol_room * farol_softness.x, 0.0, 1.0);
 #endif
 #ifdef FAROL_REACTIVE

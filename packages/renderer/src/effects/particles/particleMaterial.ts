@@ -50,6 +50,8 @@ export function particleUniforms() {
     farol_surroundings: noTexture(),
     farol_particleMap: noTexture(),
     farol_particleDepth: noTexture(),
+    farol_particleDistances: noTexture(),
+    farol_particleStored: { value: 0 },
     farol_softness: { value: new Vector4() },
   };
 }

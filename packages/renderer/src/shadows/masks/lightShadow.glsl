@@ -6,9 +6,9 @@
 #include "maskFeatures"
 #include "maskRecord"
 #include "lightImage"
+#include "targetPixel"
 uniform highp mat3 farol_worldAxes; // view space to world space, rotation only
 uniform highp sampler2DShadow farol_shadowAtlas;
-uniform highp vec2 farol_targetOrigin; // pixel of the host's target that the first pixel of the bound target stands for
 
 // the five sample offsets of three's PCF disk, before the disk is turned
 const vec2 FAROL_DISK[5] = vec2[5](vec2(0.31622777, 0.0), vec2(-0.40387357, 0.36998127), vec2(0.06181932, -0.70439930),
@@ -41,8 +41,7 @@ vec2 farol_diskTurn() {
 #ifdef FAROL_PER_VERTEX
   return vec2(1.0, 0.0);
 #else
-  vec2 pixel = gl_FragCoord.xy + farol_targetOrigin;
-  float angle = 6.28318530718 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+  float angle = 6.28318530718 * fract(52.9829189 * fract(dot(farol_targetPixel(), vec2(0.06711056, 0.00583715))));
   return vec2(cos(angle), sin(angle));
 #endif
 }

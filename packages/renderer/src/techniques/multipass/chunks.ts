@@ -1,4 +1,3 @@
 // The microshaders of this folder, by name.
 export { default as accumulatedOutput } from './accumulatedOutput.glsl?raw';
 export { default as lightLoopOne } from './lightLoopOne.glsl?raw';
-export { default as targetPixel } from './targetPixel.glsl?raw';

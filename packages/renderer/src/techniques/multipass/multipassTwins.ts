@@ -28,7 +28,6 @@ const BASE = {
   key: 'base',
   role: 'forward',
   loop: 'lightLoopOne',
-  chunks: ['targetPixel'],
   rewrite: ditheredInTarget,
 } as const;
 /** Twin of the first pass: ambient, environment and emissive light, lights left to three, and one light. */

@@ -1,0 +1,51 @@
+import { HalfFloatType, NoBlending, RGFormat, type WebGLRenderTarget } from 'three';
+import type { Frame } from '../../frame/Frame';
+import type { RenderItem } from '../../frame/RenderItem';
+import { PassTarget } from '../../gpu/PassTarget';
+import { depthTwin } from '../../materials/depthTwin';
+import type { TwinKind } from '../../materials/TwinKind';
+import { afterChunkOrAtEnd, replaceChunk } from '../../three/replaceChunk';
+
+const WRITE = 'gl_FragColor = vec4(farol_packDistance(farol_away, isOrthographic), 0.0, 1.0);\nif (true) return;';
+
+/** Writes the distance of surfaces along the view, over the same pixels as `depthTwin` writes depth. */
+const distanceTwin: TwinKind = {
+  ...depthTwin,
+  key: 'surface-distance',
+  chunks: () => ['storedDistance'],
+  properties: { blending: NoBlending },
+  patch(shader, _source, header) {
+    const { vertexShader, fragmentShader } = shader;
+    const vertex = replaceChunk(vertexShader, 'project_vertex', (text) => `${text}\nfarol_away = -mvPosition.z;`);
+    shader.vertexShader = `out highp float farol_away;\n${vertex}`;
+    const written = afterChunkOrAtEnd(fragmentShader, 'alphahash_fragment', WRITE);
+    shader.fragmentShader = `in highp float farol_away;\n${header}\n${written}`;
+  },
+};
+
+/** Draws the distances of surfaces whose depth does not tell them. */
+export class DistancePass {
+  /** @param draws - whether an opaque item is drawn */
+  constructor(private readonly draws: (item: RenderItem) => boolean) {}
+
+  private readonly target = new PassTarget({ format: RGFormat, type: HalfFloatType, depthTexture: true });
+
+  get bytes(): number {
+    return this.target.bytes;
+  }
+
+  /** @returns target of the picture's size: distances as storedDistance.glsl packs them, and depth */
+  render(frame: Frame): WebGLRenderTarget {
+    const target = this.target.of(frame.width, frame.height);
+    frame.bind(target);
+    frame.clear(1, true);
+    for (const item of frame.queue.opaque) {
+      if (this.draws(item)) frame.drawTwin(item, distanceTwin);
+    }
+    return target;
+  }
+
+  dispose(): void {
+    this.target.dispose();
+  }
+}
