@@ -44,6 +44,8 @@ export class VisibleLights {
    */
   total = 0;
   visible = 0;
+  /** Number of managed lights in the scene that are objects of their own: not of a light field. */
+  singles = 0;
   /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
@@ -104,7 +106,7 @@ export class VisibleLights {
     this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
     this.hasAreas = false;
     this.ambient.fill(0);
-    this.total = lights.length;
+    this.total = this.singles = lights.length;
     if (this.spheres.length >= lights.length * 4) return;
     this.spheres = new Float64Array(lights.length * 8);
     this.cones = new Float64Array(lights.length * 8);
@@ -113,6 +115,7 @@ export class VisibleLights {
 
   private addField(light: LightFieldData): void {
     this.fields.push(light);
+    this.singles--;
     // the field is counted with its lights, one of which the caller counts
     const others = fieldCount(light) - 1;
     this.total += others;

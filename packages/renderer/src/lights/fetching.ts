@@ -12,6 +12,8 @@ export interface LightFetcher {
   fetchPlaces(objects: readonly Placed[], first: number): number;
   /** Reads what some lights give. @returns index after the last light looked at */
   fetchEmissions(lights: readonly Light[], first: number): number;
+  /** Sentence for `FarolInfo.hint` about a number of lights that are objects of their own; null for none. */
+  hintFor(singles: number): string | null;
 }
 
 /** Number of lights from which on they are fetched ahead: fewer stay in a processor's caches from frame to frame. */
