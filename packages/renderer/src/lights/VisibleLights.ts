@@ -8,7 +8,7 @@ import {
   Vector3,
 } from 'three';
 import { isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
-import { FETCHED_FROM, fetching } from './fetching';
+import { fetching } from './fetching';
 import { fieldCount, type LightFieldData, rangeOf } from './lightData';
 import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
 
@@ -74,11 +74,10 @@ export class VisibleLights {
     viewFrustumPlanes(space.projection, space.planes);
     this.settings = settings;
     this.clear(lights);
-    const fetcher = lights.length < FETCHED_FROM ? null : fetching.fetcher;
     let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
       const light = lights[i];
-      if (fetcher !== null && i === fetched) fetched = fetcher.fetchEmissions(lights, i);
+      if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
       if (
         isPlainPoint(light, settings) &&
         this.addPoint(light, places ?? light.matrixWorld.elements, places ? i * 3 : 12)

@@ -3,6 +3,8 @@ import { fetching } from '../../lights/fetching';
 
 /** Objects whose data are fetched together; few enough for the caches of a processor's core. */
 const FETCHED = 32;
+/** Number of objects from which on they are fetched: fewer stay in the caches from frame to frame. */
+const FETCHED_FROM = 64;
 
 /** Number of lights from which on `FarolInfo.hint` names LightField. */
 const MANY = 2000;
@@ -21,6 +23,7 @@ export function fetchLightsAhead(): void {
 // after light wait one after the other.
 
 function fetchPlaces(objects: readonly Object3D[], first: number): number {
+  if (objects.length < FETCHED_FROM) return objects.length;
   const end = Math.min(objects.length, first + FETCHED);
   let sum = 0;
   for (let i = first; i < end; i++) {
@@ -39,6 +42,7 @@ function fetchPlaces(objects: readonly Object3D[], first: number): number {
 }
 
 function fetchEmissions(lights: readonly Light[], first: number): number {
+  if (lights.length < FETCHED_FROM) return lights.length;
   const end = Math.min(lights.length, first + FETCHED);
   let sum = 0;
   for (let i = first; i < end; i++) {
