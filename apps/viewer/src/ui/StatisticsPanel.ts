@@ -41,6 +41,7 @@ export class StatisticsPanel {
       `${info.drawCalls} draws, ${info.triangles.toLocaleString('en')} triangles`,
       `${info.programs} programs, ${(info.targetBytes / 2 ** 20).toFixed(1)} MiB of targets`,
       ...(info.reason ? [`${info.technique}: ${info.reason}`] : []),
+      ...(info.hint ? [info.hint] : []),
     ].join('\n');
     while (this.rows.rows.length > info.passes.length) this.rows.deleteRow(-1);
     info.passes.forEach((pass, index) => {

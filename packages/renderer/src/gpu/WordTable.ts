@@ -21,8 +21,9 @@ export class WordTable {
   private fresh = true;
   /** Whether the texture lacks the words uploaded last. */
   private stale = true;
-  /** Words uploaded last. */
+  /** Words uploaded last, and the version that they were of. */
   private sent = new Uint32Array(0);
+  private version = -1;
 
   /** @param channels - words in a texel, 1 or 4 */
   constructor(private readonly channels: 1 | 4) {
@@ -38,8 +39,9 @@ export class WordTable {
    * Uploads the first rows.
    * @param words - row after row, at least width * rows * channels
    * @param width - texels in a row
+   * @param version - number that differs from that of the last upload if a word may differ
    */
-  upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number): void {
+  upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number, version: number): void {
     if (this.texture.image.width !== width || this.texture.image.height < rows) {
       this.texture.dispose();
       this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
@@ -52,6 +54,8 @@ export class WordTable {
       this.stale = true;
     }
     this.uploadedBytes = 0;
+    if (!this.stale && version === this.version) return;
+    this.version = version;
     if (!this.differs(words, width * rows * this.channels)) return;
     const gl = webgl.getContext() as WebGL2RenderingContext;
     bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, this.texture)!);
@@ -70,8 +74,8 @@ export class WordTable {
       while (i < count && sent[i] === words[i]) i++;
       if (i === count) return false;
     }
-    if (sent.length < count) this.sent = new Uint32Array(count * 2);
-    for (let i = 0; i < count; i++) this.sent[i] = words[i];
+    if (sent.length < words.length) this.sent = words.slice();
+    else sent.set(words);
     this.stale = false;
     return true;
   }

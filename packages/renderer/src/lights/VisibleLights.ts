@@ -8,7 +8,7 @@ import {
   Vector3,
 } from 'three';
 import { isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
-import { FETCHED_FROM, fetching } from './fetching';
+import { fetching } from './fetching';
 import { fieldCount, type LightFieldData, rangeOf } from './lightData';
 import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
 
@@ -44,6 +44,8 @@ export class VisibleLights {
    */
   total = 0;
   visible = 0;
+  /** Number of managed lights in the scene that are objects of their own: not of a light field. */
+  singles = 0;
   /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */
   coverage = 0;
   /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
@@ -72,11 +74,10 @@ export class VisibleLights {
     viewFrustumPlanes(space.projection, space.planes);
     this.settings = settings;
     this.clear(lights);
-    const fetcher = lights.length < FETCHED_FROM ? null : fetching.fetcher;
     let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
       const light = lights[i];
-      if (fetcher !== null && i === fetched) fetched = fetcher.fetchEmissions(lights, i);
+      if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
       if (
         isPlainPoint(light, settings) &&
         this.addPoint(light, places ?? light.matrixWorld.elements, places ? i * 3 : 12)
@@ -104,7 +105,7 @@ export class VisibleLights {
     this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
     this.hasAreas = false;
     this.ambient.fill(0);
-    this.total = lights.length;
+    this.total = this.singles = lights.length;
     if (this.spheres.length >= lights.length * 4) return;
     this.spheres = new Float64Array(lights.length * 8);
     this.cones = new Float64Array(lights.length * 8);
@@ -113,6 +114,7 @@ export class VisibleLights {
 
   private addField(light: LightFieldData): void {
     this.fields.push(light);
+    this.singles--;
     // the field is counted with its lights, one of which the caller counts
     const others = fieldCount(light) - 1;
     this.total += others;

@@ -7,15 +7,14 @@ type Placed = NonNullable<Light['parent']>;
 export interface LightFetcher {
   /**
    * Reads what an update of the matrices of some lights needs.
-   * @returns index after the last object looked at
+   * @returns index after the last object looked at; the length of the list if that is short
    */
   fetchPlaces(objects: readonly Placed[], first: number): number;
-  /** Reads what some lights give. @returns index after the last light looked at */
+  /** Reads what some lights give. @returns as `fetchPlaces` */
   fetchEmissions(lights: readonly Light[], first: number): number;
+  /** Sentence for `FarolInfo.hint` about a number of lights that are objects of their own; null for none. */
+  hintFor(singles: number): string | null;
 }
-
-/** Number of lights from which on they are fetched ahead: fewer stay in a processor's caches from frame to frame. */
-export const FETCHED_FROM = 64;
 
 /** The fetcher is null until the code of light lists is there, which has it. */
 export const fetching: { fetcher: LightFetcher | null } = { fetcher: null };

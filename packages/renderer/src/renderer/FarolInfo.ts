@@ -16,6 +16,11 @@ export interface FarolInfo {
   /** Reason why the technique was chosen. */
   reason: string;
   /**
+   * Sentence without a stop on what the page could do for a faster frame; null for none. From 2,000 lights on that are
+   * objects of their own, it names LightField.
+   */
+  hint: string | null;
+  /**
    * Names of the parts of Farol's code that the frame asked for and that are not loaded yet: being fetched, or to be
    * fetched again after a failure. A new array at each read.
    */

@@ -1,6 +1,8 @@
-import type { WebGLRenderer } from 'three';
 import { expect, it } from 'vitest';
-import type { LightTable } from '../lighting/LightTable';
+import { PerspectiveCamera, PointLight, type WebGLRenderer } from 'three';
+import { LightField } from '../light-fields/LightField';
+import { LightTable } from '../lighting/LightTable';
+import { fetchLightsAhead } from '../techniques/light-lists/fetchLights';
 import { InfoRecorder } from './InfoRecorder';
 import type { LastFrame } from './LastFrame';
 
@@ -37,5 +39,25 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
   expect([info.technique, info.reason, info.programs, info.targetBytes]).toEqual(['deferred', 'asked for', 2, 4096]);
   expect([info.lights.total, info.lights.visible, info.uploadBytes]).toEqual([7, 3, 128]);
   expect(info.gpuMs).toBe(null);
+  recorder.dispose();
+});
+
+it('hints at LightField from 2,000 lights on that are objects of their own, and no longer once there are fewer', () => {
+  fetchLightsAhead();
+  const { recorder } = makeRecorder();
+  const camera = new PerspectiveCamera();
+  const many = Array.from({ length: 2000 }, () => new PointLight(0xffffff, 1, 1));
+  const table = new LightTable();
+  const hintOf = (all: (PointLight | LightField)[]): string | null => {
+    table.collect(all, camera, { shadows: 'none', layers: null });
+    recorder.begin(false);
+    recorder.end('deferred', 'asked for', table, null, 0, 0);
+    return recorder.info.hint;
+  };
+  expect(recorder.info.hint).toBe(null);
+  expect(hintOf(many)).toMatch(/2,000 lights .* LightField/);
+  expect(hintOf([new LightField(5000), ...many.slice(1)])).toBe(null);
+  expect(hintOf([new LightField(5000), ...many])).toMatch(/LightField/);
+  expect(hintOf([])).toBe(null);
   recorder.dispose();
 });

@@ -2,6 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { FarolInfo, PassInfo } from './FarolInfo';
 import type { LastFrame } from './LastFrame';
 import type { GpuTimer } from './timer/GpuTimer';
+import { fetching } from '../lights/fetching';
 import { timerCode } from './lazyCode';
 import type { LightTable } from '../lighting/LightTable';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
@@ -26,6 +27,7 @@ export class InfoRecorder {
     this.info = {
       technique: '',
       reason: '',
+      hint: null,
       get pending() {
         return last.pending;
       },
@@ -101,6 +103,7 @@ export class InfoRecorder {
     const { info } = this;
     info.technique = technique;
     info.reason = reason;
+    info.hint = fetching.fetcher?.hintFor(lights.singles) ?? null;
     this.sumTimes();
     info.lights.total = lights.total;
     info.lights.visible = lights.visible;

@@ -1,5 +1,5 @@
 import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
-import { FETCHED_FROM, fetching } from '../lights/fetching';
+import { fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
@@ -88,13 +88,11 @@ function visitChildren(
 ): void {
   const { children } = parent;
   const unmoved = matrices !== KEPT && parent.matrixWorld.equals(identity);
-  // the length is that of the last frame
-  const fetcher = matrices === KEPT || found.all.length < FETCHED_FROM ? null : fetching.fetcher;
   let fetched = 0;
   for (let i = 0; i < children.length; i++) {
     const child = children[i];
     const isLight = (child as Light).isLight === true;
-    if (fetcher !== null && isLight && i >= fetched) fetched = fetcher.fetchPlaces(children, i);
+    if (isLight && i >= fetched) fetched = fetching.fetcher?.fetchPlaces(children, i) ?? children.length;
     if (matrices !== KEPT) {
       if (!isLight || child.children.length > 0 || child.updateMatrixWorld !== updateMatrixWorld) {
         child.updateMatrixWorld(matrices === FORCED);

@@ -41,8 +41,9 @@ export class LightGridPass implements Pass {
     const words = bounded > 0 ? grid.masks : NO_WORDS;
     const rows = bounded > 0 ? Math.max(1, (grid.tilesY * grid.words) / 4) : 1;
     const width = bounded > 0 ? Math.max(1, grid.tilesX) : 1;
-    masks.upload(frame.webgl, words, width, rows);
-    bins.upload(frame.webgl, grid.bins, BINS, 1);
+    const version = bounded > 0 ? grid.changes : 0;
+    masks.upload(frame.webgl, words, width, rows, version);
+    bins.upload(frame.webgl, grid.bins, BINS, 1, version);
     frame.uploadedBytes += masks.uploadedBytes + bins.uploadedBytes;
     uniforms.farol_gridMasks.value = masks.texture;
     uniforms.farol_gridBins.value = bins.texture;

@@ -3,19 +3,27 @@ import { fetching } from '../../lights/fetching';
 
 /** Objects whose data are fetched together; few enough for the caches of a processor's core. */
 const FETCHED = 32;
+/** Number of objects from which on they are fetched: fewer stay in the caches from frame to frame. */
+const FETCHED_FROM = 64;
+
+/** Number of lights from which on `FarolInfo.hint` names LightField. */
+const MANY = 2000;
+const HINT =
+  'the CPU reads 2,000 lights or more in each frame, every one an object; a LightField (@farol/renderer/light-field) holds them in arrays';
 
 /** Keeps engines from leaving reads out whose values are not used. */
 const sums = new Float64Array(1);
 
 /** Lets later frames of all renderers fetch lights ahead. */
 export function fetchLightsAhead(): void {
-  fetching.fetcher = { fetchPlaces, fetchEmissions };
+  fetching.fetcher = { fetchPlaces, fetchEmissions, hintFor };
 }
 
 // Lights lie scattered in memory. Reads without work between them wait for it together; those of code that works light
 // after light wait one after the other.
 
 function fetchPlaces(objects: readonly Object3D[], first: number): number {
+  if (objects.length < FETCHED_FROM) return objects.length;
   const end = Math.min(objects.length, first + FETCHED);
   let sum = 0;
   for (let i = first; i < end; i++) {
@@ -34,6 +42,7 @@ function fetchPlaces(objects: readonly Object3D[], first: number): number {
 }
 
 function fetchEmissions(lights: readonly Light[], first: number): number {
+  if (lights.length < FETCHED_FROM) return lights.length;
   const end = Math.min(lights.length, first + FETCHED);
   let sum = 0;
   for (let i = first; i < end; i++) {
@@ -44,6 +53,10 @@ function fetchEmissions(lights: readonly Light[], first: number): number {
   }
   sums[0] = sum;
   return end;
+}
+
+function hintFor(singles: number): string | null {
+  return singles >= MANY ? HINT : null;
 }
 
 function isLocal(
