@@ -33,6 +33,7 @@ const LAYERS = '#define FAROL_LAYERS';
 /** Makes a kind of twin for lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
+    ...('readsFew' in lightLoops[loop] ? ['fewLights'] : []),
     ...(oneByOne ? ['lightOneByOne'] : []),
     ...['ambientLight', loop, 'shadeThree', ...(options.chunks ?? [])],
   ];
