@@ -92,6 +92,8 @@ export class Frame extends FrameTarget {
   fields: FieldDraws | null = null;
   /** Null while no light casts a shadow. */
   tileShadows: TileShadows | null = null;
+  /** Whether lights, being few, were given to shaders as uniforms, so that no texture was written for them. */
+  hasFew = false;
   /** Shadow maps that are drawn anew in this frame. */
   shadowMapsDrawn = 0;
 
@@ -101,6 +103,8 @@ export class Frame extends FrameTarget {
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
+  /** Whether all shaders of the frame can read few lights from uniforms. */
+  readsFew = false;
   /** How the technique fills the target, since three was kept from clearing it; null where three has cleared it. */
   fills: Fills | null = null;
 

@@ -13,8 +13,10 @@ export interface Technique {
   readonly lightOrder: LightOrder;
   /** True if it draws to float colour targets. */
   readonly needsFloatTargets: boolean;
-  /** Pixels that the technique writes, in place of a clear by three. Default 'behind'. */
-  readonly fills?: Fills;
+  /** Pixels that the technique writes, in place of a clear by three; null for none. Default 'behind'. */
+  readonly fills?: Fills | null;
+  /** Whether all its shaders can read few lights from uniforms (fewLights.glsl), in place of a texture. Default false. */
+  readonly readsFew?: boolean;
   /**
    * Late code of the technique, fetched at its first use; until it is loaded the technique that drew the scene last draws,
    * or else 'deferred', or 'forward-single-pass' where lights are few or the device has no float targets. Default: that

@@ -5,14 +5,27 @@ vec4 farol_lightTexel(const in int record, const in int texel) {
   ivec2 at = ivec2((record & 255) * 4 + texel, record >> 8);
   return texelFetch(farol_lightTable, at, 0);
 }
-vec4 farol_lightSphere(int record) { return farol_lightTexel(record, 0); }
-vec3 farol_lightDirection(int record) { return farol_lightTexel(record, 0).xyz; }
+#ifdef FAROL_FEW_LIGHTS
+vec4 farol_sphereTexel(const in int record) {
+  if (record >= farol_fewLights) return farol_lightTexel(record, 0);
+  return farol_few(farol_fewSphere0, farol_fewSphere1, record);
+}
+vec4 farol_emissionTexel(const in int record) {
+  if (record >= farol_fewLights) return farol_lightTexel(record, 1);
+  return farol_few(farol_fewEmission0, farol_fewEmission1, record);
+}
+#else
+#define farol_sphereTexel(record) farol_lightTexel(record, 0)
+#define farol_emissionTexel(record) farol_lightTexel(record, 1)
+#endif
+vec4 farol_lightSphere(int record) { return farol_sphereTexel(record); }
+vec3 farol_lightDirection(int record) { return farol_sphereTexel(record).xyz; }
 vec3 farol_lightPosition(vec4 t) { return t.xyz; }
 float farol_lightRange(vec4 t) { return t.w; }
-vec4 farol_lightEmission(int record) { return farol_lightTexel(record, 1); }
+vec4 farol_lightEmission(int record) { return farol_emissionTexel(record); }
 vec3 farol_lightColor(vec4 t) { return t.rgb; }
 bool farol_lightIsPlain(vec4 t) { return t.w >= 0.0; }
-bool farol_lightIsPlain(int record) { return farol_lightTexel(record, 1).w >= 0.0; }
+bool farol_lightIsPlain(int record) { return farol_emissionTexel(record).w >= 0.0; }
 float farol_lightPlainDecay(vec4 t) { return t.w; }
 float farol_lightOtherDecay(vec4 t) { return -64.0 - t.w; }
 float farol_lightDecay(vec4 t) { return t.w >= 0.0 ? t.w : -64.0 - t.w; }

@@ -1,7 +1,7 @@
 import type { IUniform, Texture } from 'three';
 
 /**
- * Uniforms of lightTable.glsl and its records, ambientLight.glsl, lightLoopOne.glsl and areaForms.glsl; one set a
+ * Uniforms of lightTable.glsl and its records, fewLights.glsl, ambientLight.glsl, lightLoopOne.glsl and areaForms.glsl; one set a
  * FarolRenderer.
  */
 export interface LightUniforms extends Record<string, IUniform> {
@@ -11,8 +11,16 @@ export interface LightUniforms extends Record<string, IUniform> {
    * that are not plain point lights.
    */
   readonly farol_lightCounts: { value: number[] };
-  /** Constant and three slopes (x, y, z of the view-space normal) of the ambient irradiance, 4 × RGB. */
+  /** Constant of the ambient irradiance, RGB. */
   readonly farol_ambient: { value: Float32Array };
+  /** Slopes of the ambient irradiance along x, y and z of the view-space normal, 3 × RGB. */
+  readonly farol_ambientSlopes: { value: Float32Array };
+  /** Lights that are read from the uniforms below, two texels of a record each: none, or all. */
+  readonly farol_fewLights: { value: number };
+  readonly farol_fewSphere0: { value: Float32Array };
+  readonly farol_fewSphere1: { value: Float32Array };
+  readonly farol_fewEmission0: { value: Float32Array };
+  readonly farol_fewEmission1: { value: Float32Array };
   /** Record of the light that lightLoopOne.glsl shades by. */
   readonly farol_lightIndex: { value: number };
   /** Table of linearly transformed cosines, by which area lights are shaded; null without area lights. */
@@ -21,11 +29,18 @@ export interface LightUniforms extends Record<string, IUniform> {
   readonly farol_areaCounts: { value: number[] };
 }
 
+/** @param ambient - the constant and the three slopes, 4 × RGB: views of it are the values of the uniforms */
 export function lightUniforms(ambient: Float32Array): LightUniforms {
   return {
     farol_lightTable: { value: null },
     farol_lightCounts: { value: [0, 0, 0, 0] },
-    farol_ambient: { value: ambient },
+    farol_ambient: { value: ambient.subarray(0, 3) },
+    farol_ambientSlopes: { value: ambient.subarray(3) },
+    farol_fewLights: { value: 0 },
+    farol_fewSphere0: { value: new Float32Array(4) },
+    farol_fewSphere1: { value: new Float32Array(4) },
+    farol_fewEmission0: { value: new Float32Array(4) },
+    farol_fewEmission1: { value: new Float32Array(4) },
     farol_lightIndex: { value: 0 },
     farol_ltc: { value: null },
     farol_areaCounts: { value: [0, 0] },

@@ -33,6 +33,9 @@ describe('the getters of a record', () => {
       // of two numbers, so that nothing is fetched twice
       'float farol_lightD(vec4 t) { return t.x + t.y; }',
     ]);
+    expect(recordGetters('light', layout as never, ['first'])).toContain(
+      'float farol_lightB(int record) { return farol_firstTexel(record).w; }',
+    );
   });
 
   it('tell the kinds of attenuation by their numbers', () => {
@@ -51,9 +54,10 @@ describe('the getters of a record', () => {
   // after a change of the tables: npx vitest run --config packages/vitest.config.ts recordGetters -u
   it('make lightRecord.glsl: those that a shader asks for', async () => {
     const shaders = Object.values(sources).join('\n');
-    const getters = `${recordGetters('light', lightRecord)}\n${recordGetters('extension', extensionRecord)}`.split(
-      '\n',
-    );
+    const getters =
+      `${recordGetters('light', lightRecord, ['sphere', 'emission'])}\n${recordGetters('extension', extensionRecord)}`.split(
+        '\n',
+      );
     // shaders call a texel by its name in the table
     const texels = new Set([...Object.keys(lightRecord), ...Object.keys(extensionRecord)]);
     const used = getters.filter((line) => {
@@ -68,6 +72,19 @@ vec4 farol_lightTexel(const in int record, const in int texel) {
   ivec2 at = ivec2((record & ${RECORDS_PER_ROW - 1}) * ${TEXELS_PER_RECORD} + texel, record >> ${Math.log2(RECORDS_PER_ROW)});
   return texelFetch(farol_lightTable, at, 0);
 }
+#ifdef FAROL_FEW_LIGHTS
+vec4 farol_sphereTexel(const in int record) {
+  if (record >= farol_fewLights) return farol_lightTexel(record, ${LIGHT.sphere / 4});
+  return farol_few(farol_fewSphere0, farol_fewSphere1, record);
+}
+vec4 farol_emissionTexel(const in int record) {
+  if (record >= farol_fewLights) return farol_lightTexel(record, ${LIGHT.emission / 4});
+  return farol_few(farol_fewEmission0, farol_fewEmission1, record);
+}
+#else
+#define farol_sphereTexel(record) farol_lightTexel(record, ${LIGHT.sphere / 4})
+#define farol_emissionTexel(record) farol_lightTexel(record, ${LIGHT.emission / 4})
+#endif
 ${used.join('\n')}
 `).toMatchFileSnapshot('./lightRecord.glsl');
   });

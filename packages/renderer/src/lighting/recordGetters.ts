@@ -9,14 +9,17 @@ const TYPES = ['', 'float', 'vec2', 'vec3', 'vec4'];
  * `farol_<prefix><Value>` for each value, of a record or of a texel that was fetched before. The texels of a layout with
  * more than a record has lie in the records that follow.
  * @param prefix - such as `light`: `farol_lightRange(record)`, `farol_lightRange(farol_lightSphere(record))`
+ * @param fetches - texels that are fetched by a function of their own, `farol_<texel>Texel(record)`. Default none
  */
-export function recordGetters(prefix: string, layout: RecordLayout): string {
+export function recordGetters(prefix: string, layout: RecordLayout, fetches: readonly string[] = []): string {
   const lines: string[] = [];
   const add = (type: string, name: string, of: string, value: string) =>
     lines.push(`${type} farol_${prefix}${capital(name)}(${of}) { return ${value}; }`);
   Object.entries(layout).forEach(([texel, values], i) => {
     const record = i < TEXELS_PER_RECORD ? 'record' : `record + ${Math.floor(i / TEXELS_PER_RECORD)}`;
-    const fetched = `farol_lightTexel(${record}, ${i % TEXELS_PER_RECORD})`;
+    const fetched = fetches.includes(texel)
+      ? `farol_${texel}Texel(${record})`
+      : `farol_lightTexel(${record}, ${i % TEXELS_PER_RECORD})`;
     if (!(texel in values)) add('vec4', texel, 'int record', fetched);
     for (const [name, value] of Object.entries(values)) {
       const [type, expression] = typeof value === 'string' ? [TYPES[value.length], `t.${value}`] : value;

@@ -27,7 +27,7 @@ describe('the uniforms of a microshader', () => {
     [
       'lightUniforms',
       lightUniforms(new Float32Array(12)),
-      ['lightRecord', 'lightTable', 'ambientLight', 'lightLoopOne', 'areaForms', 'areaLightOn'],
+      ['lightRecord', 'lightTable', 'fewLights', 'ambientLight', 'lightLoopOne', 'areaForms', 'areaLightOn'],
     ],
     ['tileUniforms', tileUniforms(), ['lightTiles', 'lightTileLists', 'viewport']],
     [

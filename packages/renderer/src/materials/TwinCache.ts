@@ -9,10 +9,15 @@ export class TwinCache {
   private readonly sources = new Map<number, WeakRef<Material>>();
 
   private revision = 0;
+  /** The twin given last, with its source and kind: most draws follow one of the same material. */
+  private lastSource: Material | null = null;
+  private lastKind!: TwinKind;
+  private lastTwin!: Material;
 
   constructor(private readonly context: TwinContext) {}
 
   get(source: Material, kind: TwinKind): Material {
+    if (source === this.lastSource && kind === this.lastKind) return this.lastTwin;
     let kinds = this.twins.get(source);
     if (kinds === undefined) {
       this.twins.set(source, (kinds = new Map()));
@@ -21,7 +26,9 @@ export class TwinCache {
     }
     let twin = kinds.get(kind);
     if (twin === undefined) kinds.set(kind, (twin = createTwin(source, kind, this.context)));
-    return twin;
+    this.lastSource = source;
+    this.lastKind = kind;
+    return (this.lastTwin = twin);
   }
 
   /** Begins a frame: twins of shaders that the page has changed since are made anew. */
@@ -39,6 +46,7 @@ export class TwinCache {
   }
 
   private readonly forget = ({ target }: { target: Material }) => {
+    this.lastSource = null;
     target.removeEventListener('dispose', this.forget);
     this.sources.delete(target.id);
     for (const twin of this.twins.get(target)!.values()) twin.dispose();

@@ -40,6 +40,7 @@ function shadowsInTarget(text: string): string {
 /** Makes a kind of twin for lit materials: three's shader with Farol's light loop in it. */
 export function litTwin(options: LitTwinOptions): TwinKind {
   const chunksOf = (loop: LightLoop, oneByOne: boolean) => [
+    ...('readsFew' in lightLoops[loop] ? ['fewLights'] : []),
     ...(oneByOne ? ['lightOneByOne'] : []),
     ...['ambientLight', loop, 'shadeThree', 'targetPixel', ...(options.chunks ?? [])],
   ];

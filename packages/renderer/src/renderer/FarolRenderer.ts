@@ -269,7 +269,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     }
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
-    if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
+    if (!frame.hasFew && Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
@@ -370,7 +370,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
     const technique = this.set.known[picker.active];
     draws.effects = draws.effectsOf(picker.active);
-    for (const effect of draws.effects.all) effect.picked?.(frame, technique);
+    const { all } = draws.effects;
+    for (const effect of all) effect.picked?.(frame, technique);
+    frame.readsFew = technique.readsFew === true && all.length === 0 && frame.view === 'final';
     return technique.lightOrder;
   }
 

@@ -2,7 +2,11 @@ import type { WebGLRenderer } from 'three';
 import type { Frame } from '../frame/Frame';
 import { sharedUniforms } from '../frame/sharedUniforms';
 import type { LightTable } from '../lighting/LightTable';
+import { FLOATS_PER_RECORD, LIGHT } from '../lights/lightRecord';
 import type { ShadowMaps } from '../shadows/ShadowMaps';
+
+/** Lights that the uniforms of fewLights.glsl have room for. */
+const FEW = 2;
 
 /** Sets the shared uniforms of a renderer for each frame. */
 export class FrameUniforms {
@@ -15,8 +19,7 @@ export class FrameUniforms {
   /** Uploads the light table, and sets its uniforms. @param heatMaximum - count that count views show hottest */
   set(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null, heatMaximum: number): void {
     const { lights, values } = this;
-    lights.upload(webgl);
-    values.farol_lightTable.value = frame.fields?.texture ?? lights.table.texture;
+    this.giveTable(webgl, frame, shadows);
     values.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
     const counts = values.farol_lightCounts.value;
     counts[0] = lights.directional;
@@ -28,6 +31,38 @@ export class FrameUniforms {
     areas[1] = lights.areas;
     shadows?.setUniforms(values, lights.firstMask + lights.slots, frame.camera);
     values.farol_heatScale.value = 1 / heatMaximum;
+  }
+
+  /** Gives the light table to shaders: as uniforms if lights are few and all shaders of the frame read these, else as a texture. */
+  private giveTable(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null): void {
+    const { lights, values } = this;
+    const few = frame.readsFew && frame.fields === null && shadows === null && this.copyFew();
+    frame.hasFew = few;
+    values.farol_fewLights.value = few ? lights.recordCount : 0;
+    if (few) lights.table.uploadedBytes = 0;
+    else lights.upload(webgl);
+    // null: to bind the textures in turn would be changes of state
+    values.farol_lightTable.value = few ? null : (frame.fields?.texture ?? lights.table.texture);
+  }
+
+  /** Copies the texels that plain lights have to uniforms. @returns whether all lights are plain, and few enough */
+  private copyFew(): boolean {
+    const { values } = this;
+    const { recordCount, directional, table } = this.lights;
+    const { data } = table;
+    if (recordCount > FEW) return false;
+    for (let i = 0; i < recordCount; i++) {
+      const at = i * FLOATS_PER_RECORD;
+      const sphere = i === 0 ? values.farol_fewSphere0 : values.farol_fewSphere1;
+      const emission = i === 0 ? values.farol_fewEmission0 : values.farol_fewEmission1;
+      for (let k = 0; k < 4; k++) {
+        sphere.value[k] = data[at + LIGHT.sphere + k];
+        emission.value[k] = data[at + LIGHT.emission + k];
+      }
+      // directional lights with details, others that are not plain
+      if (i < directional ? emission.value[3] !== 0 : emission.value[3] < 0) return false;
+    }
+    return true;
   }
 
   /** Clears the uniforms of disposed shadow maps' textures: three would create bound textures again. */

@@ -10,5 +10,8 @@ export const forwardSinglePass: Technique = {
   help: 'Each object once, by a loop over all lights.',
   lightOrder: 'by-volume',
   needsFloatTargets: false,
+  readsFew: true,
+  // a clear is one call; a draw behind is six, and a change of program
+  fills: null,
   passes: () => forwardTail('lightLoopAll'),
 };

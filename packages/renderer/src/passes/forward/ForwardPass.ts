@@ -68,7 +68,7 @@ export class ForwardPass implements Pass {
   private draw(frame: Frame, item: RenderItem, twins: ForwardTwins, onlyLit: boolean): void {
     const lit = item.shading === 'lit';
     if (item.drawn || (onlyLit && !lit)) return;
-    const vertex = lit && isGouraud(item.material) ? frame.gouraudTwins() : null;
+    const vertex = lit && item.ownShader && isGouraud(item.material) ? frame.gouraudTwins() : null;
     frame.drawForward(item, vertex ?? twins);
   }
 }

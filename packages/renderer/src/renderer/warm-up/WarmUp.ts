@@ -43,7 +43,7 @@ export class WarmUp implements Preparation {
 
   constructor(
     private readonly frame: Frame,
-    private readonly technique: { readonly fills?: Fills },
+    private readonly technique: { readonly fills?: Fills | null },
     private readonly name: string,
     readonly passes: readonly Pass[],
   ) {
@@ -86,9 +86,11 @@ export class WarmUp implements Preparation {
 
   private run(effects: readonly FarolEffect[]): void {
     const { frame, dry, waiting, programs } = this;
+    const { fills = 'behind' } = this.technique;
     const { queue } = frame;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
-    dry.fills = frame.fills && (this.technique.fills ?? 'behind');
+    // whatever the technique of this frame fills
+    dry.fills = fills;
     dry.resources.begin();
     this.left = DRAWS;
     this.cut = false;
