@@ -1,4 +1,4 @@
-// Adds a listed plain point light to the sums of a surface, as farol_addPlain and farol_addLight do, in fewer steps.
+// Adds a listed plain point light to the sums of a surface, as farol_addLight does, in fewer steps.
 // Farol; its emission is fetched while the distance is found
 #include "shading"
 
