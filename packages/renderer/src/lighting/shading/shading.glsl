@@ -98,17 +98,6 @@ void farol_addExtended(inout FarolShading s, const in FarolLight light) {
   farol_addLight(s, light.direction, light.color * diffuseScale, light.color * specularScale);
 }
 
-// adds one of three's point lights, without a mask or with all of it let through; sphere: texel of its record
-void farol_addPlain(inout FarolShading s, const in vec4 sphere, const in vec3 color, const in float decay) {
-  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
-  float range = farol_lightRange(sphere);
-  float distanceSquared = dot(toLight, toLight);
-  float ratio = distanceSquared / (range * range);
-  if (ratio >= 1.0) return;
-  vec3 arriving = color * farol_boundedAttenuation(distanceSquared, ratio, decay);
-  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), arriving, arriving);
-}
-
 // a light with a range, unless it is an area light; sphere, emission: texels of its record; isLit: its mask lets all
 // through; plain point lights, most of all lights, take the short way
 void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphere, const in vec4 emission,
@@ -167,61 +156,6 @@ void farol_addRead(inout FarolShading s, const in int record, const in vec4 sphe
 // a light with a range, unless it is an area light
 void farol_addLocal(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
-}
-
-// a light with a range, unless it is a plain point light or an area light; isPlain: it would be the former but for its
-// mask, which lets all through; both texels are fetched before either is looked at
-void farol_addOther(inout FarolShading s, const in int record, const in bool isLit, const in bool isPlain) {
-  vec4 sphere = farol_lightSphere(record);
-  vec4 emission = farol_lightEmission(record);
-#ifdef FAROL_POINT_MASKS
-  if (isPlain) {
-    farol_addPlain(s, sphere, farol_lightColor(emission), farol_lightOtherDecay(emission));
-    return;
-  }
-#endif
-  if (!farol_lightIsPlain(emission)) farol_addRead(s, record, sphere, emission, isLit);
-}
-
-// a plain point light; others are left out. physical: farol_isPhysical(s), asked once before the loop. Not by
-// farol_addPlain: its emission is fetched while the distance is found
-void farol_addPoint(inout FarolShading s, const in int record, const in bool physical) {
-  vec4 sphere = farol_lightSphere(record);
-  vec3 toLight = farol_lightPosition(sphere) - s.positionVS;
-  float range = farol_lightRange(sphere);
-  float distanceSquared = dot(toLight, toLight);
-  vec4 emission = farol_lightEmission(record);
-#ifdef STANDARD
-  float ratio = distanceSquared / (range * range);
-  if (ratio >= 1.0 || !farol_lightIsPlain(emission)) return;
-  vec3 color = farol_lightColor(emission);
-  color *= farol_boundedAttenuation(distanceSquared, ratio, farol_lightPlainDecay(emission));
-  farol_addLight(s, toLight * inversesqrt(max(distanceSquared, 1e-12)), color, color);
-#else
-  // farol_addLight in fewer steps: lights behind the surface and out of reach leave at once, lengths divide last
-  float along = dot(s.normalVS, toLight);
-  float rangeSquared = range * range;
-  if (!(along > 0.0) || distanceSquared >= rangeSquared || !farol_lightIsPlain(emission)) return;
-  float decay = farol_lightPlainDecay(emission);
-  float inverse = inversesqrt(max(distanceSquared, 1e-12));
-  float ratio = distanceSquared / rangeSquared;
-  float window = 1.0 - ratio * ratio;
-  float dotNL = along * inverse;
-  // irradiance for a colour of 1
-  float arriving = dotNL * window * window * min(decay == 2.0 ? inverse * inverse : pow(inverse, decay), 100.0);
-  // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v = 4 (v·h)²
-  float halfSquared = max(2.0 * inverse * dot(s.viewDirVS, toLight) + 2.0, 1e-8);
-  float halfScale = inversesqrt(halfSquared);
-  float dotNH = clamp((dotNL + s.dotNV) * halfScale, 0.0, 1.0);
-  float fresnel = farol_schlickPower(0.5 * halfSquared * halfScale);
-  float lobe = arriving * (physical
-    ? farol_ggxLobe(s.alphaSquared, s.lambdaV, clamp(s.dotNV, 0.0, 1.0), dotNL, dotNH)
-    : farol_blinnPhongLobe(s.alphaSquared, dotNH));
-  vec3 color = farol_lightColor(emission);
-  s.diffuse += arriving * (s.diffuse0 - s.diffuse90 * fresnel) * color;
-  s.specular += lobe * color;
-  s.grazing += lobe * fresnel * color;
-#endif
 }
 
 // directional lights and lights without a range

@@ -1,4 +1,6 @@
 // The microshaders of this folder, by name: fetched with the techniques that have light lists.
+export { default as addOther } from './addOther.glsl?raw';
+export { default as addPoint } from './addPoint.glsl?raw';
 export { default as lightLoopClustered } from './lightLoopClustered.glsl?raw';
 export { default as lightLoopTiled } from './lightLoopTiled.glsl?raw';
 export { default as lightTileLists } from './lightTileLists.glsl?raw';

@@ -1,7 +1,7 @@
 import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
 import type { Pass } from '../../frame/Pass';
 import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
-import { lightLoopClustered, lightTiles, tiledOutput } from './chunks';
+import { addOther, addPoint, lightLoopClustered, lightTiles, tiledOutput } from './chunks';
 import { LightGridPass } from './LightGridPass';
 import { TiledOutputPass } from './TiledOutputPass';
 import { fetchLightsAhead } from './fetchLights';
@@ -10,7 +10,7 @@ import { forwardTail } from '../forwardTail';
 export { rankByGrid } from './rankByGrid';
 
 fetchLightsAhead();
-addBuiltinMicroShaders({ lightLoopClustered, lightTiles, tiledOutput });
+addBuiltinMicroShaders({ addOther, addPoint, lightLoopClustered, lightTiles, tiledOutput });
 
 /** The passes of 'clustered-forward'. */
 export function clusteredForwardPasses(): Pass[] {

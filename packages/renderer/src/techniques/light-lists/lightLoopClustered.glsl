@@ -1,5 +1,7 @@
 // Light loop over the pixel's cluster: the bits of its tile's mask that lie in the range of its depth's bin.
 // Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty; lights/LightGrid.ts
+#include "addOther"
+#include "addPoint"
 #include "shadePlain"
 #include "lightTiles"
 #include "viewport"

@@ -1,5 +1,6 @@
 // Light loop over the list of the pixel's tile, after the lights that reach everything.
 // Olsson and Assarsson 2011, Tiled Shading; Drobot 2017, Improved Culling for Tiled and Clustered Rendering (bit lists)
+#include "addPoint"
 #include "lightTileLists"
 
 // the bits of a summary word that stand for quads first to last

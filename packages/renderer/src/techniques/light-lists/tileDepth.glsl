@@ -19,9 +19,10 @@ float farol_viewDistance(const in float depth, const in float steps) {
 // distances (m) of the surfaces of a block: from x to y, and from z to w
 vec4 farol_blockRuns(const in uvec4 block) {
   vec2 depths = uintBitsToFloat(block.xy);
+  float to = farol_viewDistance(depths.y, 4.0);
+  if (block.w == 65535u) return vec4(farol_viewDistance(depths.x, -4.0), to, to, to);
   vec2 gap = depths.x + vec2(block.w & 65535u, block.w >> 16) * ((depths.y - depths.x) / 65535.0);
-  return vec4(farol_viewDistance(depths.x, -4.0), farol_viewDistance(gap.x, 4.0), farol_viewDistance(gap.y, -4.0),
-    farol_viewDistance(depths.y, 4.0));
+  return vec4(farol_viewDistance(depths.x, -4.0), farol_viewDistance(gap.x, 4.0), farol_viewDistance(gap.y, -4.0), to);
 }
 //# main
 ivec2 first = ivec2(gl_FragCoord.xy) << (FAROL_TILE_SHIFT - 2);

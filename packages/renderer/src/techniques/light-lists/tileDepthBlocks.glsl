@@ -24,20 +24,26 @@ for (int y = first.y; y < last.y; y++) {
     }
   }
 }
-// a block over an edge has depths at both ends: the farthest of the near half and the nearest of the far half
-float middle = 0.5 * (nearest + farthest);
-vec2 gap = vec2(nearest, farthest);
-for (int y = first.y; y < last.y; y++) {
-  for (int x = first.x; x < last.x; x++) {
-    float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
-    if (!farol_isEmpty(depth)) {
-      if (farol_depthMode.x > 0.0) depth = -depth;
-      if (depth <= middle) gap.x = max(gap.x, depth);
-      else gap.y = min(gap.y, depth);
+// none: from the end to the beginning
+uint gap = 65535u;
+// a block over an edge has depths at both ends: the farthest of the near half and the nearest of the far half; flat
+// blocks, of a fiftieth of their distance in perspective, are not searched
+if (farthest - nearest > 0.02 * (farol_depthMode.x > 0.0 ? -farthest : 1.0 - farthest)) {
+  float middle = 0.5 * (nearest + farthest);
+  vec2 ends = vec2(nearest, farthest);
+  for (int y = first.y; y < last.y; y++) {
+    for (int x = first.x; x < last.x; x++) {
+      float depth = texelFetch(farol_sceneDepth, ivec2(x, y), 0).r;
+      if (!farol_isEmpty(depth)) {
+        if (farol_depthMode.x > 0.0) depth = -depth;
+        if (depth <= middle) ends.x = max(ends.x, depth);
+        else ends.y = min(ends.y, depth);
+      }
     }
   }
+  // a step narrower at least, for rounding
+  vec2 parts = (ends - nearest) * (65535.0 / max(farthest - nearest, 1e-30));
+  uvec2 narrowed = uvec2(clamp(vec2(ceil(parts.x) + 1.0, floor(parts.y) - 1.0), 0.0, 65535.0));
+  gap = narrowed.x | narrowed.y << 16;
 }
-// a step narrower at least, for rounding
-vec2 parts = (gap - nearest) * (65535.0 / max(farthest - nearest, 1e-30));
-uvec2 narrowed = uvec2(clamp(vec2(ceil(parts.x) + 1.0, floor(parts.y) - 1.0), 0.0, 65535.0));
-farol_block = uvec4(floatBitsToUint(nearest), floatBitsToUint(farthest), empty, narrowed.x | narrowed.y << 16);
+farol_block = uvec4(floatBitsToUint(nearest), floatBitsToUint(farthest), empty, gap);

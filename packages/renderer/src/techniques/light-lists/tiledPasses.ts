@@ -3,6 +3,7 @@ import type { Pass } from '../../frame/Pass';
 import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
 import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
 import {
+  addPoint,
   lightLoopTiled,
   lightTileLists,
   lightTiles,
@@ -21,7 +22,17 @@ export { rankByDepth } from './rankByDepth';
 
 fetchLightsAhead();
 addBuiltinMicroShaders({
-  ...{ lightLoopTiled, lightTileLists, lightTiles, tileDepth, tileDepthBlocks, tileMask, tileSummary, tiledOutput },
+  ...{
+    addPoint,
+    lightLoopTiled,
+    lightTileLists,
+    lightTiles,
+    tileDepth,
+    tileDepthBlocks,
+    tileMask,
+    tileSummary,
+    tiledOutput,
+  },
 });
 
 /** The passes of 'tiled-forward'. */
