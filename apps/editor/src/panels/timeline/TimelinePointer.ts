@@ -38,7 +38,7 @@ export class TimelinePointer {
   private readonly timeline: Timeline;
   /** Positions of fingers that are down, by pointer id. */
   private readonly fingers = new Map<number, { x: number; y: number }>();
-  private current: { drag: SheetDrag; end(keeps: boolean): void } | null = null;
+  private current: { end(keeps: boolean): void } | null = null;
 
   /** @param scroll - scrolls the tracks vertically (CSS pixels) */
   constructor(
@@ -95,7 +95,7 @@ export class TimelinePointer {
       if (hasBegun) drag.end(keeps);
       else if (keeps && event) drag.click?.(event);
     };
-    this.current = { drag, end };
+    this.current = { end };
     addEventListener(
       'pointermove',
       (event) => {
