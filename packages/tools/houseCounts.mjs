@@ -9,7 +9,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 39,
-  lines: 156_292,
+  lines: 156_291,
 };
 
 /** First words by which a docblock hides its noun. */

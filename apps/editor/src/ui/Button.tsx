@@ -12,7 +12,7 @@ interface ButtonProps extends ButtonHTMLAttributes<HTMLButtonElement> {
 /** A button with a text, and an icon before it if there is one. */
 export const Button = ({ label, icon, look = 'framed', ...attributes }: ButtonProps): ReactNode => (
   <button type="button" className={`button ${look}`} {...attributes}>
-    {icon ? <Icon name={icon} /> : label}
-    {icon && <span>{label}</span>}
+    {icon && <Icon name={icon} size={look === 'small' ? 12 : undefined} />}
+    {icon && look !== 'small' ? <span>{label}</span> : label}
   </button>
 );
