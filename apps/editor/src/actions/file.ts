@@ -41,10 +41,8 @@ export const open: Action = {
   async run(editor) {
     const { fileOpen } = await import('browser-fs-access');
     const file = await fileOpen(fileType);
-    await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), {
-      name: file.name,
-      handle: file.handle ?? null,
-    });
+    const { name, handle = null } = file;
+    await editor.openFileBytes(new Uint8Array(await file.arrayBuffer()), { name, handle });
   },
 };
 

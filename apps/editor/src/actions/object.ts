@@ -35,12 +35,8 @@ export const lock: Action = {
   icon: 'lock',
   run({ document, commands }) {
     const { selectedObjects } = document;
-    commands.run(
-      setLocked(
-        selectedObjects,
-        selectedObjects.some(({ locked }) => !locked),
-      ),
-    );
+    const isLocked = selectedObjects.every(({ locked }) => locked);
+    commands.run(setLocked(selectedObjects, !isLocked));
   },
   enabled: hasSelection,
 };

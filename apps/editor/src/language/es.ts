@@ -1,4 +1,5 @@
 import type { Texts } from '@farol/editing';
+import { es as editing } from '@farol/editing/es';
 import { actions } from './es/actions';
 import { animation } from './es/animation';
 import { areaLights } from './es/areaLights';
@@ -10,7 +11,6 @@ import { edits } from './es/edits';
 import { engine } from './es/engine';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
-import { numbers } from './es/numbers';
 import { panels } from './es/panels';
 import { particles } from './es/particles';
 import { physics } from './es/physics';
@@ -33,6 +33,7 @@ export const ofEngine = messageTranslator(engine);
 
 /** All texts of the editor in Spanish, keyed by the English ones. */
 export const es: Texts = {
+  ...editing,
   ...actions,
   ...animation,
   ...areaLights,
@@ -43,7 +44,6 @@ export const es: Texts = {
   ...edits,
   ...materials,
   ...messages,
-  ...numbers,
   ...panels,
   ...particles,
   ...physics,

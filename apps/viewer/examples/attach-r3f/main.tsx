@@ -1,16 +1,14 @@
 /** Opens Farol's editor over a React Three Fiber page. */
-import '../shared/example.css';
 import { type AttachedEditor, attachEditor } from '@farol/attach';
 import { Farol } from '@farol/renderer/r3f';
-import { advance, Canvas, useFrame, useThree } from '@react-three/fiber';
-import { StrictMode, useEffect, useRef, useState } from 'react';
-import { createRoot } from 'react-dom/client';
-import type { Camera, Group, Scene, WebGLRenderer } from 'three';
+import { advance, Canvas, useThree } from '@react-three/fiber';
+import { useEffect, useState } from 'react';
+import type { Camera, Scene, WebGLRenderer } from 'three';
 import { readCanvas } from '../shared/examplePage';
+import { LitFloor, showPage, until } from '../shared/reactParts';
 
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
-const hues = Array.from({ length: 24 }, (_, i) => i * 15);
 
 /** Interface for the browser tests. */
 let page: { editor: AttachedEditor; scene: Scene; camera: Camera; webgl: WebGLRenderer } | null = null;
@@ -24,25 +22,6 @@ function Editor() {
     return () => editor.dispose();
   }, [scene, camera, gl, invalidate]);
   return null;
-}
-
-function Lanterns() {
-  const group = useRef<Group>(null);
-  useFrame(({ clock }) => group.current?.rotation.set(0, 0.2 * clock.elapsedTime, 0));
-  return (
-    <group ref={group} name="lanterns">
-      {hues.map((hue, i) => (
-        <pointLight
-          key={hue}
-          name={`lantern ${i + 1}`}
-          color={`hsl(${hue}, 70%, 60%)`}
-          intensity={6}
-          distance={5}
-          position={[(2 + (i % 3)) * Math.cos(i), 0.6 + (i % 4) / 2, (2 + (i % 3)) * Math.sin(i)]}
-        />
-      ))}
-    </group>
-  );
 }
 
 function App() {
@@ -64,34 +43,19 @@ function App() {
       >
         <Editor />
         {address.has('farol') && <Farol technique="deferred" />}
-        <color attach="background" args={['#10141c']} />
-        <hemisphereLight args={['#8fa8d8', '#40342a', 0.35]} />
-        <mesh name="floor" rotation-x={-Math.PI / 2}>
-          <planeGeometry args={[24, 24]} />
-          <meshStandardMaterial color="#9a9488" roughness={0.75} />
-        </mesh>
+        <LitFloor />
         {Array.from({ length: count }, (_, i) => (
           <mesh key={i} name={`ball ${i + 1}`} position={[-1.6 * i, 1, 0]}>
             <sphereGeometry args={[0.7, 32, 24]} />
             <meshStandardMaterial color="#c98f5a" metalness={0.5} roughness={0.4} />
           </mesh>
         ))}
-        <Lanterns />
       </Canvas>
     </>
   );
 }
 
-createRoot(document.querySelector('#root')!).render(
-  <StrictMode>
-    <App />
-  </StrictMode>,
-);
-
-/** Waits, frame by frame, until a condition holds. */
-async function until(holds: () => boolean): Promise<void> {
-  while (!holds()) await new Promise(requestAnimationFrame);
-}
+showPage(App);
 
 window.example = {
   ready: until(() => page !== null),

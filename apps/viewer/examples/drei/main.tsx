@@ -1,12 +1,11 @@
 /** drei and @react-three/postprocessing, drawn by Farol: components that draw by themselves, such as views, portals and gizmos. */
-import '../shared/example.css';
-import { type FarolRenderer, techniques } from '@farol/renderer';
+import type { FarolRenderer } from '@farol/renderer';
 import { Farol, type FarolProps } from '@farol/renderer/r3f';
 import { advance, Canvas } from '@react-three/fiber';
-import { StrictMode, useState } from 'react';
-import { createRoot } from 'react-dom/client';
+import { useState } from 'react';
 import type { WebGLRenderer } from 'three';
 import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
+import { DrawerSelect, showPage, until } from '../shared/reactParts';
 import { parts, partsWithFarol } from './parts';
 
 const address = new URLSearchParams(location.search);
@@ -41,14 +40,7 @@ function App() {
     <>
       <nav>
         <a href="../index.html">Examples</a>
-        <select aria-label="Drawn by" value={by} onChange={({ target }) => setBy(target.value as Drawer)}>
-          <option value="three">three's own renderer</option>
-          {Object.entries(techniques).map(([name, { label }]) => (
-            <option key={name} value={name}>
-              Farol: {label}
-            </option>
-          ))}
-        </select>
+        <DrawerSelect by={by} onChange={setBy} />
         <select aria-label="Component" value={part} onChange={({ target }) => setPart(target.value)}>
           {names.map((name) => (
             <option key={name}>{name}</option>
@@ -73,18 +65,7 @@ function App() {
   );
 }
 
-createRoot(document.querySelector('#root')!).render(
-  <StrictMode>
-    <App />
-  </StrictMode>,
-);
-
-const nextFrame = () => new Promise(requestAnimationFrame);
-
-/** Waits, frame by frame, until a condition holds. */
-async function until(holds: () => boolean): Promise<void> {
-  while (!holds()) await nextFrame();
-}
+showPage(App);
 
 const chosen = (by: Drawer) => (by === 'three' ? page.farol === null : page.farol?.technique === by);
 window.example = {
@@ -107,7 +88,7 @@ window.example = {
     // components of drei take some frames to settle
     for (let i = page.settled ? 1 : 6; i > 0; i--) {
       advance(1);
-      await nextFrame();
+      await new Promise(requestAnimationFrame);
     }
     page.settled = true;
     advance(1);

@@ -1,16 +1,15 @@
 /** React Three Fiber, drawn by Farol. */
-import { type FarolRenderer, type TechniqueName, techniques } from '@farol/renderer';
+import type { FarolRenderer, TechniqueName } from '@farol/renderer';
 import { SMAA } from '@farol/renderer/antialiasing';
 import { Farol } from '@farol/renderer/r3f';
 import { advance, Canvas, useFrame } from '@react-three/fiber';
-import { StrictMode, use, useMemo, useRef, useState } from 'react';
-import { createRoot } from 'react-dom/client';
-import type { Group, Mesh, Scene, WebGLRenderer } from 'three';
+import { use, useMemo, useRef, useState } from 'react';
+import type { Mesh, Scene, WebGLRenderer } from 'three';
 import { askedDrawer, type Drawer, readCanvas } from '../shared/examplePage';
+import { DrawerSelect, LitFloor, showPage, until } from '../shared/reactParts';
 
 const address = new URLSearchParams(location.search);
 const still = address.has('still');
-const hues = Array.from({ length: 24 }, (_, i) => i * 15);
 /** With `?layers` every other lantern is on layer 1, which has no objects. */
 const hasLayers = address.has('layers');
 
@@ -28,26 +27,6 @@ const made = new Set<FarolRenderer>();
 function Sibling({ loads }: { loads: Promise<unknown> | null }) {
   if (loads) use(loads);
   return null;
-}
-
-function Lanterns() {
-  const group = useRef<Group>(null);
-  useFrame(({ clock }) => group.current?.rotation.set(0, 0.2 * clock.elapsedTime, 0));
-  return (
-    <group ref={group}>
-      {hues.map((hue, i) => (
-        <pointLight
-          key={hue}
-          name={`lantern ${i + 1}`}
-          color={`hsl(${hue}, 70%, 60%)`}
-          intensity={6}
-          distance={5}
-          layers={hasLayers ? i % 2 : 0}
-          position={[(2 + (i % 3)) * Math.cos(i), 0.6 + (i % 4) / 2, (2 + (i % 3)) * Math.sin(i)]}
-        />
-      ))}
-    </group>
-  );
 }
 
 function Knot() {
@@ -71,14 +50,7 @@ function App() {
     <>
       <nav>
         <a href="../index.html">Examples</a>
-        <select aria-label="Drawn by" value={by} onChange={({ target }) => setBy(target.value as Drawer)}>
-          <option value="three">three's own renderer</option>
-          {Object.entries(techniques).map(([name, { label }]) => (
-            <option key={name} value={name}>
-              Farol: {label}
-            </option>
-          ))}
-        </select>
+        <DrawerSelect by={by} onChange={setBy} />
         <label>
           <input type="checkbox" checked={smooth} onChange={({ target }) => setSmooth(target.checked)} /> SMAA
         </label>
@@ -104,30 +76,15 @@ function App() {
             if (farol) made.add(farol);
           }}
         />
-        <color attach="background" args={['#10141c']} />
-        <hemisphereLight args={['#8fa8d8', '#40342a', 0.35]} />
-        <mesh name="floor" rotation-x={-Math.PI / 2}>
-          <planeGeometry args={[24, 24]} />
-          <meshStandardMaterial color="#9a9488" roughness={0.75} />
-        </mesh>
+        <LitFloor hasLayers={hasLayers} />
         <Knot />
-        <Lanterns />
         <Sibling loads={loads} />
       </Canvas>
     </>
   );
 }
 
-createRoot(document.querySelector('#root')!).render(
-  <StrictMode>
-    <App />
-  </StrictMode>,
-);
-
-/** Waits, frame by frame, until a condition holds. */
-async function until(holds: () => boolean): Promise<void> {
-  while (!holds()) await new Promise(requestAnimationFrame);
-}
+showPage(App);
 
 const chosen = (by: Drawer) => (by === 'three' ? page.farol === null : page.farol?.technique === by);
 window.example = {

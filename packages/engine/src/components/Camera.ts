@@ -3,9 +3,9 @@ import { Matrix4, OrthographicCamera, PerspectiveCamera } from 'three';
 import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { Transform } from '../core/Transform';
+import { focusFields } from '../settings/focusFields';
 import { toneMappingLabels, toneMappingNames } from '../settings/toneMappings';
 
-const ownFocus = { visibleWhen: { field: 'depthOfField', equals: ['own'] } };
 const perspective = { visibleWhen: { field: 'projection', equals: ['perspective'] } };
 
 /**
@@ -54,28 +54,7 @@ export class Camera extends component({
     label: 'Depth of field',
     optionLabels: { scene: 'Of the scene', off: 'Off', own: 'Own' },
   }),
-  focusDistance: number(10, {
-    unit: 'm',
-    min: 0.01,
-    help: 'Distance of what is sharp.',
-    label: 'Focus distance',
-    ...ownFocus,
-  }),
-  focusRange: number(5, {
-    unit: 'm',
-    min: 0.01,
-    help: 'How far from the focus things are as blurred as they become.',
-    label: 'Focus range',
-    ...ownFocus,
-  }),
-  focusBlur: number(2, {
-    min: 0,
-    max: 10,
-    step: 0.1,
-    help: 'How blurred things far from the focus are.',
-    label: 'Blur strength',
-    ...ownFocus,
-  }),
+  ...focusFields({ visibleWhen: { field: 'depthOfField', equals: ['own'] } }),
 }) {
   static override readonly typeName: string = 'Camera';
   static override readonly icon: string = 'camera';

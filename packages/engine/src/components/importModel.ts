@@ -5,6 +5,17 @@ import { Model } from '../assets/Model';
 import { modelParts } from '../assets/modelParts';
 import { ObjectRenderer } from './ObjectRenderer';
 
+/** A GameObject with name, pose and visibility of a three object. */
+export function objectLike(object: Object3D): GameObject {
+  const gameObject = new GameObject(object.name || object.type);
+  const { transform } = gameObject;
+  transform.position = object.position.toArray();
+  transform.setQuaternion(object.quaternion);
+  transform.scale = object.scale.toArray();
+  gameObject.active = object.visible;
+  return gameObject;
+}
+
 /**
  * Makes GameObjects of a three model, such as `gltf.scene`: its tree, transforms and meshes, so that each can be edited.
  * Geometries and materials are named by the ObjectRenderers as the library names the parts of the model; those that it
@@ -20,12 +31,7 @@ export function importModel(model: Object3D | Model, assets: AssetLibrary, prefi
     if (!assets.has(name) || assets.get(name) !== asset) assets.register(name, asset);
   }
   const convert = (object: Object3D): GameObject => {
-    const gameObject = new GameObject(object.name || object.type);
-    const { transform } = gameObject;
-    transform.position = object.position.toArray();
-    transform.setQuaternion(object.quaternion);
-    transform.scale = object.scale.toArray();
-    gameObject.active = object.visible;
+    const gameObject = objectLike(object);
     if (object instanceof Mesh) {
       const material: Material = Array.isArray(object.material) ? object.material[0] : object.material;
       const { castShadow, receiveShadow } = object;

@@ -26,6 +26,7 @@ import { Camera } from './Camera';
 import { type KeptFor, type KeptPart, keptTogether } from './keptTogether';
 import { Light } from './Light';
 import { ModelRenderer } from './ModelRenderer';
+import { objectLike } from './importModel';
 import { ObjectRenderer } from './ObjectRenderer';
 
 type Values = Readonly<Record<string, FieldValue>>;
@@ -151,12 +152,7 @@ export function objectsOfModel(
   };
 
   const convert = (object: Flags): GameObject => {
-    const gameObject = new GameObject(object.name || object.type);
-    const { transform } = gameObject;
-    transform.position = object.position.toArray();
-    transform.setQuaternion(object.quaternion);
-    transform.scale = object.scale.toArray();
-    gameObject.active = object.visible;
+    const gameObject = objectLike(object);
     const part = alone.get(object);
     if (part) {
       addParts(gameObject, part);

@@ -11,6 +11,7 @@ import {
   string,
 } from '@farol/editing/fields';
 import { antialiasingEffects, effectEntries, effectFields } from './effectFields';
+import { focusFields } from './focusFields';
 import { toneMappingLabels, toneMappingNames } from './toneMappings';
 
 /** Shown only while a switch is on. */
@@ -210,28 +211,7 @@ export const depthOfFieldFields = {
     help: 'What is nearer or farther than the focus is blurred. A camera can have its own.',
     label: 'Depth of field',
   }),
-  focusDistance: number(10, {
-    unit: 'm',
-    min: 0.01,
-    help: 'Distance from the camera of what is sharp.',
-    label: 'Focus distance',
-    ...on('depthOfField'),
-  }),
-  focusRange: number(5, {
-    unit: 'm',
-    min: 0.01,
-    help: 'How far from the focus things are as blurred as they become.',
-    label: 'Focus range',
-    ...on('depthOfField'),
-  }),
-  focusBlur: number(2, {
-    min: 0,
-    max: 10,
-    step: 0.1,
-    help: 'How blurred things far from the focus are.',
-    label: 'Blur strength',
-    ...on('depthOfField'),
-  }),
+  ...focusFields(on('depthOfField')),
 };
 
 export const gradingFields = {

@@ -49,7 +49,6 @@ export const actions: Texts = {
   'Unpack prefab': 'Desempaquetar prefab',
   Move: 'Mover',
   Rotate: 'Rotar',
-  'Scale##verb': 'Escalar',
   'Snap: {translate} m, {rotate}°, {scale} (hold Ctrl for once)':
     'Ajuste: {translate} m, {rotate}°, {scale} (con Ctrl, solo una vez)',
   'Focus on the selection': 'Enfocar la selección',

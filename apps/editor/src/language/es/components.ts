@@ -23,7 +23,6 @@ export const components: Texts = {
   'Point light': 'Luz puntual',
   'Spot light': 'Luz focal',
   Scale: 'Escala',
-  none: 'ninguno',
   Transform: 'Transformación',
   'Position, rotation and scale.': 'Posición, rotación y escala.',
   Position: 'Posición',

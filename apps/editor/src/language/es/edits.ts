@@ -2,11 +2,6 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish labels of steps of the history. */
 export const edits: Texts = {
-  object: 'objeto',
-  '{verb} {name}': '{verb} {name}',
-  '{verb} {count} objects': '{verb} {count} objetos',
-  '{count} objects': '{count} objetos',
-  'Set {field} of {name}': 'Cambiar {field} de {name}',
   Undo: 'Deshacer',
   Redo: 'Rehacer',
   'New microshader {name}': 'Nuevo microshader {name}',
@@ -22,13 +17,6 @@ export const edits: Texts = {
   'Fly {name}': 'Volar {name}',
   '{name} material': 'Material de {name}',
   'Give {name} a material of its own': 'Dar a {name} un material propio',
-  'Switched on {field} of {name}': 'Activar {field} de {name}',
-  'Switched off {field} of {name}': 'Desactivar {field} de {name}',
-  'Set {field} of {name} to {value}': 'Cambiar {field} de {name} a {value}',
-  'Rotated {name} by {angle}°': 'Rotar {name} {angle}°',
-  'Moved {name} by {x}, {y}, {z} m': 'Mover {name} {x}, {y}, {z} m',
-  'Scaled {name} by {factor}': 'Escalar {name} por {factor}',
-  'Scaled {name} by {x}, {y}, {z}': 'Escalar {name} por {x}, {y}, {z}',
   'Redo: {edit}': 'Rehacer: {edit}',
   'Undo: {edit}': 'Deshacer: {edit}',
   'Imported {file}': 'Importar {file}',
@@ -49,7 +37,6 @@ export const edits: Texts = {
   'Aligned {name} to the view': 'Alinear {name} con la vista',
   Pasted: 'Pegar',
   'Added {name}': 'Añadir {name}',
-  Deleted: 'Eliminar',
   Duplicated: 'Duplicar',
   'Moved {name} to the top': 'Mover {name} a lo alto',
   'Reordered {name}': 'Reordenar {name}',

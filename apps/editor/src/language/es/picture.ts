@@ -10,7 +10,6 @@ export const picture: Texts = {
   'Depth of field: the scene’s, none, or one of this camera.':
     'Profundidad de campo: la de la escena, ninguna o una propia de esta cámara.',
   'Focus distance': 'Distancia de enfoque',
-  'Distance of what is sharp.': 'Distancia de lo que se ve nítido.',
   'Focus range': 'Intervalo de enfoque',
   'How far from the focus things are as blurred as they become.':
     'A qué distancia del enfoque el desenfoque es máximo.',

@@ -6,22 +6,13 @@ import { clipDataOf, noteClipData, writeClip } from './clipDataOf';
 import { durationOf, frameRateOf, setClip } from './clipEdits';
 import { playedClip, playedTime, playerAbove, playerOfClip } from './clipPlayer';
 import { EMPTY_CLIP, findTrack, roundTime } from './clipTracks';
-import { keptSelection, type KeyEdit, type KeySelection } from './editKeys';
+import { type ClipSelection, ClipSelections } from './ClipSelections';
+import type { KeyEdit, KeySelection } from './editKeys';
 import { componentOf, recordEdit } from './recordEdit';
 import { addressOf } from './trackTargets';
 
-/** Number of texts of clips whose selections are remembered, so that undo restores the selection. */
-const REMEMBERED = 200;
-
-const NONE: KeySelection = new Set();
-
-/** Selected keys, or indices of selected events. */
-export interface ClipSelection {
-  readonly keys: KeySelection;
-  readonly events: readonly number[];
-}
-
-const NOTHING: ClipSelection = { keys: NONE, events: [] };
+/** Text of a clip's data; '' for no clip. */
+const textOf = (clip: ClipAsset | null): string => (clip ? (clip.getAuthored('data') as string) : '');
 
 /**
  * The clip being edited, its object and the playhead. While previewing, the object shows the clip at the playhead;
@@ -37,10 +28,8 @@ export class Timeline implements EditRecorder {
   private currentRoot: GameObject | null = null;
   /** Name of the clip that the user chose for the object. */
   private chosen: string | null = null;
-  private text = '';
   private seconds = 0;
-  private chosenKeys: ClipSelection = NOTHING;
-  private readonly selections = new Map<string, ClipSelection>();
+  private readonly selections = new ClipSelections();
   private preview: ClipPreview | null = null;
   private isOpen = false;
   private previews = false;
@@ -84,7 +73,7 @@ export class Timeline implements EditRecorder {
   }
 
   get selection(): ClipSelection {
-    return this.chosenKeys;
+    return this.selections.current;
   }
 
   get isRecording(): boolean {
@@ -217,8 +206,7 @@ export class Timeline implements EditRecorder {
   }
 
   select(keys: KeySelection, events: readonly number[] = []): void {
-    this.chosenKeys = { keys, events };
-    this.remember();
+    this.selections.select({ keys, events });
     this.changed.emit();
   }
 
@@ -226,7 +214,7 @@ export class Timeline implements EditRecorder {
   edit(label: string, edit: KeyEdit | ClipData, events: readonly number[] = []): void {
     const { clip } = this;
     if (!clip) return;
-    const { data, selected } = 'selected' in edit ? edit : { data: edit, selected: this.chosenKeys.keys };
+    const { data, selected } = 'selected' in edit ? edit : { data: edit, selected: this.selection.keys };
     this.expect(data, { keys: selected, events });
     this.document.commands.run(setClip(label, clip, data));
   }
@@ -235,7 +223,7 @@ export class Timeline implements EditRecorder {
   beginEdit(): ClipGesture | null {
     const { clip } = this;
     if (!clip) return null;
-    const [data, duration, before] = [this.data, this.duration, this.chosenKeys];
+    const { data, duration, selection: before } = this;
     const gesture: Gesture = this.document.commands.begin();
     return {
       data,
@@ -294,7 +282,7 @@ export class Timeline implements EditRecorder {
   /** Called when another scene was opened. */
   private forget(): void {
     this.chosen = null;
-    this.selections.clear();
+    this.selections.forget();
     this.currentRoot = null;
     this.currentClip = null;
     this.seconds = 0;
@@ -329,8 +317,7 @@ export class Timeline implements EditRecorder {
     this.endPreview();
     this.currentRoot = root;
     this.currentClip = clip;
-    this.text = clip ? (clip.getAuthored('data') as string) : '';
-    this.chosenKeys = this.selections.get(this.text) ?? NOTHING;
+    this.selections.show(textOf(clip));
     this.changed.emit();
   }
 
@@ -360,21 +347,10 @@ export class Timeline implements EditRecorder {
     queueMicrotask(() => {
       this.isWaiting = false;
       if (!this.isOpen) return;
-      this.noticeText();
+      this.selections.follow(textOf(this.currentClip), this.data);
+      this.changed.emit();
       if (this.previews) this.showNow();
     });
-  }
-
-  /** Called after edits, undo included: restores the selection that was made with the clip's present text. */
-  private noticeText(): void {
-    const { currentClip: clip } = this;
-    const text = clip ? (clip.getAuthored('data') as string) : '';
-    if (text !== this.text) {
-      this.text = text;
-      const known = this.selections.get(text);
-      this.chosenKeys = known ?? { keys: keptSelection(this.data, this.chosenKeys.keys), events: [] };
-    }
-    this.changed.emit();
   }
 
   private simulationChanged(): void {
@@ -384,17 +360,9 @@ export class Timeline implements EditRecorder {
 
   /** Sets the selection for the time when the clip has these data. */
   private expect(data: ClipData, selection: ClipSelection): void {
-    this.remember();
     const text = writeClip(data);
-    if (this.currentClip && text !== this.text) noteClipData(this.currentClip, text, data);
-    this.selections.set(text, selection);
-    if (text === this.text) this.chosenKeys = selection;
-  }
-
-  private remember(): void {
-    this.selections.delete(this.text);
-    this.selections.set(this.text, this.chosenKeys);
-    if (this.selections.size > REMEMBERED) this.selections.delete(this.selections.keys().next().value!);
+    if (this.currentClip && text !== this.selections.text) noteClipData(this.currentClip, text, data);
+    this.selections.expect(text, selection);
   }
 }
 

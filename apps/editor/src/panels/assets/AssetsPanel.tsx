@@ -20,6 +20,7 @@ import { FolderBar } from './FolderBar';
 import { FolderTarget } from './FolderTarget';
 import { removeEntries, renameEntry } from './assetDialogs';
 import './assets.css';
+import { Button } from '../../ui/Button';
 
 type Filter = AssetKind | 'all' | 'own';
 
@@ -124,10 +125,7 @@ export function AssetsPanel(): ReactNode {
         <SearchInput label={t('Search assets')} placeholder={t('Search assets')} value={search} onSearch={setSearch} />
         <SelectBox<Filter> value={filter} options={filters()} label={t('Kind of asset')} onChange={setFilter} />
         <MenuButton label={t('New')} icon="add" className="button framed" entries={() => newEntries(editor, folder)} />
-        <button type="button" className="button framed" onClick={() => editor.attempt(() => chooseFiles(editor))}>
-          <Icon name="open" />
-          <span>{t('Import…')}</span>
-        </button>
+        <Button icon="open" label={t('Import…')} onClick={() => editor.attempt(() => chooseFiles(editor))} />
       </div>
       {(folder !== '' || below.length > 0) && <FolderBar folder={folder} onOpen={setFolder} />}
       <ContextMenu.Root>

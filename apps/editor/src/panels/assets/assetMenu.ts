@@ -1,7 +1,7 @@
 import { t } from '@farol/editing';
 import { ModelRenderer, ObjectRenderer } from '@farol/engine';
 import type { EditorApi } from '../../api/EditorApi';
-import type { MenuEntry } from '../../api/MenuEntry';
+import type { MenuCommand, MenuEntry } from '../../api/MenuEntry';
 import { assetEntries, assetEntry, type AssetEntry, isEnvironment } from '../../files/assetKinds';
 import { placeAsset, useAsEnvironment } from '../../files/placeAsset';
 import { canMove, duplicateMaterial, giveMaterial, moveAssets } from '../../model/assetEdits';
@@ -41,22 +41,22 @@ function materialEntries(editor: EditorApi, { name, label }: AssetEntry): MenuEn
   return entries;
 }
 
-function scriptEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
+/** Menu entries of a script: open it, add it to the selection. */
+export function scriptEntries(editor: EditorApi, name: string): MenuCommand[] {
   const { document, commands } = editor;
-  const attempt = (run: () => unknown) => (): void => editor.attempt(run);
   return [
     { label: t('Edit ## the text of a script'), icon: 'code', run: () => editor.openScript(name) },
     {
       label: t('Add to the selected objects'),
       icon: 'add',
       disabled: document.selectedObjects.length === 0,
-      run: attempt(() => commands.run(addScriptComponent(document.scene, document.selectedObjects, name))),
+      run: () => editor.attempt(() => commands.run(addScriptComponent(document.scene, document.selectedObjects, name))),
     },
-    { label: t('Duplicate'), icon: 'duplicate', run: attempt(() => duplicateAndShow(editor, name)) },
   ];
 }
 
-function surfaceEntries(editor: EditorApi, { name }: AssetEntry): MenuEntry[] {
+/** Menu entries of a surface: open it, give it to the selection. */
+export function surfaceEntries(editor: EditorApi, name: string): MenuCommand[] {
   const { document, commands } = editor;
   const users = document.selectedObjects.filter(
     (object) => object.getComponent(ObjectRenderer) ?? object.getComponent(ModelRenderer),
@@ -116,9 +116,12 @@ export function assetMenu(editor: EditorApi, entry: AssetEntry, folders: readonl
     entries.push({ label: t('Use as environment'), icon: 'world', help, run });
   }
   if (kind === 'material') entries.push(...materialEntries(editor, entry));
-  if (kind === 'script') entries.push(...scriptEntries(editor, entry));
-  else if (kind === 'surface') entries.push(...surfaceEntries(editor, entry));
-  else if (kind !== 'bake' && (kind !== 'texture' || !isEnvironment(name))) {
+  if (kind === 'script') {
+    const run = attempt(() => duplicateAndShow(editor, name));
+    entries.push(...scriptEntries(editor, name), { label: t('Duplicate'), icon: 'duplicate', run });
+  }
+  if (kind === 'surface') entries.push(...surfaceEntries(editor, name));
+  else if (kind !== 'script' && kind !== 'bake' && (kind !== 'texture' || !isEnvironment(name))) {
     const label = kind === 'material' || kind === 'shader' ? t('Place on a sphere') : t('Place in scene');
     entries.push({ label, icon: 'add', run: attempt(() => placeAsset(editor, entry)) });
   }

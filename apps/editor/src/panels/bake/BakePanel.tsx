@@ -11,6 +11,7 @@ import { FieldList } from '../inspector/FieldList';
 import '../inspector/inspector.css';
 import { Section } from '../inspector/Section';
 import './bake.css';
+import { Button } from '../../ui/Button';
 
 const lightmaps = [
   ...['bakeSize', 'bakeTexelsPerMetre', 'bakeBounces', 'bakeSamples'],
@@ -122,11 +123,7 @@ function Mend({ text, action, onMend }: MendProps): ReactNode {
     <div className="bake-warning" role="note">
       <Icon name="warning" size={14} />
       <span>{text}</span>
-      {action && (
-        <button type="button" className="button small framed" onClick={() => editor.attempt(onMend)}>
-          {action}
-        </button>
-      )}
+      {action && <Button look="small framed" label={action} onClick={() => editor.attempt(onMend)} />}
     </div>
   );
 }
@@ -137,23 +134,18 @@ function Buttons({ baker }: { baker: LightBaker }): ReactNode {
   const isPlaying = simulation.state !== 'stopped';
   return (
     <div className="bake-buttons">
-      <button
-        type="button"
-        className="button primary"
+      <Button
+        look="primary"
+        label={t('Bake')}
         disabled={isPlaying}
         title={isPlaying ? t('The scene plays: stop it to bake its light.') : undefined}
         onClick={() => editor.attempt(() => baker.bake())}
-      >
-        {t('Bake')}
-      </button>
-      <button
-        type="button"
-        className="button framed"
+      />
+      <Button
+        label={t('Clear')}
         disabled={scene.settings.bakedLight === null || isPlaying}
         onClick={() => editor.attempt(() => baker.clear())}
-      >
-        {t('Clear')}
-      </button>
+      />
     </div>
   );
 }
@@ -187,9 +179,7 @@ function Running({ baker, state }: { baker: LightBaker; state: BakeState }): Rea
       <span className="bake-time">
         {Math.floor(100 * share)} %{secondsLeft !== null && ` · ${timeText(secondsLeft)}`}
       </span>
-      <button type="button" className="button framed" onClick={() => baker.cancel()}>
-        {t('Cancel')}
-      </button>
+      <Button label={t('Cancel')} onClick={() => baker.cancel()} />
     </div>
   );
 }

@@ -6,6 +6,7 @@ import { Icon } from '../../ui/Icon';
 import { SearchInput } from '../../ui/SearchInput';
 import type { IconName } from '../../style/iconPaths';
 import './console.css';
+import { Button } from '../../ui/Button';
 
 const icons: Readonly<Record<ConsoleKind, IconName>> = { error: 'warning', warning: 'warning', info: 'check' };
 const showLabel = (kind: ConsoleKind): string =>
@@ -93,16 +94,14 @@ function ConsoleLine({ entry }: { entry: ConsoleEntry }): ReactNode {
       <Icon name={icons[kind]} size={13} />
       <span className="console-text">{text}</span>
       {place && (
-        <button
-          type="button"
-          className="button small"
+        <Button
+          look="small"
+          label={`${'script' in place ? place.script : place.chunk}:${place.line}`}
           onClick={() => {
             if ('script' in place) editor.openScript(place.script, place.line);
             else editor.openMicroShader(place.chunk, place.line);
           }}
-        >
-          {'script' in place ? place.script : place.chunk}:{place.line}
-        </button>
+        />
       )}
       {count > 1 && (
         <span className="console-count" title={t('Said {count} times', { count })}>

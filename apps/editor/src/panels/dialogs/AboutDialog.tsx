@@ -3,6 +3,7 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { REVISION } from 'three';
 import { useEditor } from '../../ui/EditorContext';
+import { Button } from '../../ui/Button';
 
 /** Name of the licence, not translated. */
 const LICENCE = 'MIT';
@@ -29,9 +30,7 @@ export function AboutDialog({ onClose }: { onClose(): void }): ReactNode {
         <dd>{LICENCE}</dd>
       </dl>
       <div className="dialog-buttons">
-        <button type="button" className="button framed" onClick={onClose}>
-          {t('Close')}
-        </button>
+        <Button label={t('Close')} onClick={onClose} />
       </div>
     </>
   );

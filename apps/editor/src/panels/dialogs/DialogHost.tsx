@@ -5,6 +5,7 @@ import { readableText } from '../../model/readableText';
 import type { ConfirmDialog, DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './dialogs.css';
+import { Button } from '../../ui/Button';
 
 const CommandPalette = lazy(async () => ({ default: (await import('../palette/CommandPalette')).CommandPalette }));
 const KeysPage = lazy(async () => ({ default: (await import('../keys/KeysPage')).KeysPage }));
@@ -111,26 +112,17 @@ interface ButtonsProps {
 function Buttons({ action, refusal = t('Cancel'), other, onClose }: ButtonsProps): ReactNode {
   return (
     <div className="dialog-buttons">
-      <button type="button" className="button framed" onClick={() => onClose(false)}>
-        {action ? refusal : t('Close')}
-      </button>
+      <Button label={action ? refusal : t('Close')} onClick={() => onClose(false)} />
       {other && (
-        <button
-          type="button"
-          className="button framed"
+        <Button
+          label={other.label}
           onClick={() => {
             other.choose();
             onClose(false);
           }}
-        >
-          {other.label}
-        </button>
+        />
       )}
-      {action && (
-        <button type="button" className="button primary" onClick={() => onClose(true)}>
-          {action}
-        </button>
-      )}
+      {action && <Button look="primary" label={action} onClick={() => onClose(true)} />}
     </div>
   );
 }

@@ -1,6 +1,7 @@
 import { t } from '@farol/editing';
 import { type ReactNode, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
+import { Button } from '../../ui/Button';
 
 interface ExportButtonProps {
   readonly label: string;
@@ -27,16 +28,14 @@ export function ExportButton({ label, note, run }: ExportButtonProps): ReactNode
   return (
     <>
       <div className="export-row">
-        <button
-          type="button"
-          className="button primary"
+        <Button
+          look="primary"
+          label={label}
           aria-busy={isBusy}
           // not `disabled`, since a disabled button loses the focus
           aria-disabled={isBusy}
           onClick={() => isBusy || editor.attempt(start)}
-        >
-          {label}
-        </button>
+        />
         <span className="export-note">{isBusy ? t('Being made…') : note}</span>
       </div>
       {lost.length > 0 && (

@@ -12,6 +12,7 @@ import type { EditorApi } from '../../api/EditorApi';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { ExportButton } from './ExportButton';
+import { Button } from '../../ui/Button';
 
 async function saveHtml({ document, notices }: EditorApi, options: ShareOptions): Promise<readonly string[]> {
   const fileName = `${fileNameOf(document.scene.name)}.html`;
@@ -58,11 +59,7 @@ function Copy({ text, label, disabled }: CopyProps): ReactNode {
     await navigator.clipboard.writeText(text);
     editor.notices.show('info', t('{label} copied', { label }));
   };
-  return (
-    <button type="button" className="button framed" disabled={disabled} onClick={() => editor.attempt(copy)}>
-      {t('Copy')}
-    </button>
-  );
+  return <Button label={t('Copy')} disabled={disabled} onClick={() => editor.attempt(copy)} />;
 }
 
 /** Exports the scene: as a page, a model, a link, or a frame for another page. */
@@ -128,9 +125,7 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
         </div>
       </section>
       <div className="dialog-buttons">
-        <button type="button" className="button framed" onClick={onClose}>
-          {t('Close')}
-        </button>
+        <Button label={t('Close')} onClick={onClose} />
       </div>
     </>
   );

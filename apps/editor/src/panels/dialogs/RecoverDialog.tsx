@@ -3,6 +3,7 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import type { RecoverDialog as RecoverRequest } from '../../model/Dialogs';
 import { SessionList } from './SessionList';
+import { Button } from '../../ui/Button';
 
 /** Offers unsaved scenes of tabs that were closed. */
 export function RecoverDialog({ request, onClose }: { request: RecoverRequest; onClose(): void }): ReactNode {
@@ -15,9 +16,7 @@ export function RecoverDialog({ request, onClose }: { request: RecoverRequest; o
         <span className="dialog-hint">
           {t('What is left for later stays: “Recover…” in the menu File offers it again.')}
         </span>
-        <button type="button" className="button framed" onClick={onClose}>
-          {t('Later')}
-        </button>
+        <Button label={t('Later')} onClick={onClose} />
       </div>
     </>
   );

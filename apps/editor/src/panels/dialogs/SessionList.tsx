@@ -3,6 +3,7 @@ import { type ReactNode, useState } from 'react';
 import { describeSession } from '../../files/autosave/describeSession';
 import type { RecoveryOffer } from '../../model/Dialogs';
 import { useEditor } from '../../ui/EditorContext';
+import { Button } from '../../ui/Button';
 
 interface SessionListProps {
   readonly offer: RecoveryOffer;
@@ -24,9 +25,8 @@ export function SessionList({ offer, onClose, onEmpty }: SessionListProps): Reac
             {session.name}
             <span className="session-time">{describeSession(session)}</span>
           </span>
-          <button
-            type="button"
-            className="button framed"
+          <Button
+            label={t('Discard')}
             aria-describedby={`session-${session.id}`}
             onClick={() =>
               editor.attempt(async () => {
@@ -36,20 +36,16 @@ export function SessionList({ offer, onClose, onEmpty }: SessionListProps): Reac
                 if (remaining.length === 0) onEmpty();
               })
             }
-          >
-            {t('Discard')}
-          </button>
-          <button
-            type="button"
-            className="button primary"
+          />
+          <Button
+            look="primary"
+            label={t('Recover')}
             aria-describedby={`session-${session.id}`}
             onClick={() => {
               onClose();
               editor.attempt(() => offer.recover(session));
             }}
-          >
-            {t('Recover')}
-          </button>
+          />
         </li>
       ))}
     </ul>

@@ -3,6 +3,7 @@ import { Dialog } from '@base-ui/react/dialog';
 import { type ReactNode, useState } from 'react';
 import type { TextDialog as TextRequest } from '../../model/Dialogs';
 import { useEditor } from '../../ui/EditorContext';
+import { Button } from '../../ui/Button';
 
 /** Asks for a line of text. Enter accepts, Escape cancels. */
 export function TextDialog({ request, onClose }: { request: TextRequest; onClose(): void }): ReactNode {
@@ -33,12 +34,8 @@ export function TextDialog({ request, onClose }: { request: TextRequest; onClose
         />
       </label>
       <div className="dialog-buttons">
-        <button type="button" className="button framed" onClick={onClose}>
-          {t('Cancel')}
-        </button>
-        <button type="submit" className="button primary" disabled={text === ''}>
-          {request.action}
-        </button>
+        <Button label={t('Cancel')} onClick={onClose} />
+        <Button look="primary" label={request.action} type="submit" disabled={text === ''} />
       </div>
     </form>
   );

@@ -7,6 +7,7 @@ import { usePoll } from '../../ui/usePoll';
 import { FrameRecorder } from '../../viewport/FrameRecorder';
 import { Section } from '../inspector/Section';
 import { drawPassGraph, passColour } from './drawPassGraph';
+import { Button } from '../../ui/Button';
 
 type Kind = 'cpu' | 'gpu';
 
@@ -64,16 +65,14 @@ export function PassesSection(): ReactNode {
       controls={
         <div className="button-group" role="group" aria-label={t('Times of')}>
           {(['cpu', 'gpu'] as const).map((each) => (
-            <button
+            <Button
+              look="small"
+              label={each.toUpperCase()}
               key={each}
-              type="button"
-              className="button small"
               aria-pressed={kind === each}
               disabled={each === 'gpu' && !hasGpu}
               onClick={() => setChosen(each)}
-            >
-              {each.toUpperCase()}
-            </button>
+            />
           ))}
           <ActionButton action={continuous} />
         </div>

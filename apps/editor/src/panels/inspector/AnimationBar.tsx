@@ -3,8 +3,8 @@ import { Animation, type Component } from '@farol/engine';
 import type { ReactNode } from 'react';
 import { makeEditableCopy, whyNotCopy } from '../../model/copyModelClip';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { Button } from '../../ui/Button';
 
 /** Buttons for a model's clip that Animations play. @param props.components - Animations, memoised */
 export function AnimationBar({ components }: { components: readonly Component[] }): ReactNode {
@@ -28,18 +28,15 @@ export function AnimationBar({ components }: { components: readonly Component[] 
   };
   return (
     <div className="material-bar">
-      <button
-        type="button"
-        className="button framed"
+      <Button
+        icon="copy"
+        label={t('Make editable copy')}
         disabled={problem !== null}
         title={
           problem ?? t('Makes a clip of your own of the clip of the model, for the objects that it is unpacked into')
         }
         onClick={() => editor.attempt(copy)}
-      >
-        <Icon name="copy" />
-        <span>{t('Make editable copy')}</span>
-      </button>
+      />
       {problem !== null && <p className="model-problem">{problem}</p>}
     </div>
   );

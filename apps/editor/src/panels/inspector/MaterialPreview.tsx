@@ -5,9 +5,9 @@ import type { Material } from 'three';
 import { addMaterial, duplicateMaterial, giveMaterial, valuesOfOwnMaterial } from '../../model/assetEdits';
 import { Sequence } from '../../model/commands/Sequence';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { TurningBall } from '../../ui/TurningBall';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { Button } from '../../ui/Button';
 
 /** The material that an object is drawn with; null when it has none, or several. */
 function materialOf(component: Component): Material | null {
@@ -56,26 +56,17 @@ export function MaterialPreview({ components }: { components: readonly Component
         <div className="material-bar">
           {asset ? (
             <>
-              <button type="button" className="button framed" onClick={() => show(asset.name)}>
-                <Icon name="sliders" />
-                <span>{t('Edit material')}</span>
-              </button>
-              <button type="button" className="button framed" onClick={copy}>
-                <Icon name="duplicate" />
-                <span>{t('Make unique')}</span>
-              </button>
+              <Button icon="sliders" label={t('Edit material')} onClick={() => show(asset.name)} />
+              <Button icon="duplicate" label={t('Make unique')} onClick={copy} />
             </>
           ) : (
             name === null && (
-              <button
-                type="button"
-                className="button framed"
+              <Button
+                icon="contrast"
+                label={t('Make material asset')}
                 title={t('An asset of these values, which other objects can share, with every map')}
                 onClick={make}
-              >
-                <Icon name="contrast" />
-                <span>{t('Make material asset')}</span>
-              </button>
+              />
             )
           )}
         </div>

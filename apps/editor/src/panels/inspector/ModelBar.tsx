@@ -4,9 +4,9 @@ import { type ReactNode, useState } from 'react';
 import { unpackModel } from '../../actions/materials';
 import { whyNotUnpack } from '../../model/unpackModels';
 import { useEditor, useSignal } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { ModelTree } from '../material/ModelTree';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { Button } from '../../ui/Button';
 
 /**
  * Buttons for models that are drawn as one object, such as unpacking. @param props.components - ModelRenderers,
@@ -27,26 +27,20 @@ export function ModelBar({ components }: { components: readonly Component[] }): 
   const help = t('Makes a tree of it: meshes, lights and cameras as objects, materials as assets');
   return (
     <div className="material-bar">
-      <button
-        type="button"
-        className="button framed"
+      <Button
+        icon="tree"
+        label={t('Unpack')}
         disabled={problem !== undefined}
         title={problem ?? help}
         onClick={() => editor.attempt(() => unpackModel.run(editor))}
-      >
-        <Icon name="tree" />
-        <span>{t('Unpack')}</span>
-      </button>
-      <button
-        type="button"
-        className="button framed"
+      />
+      <Button
+        icon="search"
+        label={t('Look inside')}
         title={t('The objects and clips of the model')}
         aria-expanded={isInside}
         onClick={() => showInside(!isInside)}
-      >
-        <Icon name="search" />
-        <span>{t('Look inside')}</span>
-      </button>
+      />
       {problem !== undefined && <p className="model-problem">{problem}</p>}
       {isInside && (
         <div className="model-look">

@@ -3,8 +3,8 @@ import { type Component, ModelRenderer, ObjectRenderer } from '@farol/engine';
 import { type ReactNode, useState } from 'react';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { EditSurface } from '../material/EditSurface';
-import { Icon } from '../../ui/Icon';
 import { useOwnersRevision } from '../../ui/useOwnersRevision';
+import { Button } from '../../ui/Button';
 
 /** Buttons for the surface of objects. @param props.components - memoised; nothing is shown when none has a surface */
 export function ObjectSurfaceBar({ components }: { components: readonly Component[] }): ReactNode {
@@ -35,15 +35,12 @@ export function ObjectSurfaceBar({ components }: { components: readonly Componen
   };
   return (
     <div className="material-bar">
-      <button
-        type="button"
-        className="button framed"
+      <Button
+        icon="sliders"
+        label={t('Own values of {surface}', { surface: worn })}
         title={t('The values of the surface for this object alone; others of the material keep theirs')}
         onClick={() => editor.attempt(makeOwnValues)}
-      >
-        <Icon name="sliders" />
-        <span>{t('Own values of {surface}', { surface: worn })}</span>
-      </button>
+      />
     </div>
   );
 }

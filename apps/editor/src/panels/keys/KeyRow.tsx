@@ -6,6 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 import { useKeyBindings } from '../../ui/useKeyBindings';
 import { Icon } from '../../ui/Icon';
 import { keyText } from '../../ui/keyText';
+import { Button } from '../../ui/Button';
 
 /** An action with its keys, which can be removed; others are added by pressing them. */
 export function KeyRow({ action, label }: { action: Action; label: string }): ReactNode {
@@ -81,19 +82,15 @@ export function KeyRow({ action, label }: { action: Action; label: string }): Re
       {asked !== null && (
         <div className="key-conflict" role="alert">
           <span>{t('{keys} is “{action}”.', { keys: keyText(asked), action: others.join('”, “') })}</span>
-          <button
-            type="button"
-            className="button small framed"
+          <Button
+            look="small framed"
+            label={t('Take it over')}
             onClick={() => {
               bindings.take(action, asked);
               setAsked(null);
             }}
-          >
-            {t('Take it over')}
-          </button>
-          <button type="button" className="button small framed" onClick={() => setAsked(null)}>
-            {t('Leave it')}
-          </button>
+          />
+          <Button look="small framed" label={t('Leave it')} onClick={() => setAsked(null)} />
         </div>
       )}
       {clashes.length > 0 && (

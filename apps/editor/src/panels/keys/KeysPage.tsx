@@ -11,6 +11,7 @@ import { matchItems } from '../palette/matchItems';
 import { KeyRow } from './KeyRow';
 import './keys.css';
 import { otherKeys } from './otherKeys';
+import { Button } from '../../ui/Button';
 
 /** Every action with its editable keys, and the fixed functions of mouse and other keys. */
 export function KeysPage(): ReactNode {
@@ -37,14 +38,7 @@ export function KeysPage(): ReactNode {
           <Icon name="search" size={14} />
           <SearchInput label={t('Search keys')} value={query} onSearch={setQuery} />
         </div>
-        <button
-          type="button"
-          className="button framed"
-          disabled={Object.keys(chosen).length === 0}
-          onClick={() => bindings.reset()}
-        >
-          {t('Reset all')}
-        </button>
+        <Button label={t('Reset all')} disabled={Object.keys(chosen).length === 0} onClick={() => bindings.reset()} />
       </div>
       {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a list that scrolls must be reachable by keys */}
       <div className="keys" tabIndex={0} role="region" aria-label={t('All keys')}>

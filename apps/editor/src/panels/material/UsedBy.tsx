@@ -4,6 +4,7 @@ import { Section } from '../inspector/Section';
 import { usagesOf } from '../../model/assetUsages';
 import { instancesOf } from '../../model/prefabEdits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
+import { Button } from '../../ui/Button';
 
 /** Number of places listed; the rest is counted. */
 const MOST = 50;
@@ -26,9 +27,10 @@ export function UsedBy({ name }: { name: string }): ReactNode {
     <Section id="Used by" title={t('Used by')} help={t('What uses this asset.')} icon="tree">
       {usages.length === 0 && <p className="asset-note">{t('Nothing in the scene uses it.')}</p>}
       {objects.length > 0 && (
-        <button type="button" className="button framed" onClick={() => document.selection.set(objects)}>
-          {tCount(objects.length, 'Select {count} object', 'Select {count} objects')}
-        </button>
+        <Button
+          label={tCount(objects.length, 'Select {count} object', 'Select {count} objects')}
+          onClick={() => document.selection.set(objects)}
+        />
       )}
       <ul className="used-by">
         {usages.slice(0, MOST).map(({ place, field, object }, i) => (

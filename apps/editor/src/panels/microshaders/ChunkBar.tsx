@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { Button } from '../../ui/Button';
 
 /** Name, state and buttons of a microshader. */
 export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string): void }): ReactNode {
@@ -28,25 +29,20 @@ export function ChunkBar({ name, onOpen }: { name: string; onOpen(name: string):
       </span>
       <span className="panel-space" />
       {problem && (
-        <button type="button" className="button small" onClick={() => microShaders.discardDraft(name)}>
-          <Icon name="undo" size={12} />
-          {t('Last good text')}
-        </button>
+        <Button look="small" icon="undo" label={t('Last good text')} onClick={() => microShaders.discardDraft(name)} />
       )}
       {isChanged && (
-        <button
-          type="button"
-          className="button small"
+        <Button
+          look="small"
+          icon={isOwn ? 'remove' : 'undo'}
+          label={isOwn ? t('Delete') : t('Revert to built in')}
           onClick={() =>
             editor.attempt(() => {
               microShaders.revert(name);
               if (isOwn) onOpen(microShaders.names[0]);
             })
           }
-        >
-          <Icon name={isOwn ? 'remove' : 'undo'} size={12} />
-          {isOwn ? t('Delete') : t('Revert to built in')}
-        </button>
+        />
       )}
     </div>
   );

@@ -3,6 +3,7 @@ import { Popover } from '@base-ui/react/popover';
 import { type ReactNode, type SyntheticEvent, useState } from 'react';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { Button } from '../../ui/Button';
 
 /** Button that asks for a name, and adds a microshader to the scene. */
 export function NewChunk({ onMade }: { onMade(name: string): void }): ReactNode {
@@ -49,9 +50,7 @@ export function NewChunk({ onMade }: { onMade(name: string): void }): ReactNode 
                   setProblem('');
                 }}
               />
-              <button type="submit" className="button primary" disabled={name.trim() === ''}>
-                {t('Make')}
-              </button>
+              <Button look="primary" label={t('Make')} type="submit" disabled={name.trim() === ''} />
             </form>
             {problem && (
               <p role="alert" className="chunk-problem">

@@ -3,6 +3,7 @@ import type { ReactNode } from 'react';
 import { surfaceEditingOf } from '../../microshaders/SurfaceEditing';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { Button } from '../../ui/Button';
 
 export function SurfaceBar({ name }: { name: string }): ReactNode {
   const editor = useEditor();
@@ -18,15 +19,14 @@ export function SurfaceBar({ name }: { name: string }): ReactNode {
       </span>
       <span className="panel-space" />
       {problem && (
-        <button type="button" className="button small" onClick={() => surfaces.discardDraft(name)}>
-          <Icon name="undo" size={12} />
-          {t('Last good text')}
-        </button>
+        <Button look="small" icon="undo" label={t('Last good text')} onClick={() => surfaces.discardDraft(name)} />
       )}
-      <button type="button" className="button small" onClick={() => editor.document.assetSelection.set([name])}>
-        <Icon name="code" size={12} />
-        {t('Show the asset')}
-      </button>
+      <Button
+        look="small"
+        icon="code"
+        label={t('Show the asset')}
+        onClick={() => editor.document.assetSelection.set([name])}
+      />
     </div>
   );
 }

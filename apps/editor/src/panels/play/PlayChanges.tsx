@@ -6,6 +6,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
 import { keysText } from '../../ui/keysText';
 import './play.css';
+import { Button } from '../../ui/Button';
 
 /** Text of a value, formatted as in the inspector. */
 function valueText(value: FieldValue, kind: string): string {
@@ -52,17 +53,13 @@ export function PlayChanges(): ReactNode {
         </p>
       )}
       <footer>
-        <button type="button" className="button framed" onClick={() => playEdits.dismiss()}>
-          {t('Keep none')}
-        </button>
-        <button
-          type="button"
-          className="button primary"
+        <Button label={t('Keep none')} onClick={() => playEdits.dismiss()} />
+        <Button
+          look="primary"
+          label={t('Keep all')}
           disabled={changes.length === 0 && !playEdits.canKeepAll}
           onClick={() => editor.attempt(() => playEdits.keepAll())}
-        >
-          {t('Keep all')}
-        </button>
+        />
       </footer>
     </section>
   );
@@ -81,15 +78,13 @@ function ChangeLine({ change }: { change: PlayChange }): ReactNode {
       <span className="play-values">
         {valueText(now, kind)} → <strong>{valueText(to, kind)}</strong>
       </span>
-      <button
-        type="button"
-        className="button small framed"
+      <Button
+        look="small framed"
+        label={t('Keep')}
         aria-label={t('Keep {name}', { name: nameOf(change) })}
         disabled={sameValue(now, to)}
         onClick={() => editor.attempt(() => editor.document.playEdits.keep(change))}
-      >
-        {t('Keep')}
-      </button>
+      />
     </li>
   );
 }

@@ -3,6 +3,7 @@ import type { ReactNode } from 'react';
 import type { OffReason } from '../../model/DocumentScripts';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import './scriptsBar.css';
+import { Button } from '../../ui/Button';
 
 const textOf = (reason: OffReason): string =>
   ({
@@ -25,17 +26,9 @@ export function ScriptsBar(): ReactNode {
     <section className="scripts-bar" role="alert" aria-label={t('Scripts are off')}>
       <p>{textOf(question)}</p>
       <div className="scripts-bar-buttons">
-        <button type="button" className="button framed" onClick={() => editor.layout.open('scripts')}>
-          {t('Look at them')}
-        </button>
-        <button type="button" className="button framed" onClick={() => scripts.keepOff()}>
-          {t('Keep them off')}
-        </button>
-        {question !== 'framed' && (
-          <button type="button" className="button primary" onClick={() => (scripts.isOn = true)}>
-            {t('Run them')}
-          </button>
-        )}
+        <Button label={t('Look at them')} onClick={() => editor.layout.open('scripts')} />
+        <Button label={t('Keep them off')} onClick={() => scripts.keepOff()} />
+        {question !== 'framed' && <Button look="primary" label={t('Run them')} onClick={() => (scripts.isOn = true)} />}
       </div>
     </section>
   );

@@ -3,8 +3,8 @@ import type { ReactNode } from 'react';
 import { playedClip } from '../../model/timeline/clipPlayer';
 import type { Timeline } from '../../model/timeline/Timeline';
 import { useEditor } from '../../ui/EditorContext';
-import { Icon } from '../../ui/Icon';
 import { newClip } from './newClip';
+import { Button } from '../../ui/Button';
 
 /** Content of the timeline panel while no clip is edited. */
 export function EmptyTimeline({ timeline }: { timeline: Timeline }): ReactNode {
@@ -31,10 +31,11 @@ export function EmptyTimeline({ timeline }: { timeline: Timeline }): ReactNode {
           : t('Select an object to animate it, or choose a clip above.')}
       </p>
       {object && (
-        <button type="button" className="button framed" onClick={() => editor.attempt(() => newClip(editor))}>
-          <Icon name="add" />
-          <span>{t('New clip for {name}', { name: object.name })}</span>
-        </button>
+        <Button
+          icon="add"
+          label={t('New clip for {name}', { name: object.name })}
+          onClick={() => editor.attempt(() => newClip(editor))}
+        />
       )}
     </div>
   );

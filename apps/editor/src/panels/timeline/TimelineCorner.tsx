@@ -8,6 +8,7 @@ import { useEditor, useSignal } from '../../ui/EditorContext';
 import { NumberInput } from '../../ui/NumberInput';
 import { SearchMenu, type SearchMenuItem } from '../../ui/SearchMenu';
 import { RULER, SUMMARY, type TimelineView } from './TimelineView';
+import { Button } from '../../ui/Button';
 
 /** Corner beside the ruler: time of the playhead, duration of the clip, and a button for new tracks. */
 export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
@@ -59,15 +60,13 @@ export function TimelineCorner({ view }: { view: TimelineView }): ReactNode {
           onCommit={() => clip && duration !== timeline.duration && editor.commands.run(setDuration(clip, duration))}
           onDiscard={() => {}}
         />
-        <button
-          type="button"
-          className="button small"
+        <Button
+          look="small"
+          label={isFrames ? t('frames ## of a clip') : t('s ## seconds')}
           aria-label={isFrames ? t('Show seconds') : t('Show frames')}
           title={isFrames ? t('Show seconds') : t('Show frames')}
           onClick={() => view.set('unit', isFrames ? 'seconds' : 'frames')}
-        >
-          {isFrames ? t('frames ## of a clip') : t('s ## seconds')}
-        </button>
+        />
       </div>
       <div className="timeline-add" style={{ height: SUMMARY }}>
         {root ? (

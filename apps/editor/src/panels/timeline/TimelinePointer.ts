@@ -1,9 +1,6 @@
-import { t } from '@farol/editing';
-import { moveEvents } from '../../model/timeline/editEvents';
-import { type KeySelection, moveKeys, rangeOfKeys, scaleKeys, selectedKeys } from '../../model/timeline/editKeys';
-import type { ClipGesture, Timeline } from '../../model/timeline/Timeline';
-import { addEventAt, addKeyOnCurve, movedLabel, scaledLabel } from '../../model/timeline/timelineEdits';
-import { GRIP, marksOfRow, selectionBar } from './drawTimeline';
+import { selectedKeys } from '../../model/timeline/editKeys';
+import type { Timeline } from '../../model/timeline/Timeline';
+import { addEventAt, addKeyOnCurve } from '../../model/timeline/timelineEdits';
 import {
   dragCurveKey,
   dragHandle,
@@ -12,33 +9,26 @@ import {
   nearestHandle,
   trackOfCurveAt,
 } from './curvePointer';
-import { type KeyMarks, markNear, marksOfTracks, firstMark } from './keyMarks';
+import { GRIP, marksOfRow, selectionBar } from './drawTimeline';
+import { marksOfTracks, markNear } from './keyMarks';
+import type { SheetDrag } from './SheetDrag';
+import {
+  addsToSelection,
+  choose,
+  chooseAlone,
+  dragDuration,
+  dragEvent,
+  dragMarks,
+  isAtEnd,
+  keysInBox,
+  moveSelected,
+  scaleSelected,
+  timeAt,
+} from './timeDrags';
 import { HEADER, RULER, type TimelineView } from './TimelineView';
-
-/** Handler of a press and its drag. Positions are CSS pixels of the canvas. */
-export interface SheetDrag {
-  /** Called when the press becomes a drag. */
-  begin?(): void;
-  move(x: number, y: number, event: PointerEvent): void;
-  /** @param keeps - whether the result is kept */
-  end(keeps: boolean): void;
-  /** Called when the pointer is released without a drag. */
-  click?(event: PointerEvent): void;
-}
 
 /** Distance (CSS pixels) below which a press is a click. */
 const SLOP = 3;
-
-/** Adds keys to a selection, or removes them when all are selected already. */
-export function toggled(selected: KeySelection, ids: readonly string[]): KeySelection {
-  const next = new Set(selected);
-  const isAll = ids.every((id) => selected.has(id));
-  for (const id of ids) {
-    if (isAll) next.delete(id);
-    else next.add(id);
-  }
-  return next;
-}
 
 /**
  * Pointer input on the timeline's canvas: scrubbing, selecting, dragging keys, events and handles, box selection,
@@ -48,7 +38,7 @@ export class TimelinePointer {
   private readonly timeline: Timeline;
   /** Positions of fingers that are down, by pointer id. */
   private readonly fingers = new Map<number, { x: number; y: number }>();
-  private current: { drag: SheetDrag; end(keeps: boolean): void } | null = null;
+  private current: { end(keeps: boolean): void } | null = null;
 
   /** @param scroll - scrolls the tracks vertically (CSS pixels) */
   constructor(
@@ -105,7 +95,7 @@ export class TimelinePointer {
       if (hasBegun) drag.end(keeps);
       else if (keeps && event) drag.click?.(event);
     };
-    this.current = { drag, end };
+    this.current = { end };
     addEventListener(
       'pointermove',
       (event) => {
@@ -142,7 +132,7 @@ export class TimelinePointer {
 
   private dragAt(x: number, y: number, reach: number, event: PointerEvent): SheetDrag | null {
     const { view, timeline } = this;
-    if (y < RULER) return this.isAtEnd(x, reach) ? this.dragDuration() : this.scrub(x, event);
+    if (y < RULER) return isAtEnd(view, x, reach) ? dragDuration(view) : this.scrub(x, event);
     if (y < HEADER) {
       const bar = selectionBar(view);
       const marks = marksOfTracks(timeline.data.tracks);
@@ -150,11 +140,11 @@ export class TimelinePointer {
       /** Horizontal distance from the pointer to a position (CSS pixels). */
       const far = (at: number): number => Math.abs(x - at);
       const toMark = mark < 0 ? Infinity : far(view.x(marks.times[mark]));
-      if (bar && far(bar.x1 + GRIP) <= Math.min(reach, toMark)) return this.scale(true, x);
-      if (bar && far(bar.x0 - GRIP) <= Math.min(reach, toMark)) return this.scale(false, x);
-      const drag = this.dragMarks(marks, x, reach, event);
+      if (bar && far(bar.x1 + GRIP) <= Math.min(reach, toMark)) return scaleSelected(view, true, x);
+      if (bar && far(bar.x0 - GRIP) <= Math.min(reach, toMark)) return scaleSelected(view, false, x);
+      const drag = dragMarks(view, marks, x, reach, event);
       if (drag) return drag;
-      if (bar && x > bar.x0 && x < bar.x1) return this.moveSelected(view.time(x), x);
+      if (bar && x > bar.x0 && x < bar.x1) return moveSelected(view, view.time(x), x);
       return this.boxOrPan(x, y, event);
     }
     if (view.mode === 'curves') {
@@ -162,140 +152,29 @@ export class TimelinePointer {
       if (handle) return dragHandle(view, handle);
       const key = nearestCurveKey(view, x, y, reach + 1);
       if (!key) return this.boxOrPan(x, y, event);
-      this.choose([key.id], event);
+      choose(timeline, [key.id], event);
       const drag = dragCurveKey(view, key, { x, y });
-      return { ...drag, click: () => this.chooseAlone([key.id], event) };
+      return { ...drag, click: () => chooseAlone(timeline, [key.id], event) };
     }
     const row = view.rows[view.rowAt(y)];
-    if (row?.kind === 'events') return this.dragEvent(x, reach, event) ?? this.boxOrPan(x, y, event);
+    if (row?.kind === 'events') return dragEvent(view, x, reach, event) ?? this.boxOrPan(x, y, event);
     const marks = row && marksOfRow(row);
-    return (marks && this.dragMarks(marks, x, reach, event)) ?? this.boxOrPan(x, y, event);
-  }
-
-  /** Whether a position on the ruler is the handle of the duration, rather than the playhead. */
-  private isAtEnd(x: number, reach: number): boolean {
-    const { view, timeline } = this;
-    const end = view.x(timeline.duration) + 3;
-    return Math.abs(x - end) <= reach && Math.abs(x - end) < Math.abs(x - view.x(timeline.time));
-  }
-
-  private timeAt(x: number, event: { readonly altKey: boolean }): number {
-    const time = Math.max(this.view.time(x), 0);
-    return event.altKey ? time : this.timeline.snap(time);
+    return (marks && dragMarks(view, marks, x, reach, event)) ?? this.boxOrPan(x, y, event);
   }
 
   private scrub(x: number, event: PointerEvent): SheetDrag {
     this.timeline.pause();
-    this.timeline.setTime(this.timeAt(x, event));
+    this.timeline.setTime(timeAt(this.view, x, event));
     return {
-      move: (to, _, moved) => this.timeline.setTime(this.timeAt(to, moved)),
+      move: (to, _, moved) => this.timeline.setTime(timeAt(this.view, to, moved)),
       end: () => {},
-    };
-  }
-
-  private dragDuration(): SheetDrag {
-    let gesture: ClipGesture | null = null;
-    const { timeline } = this;
-    const label = t('Set the duration of {name}', { name: timeline.clip?.name ?? '' });
-    return {
-      begin: () => (gesture = timeline.beginEdit()),
-      move: (x, _, event) =>
-        gesture?.previewDuration(label, Math.max(this.timeAt(x - 3, event), 1 / timeline.frameRate)),
-      end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
-    };
-  }
-
-  /** Selects pressed keys. Keys that are selected already stay so, since they may be dragged. */
-  private choose(ids: readonly string[], event: PointerEvent): void {
-    const { timeline } = this;
-    const { keys } = timeline.selection;
-    if (event.shiftKey || event.ctrlKey || event.metaKey) timeline.select(toggled(keys, ids));
-    else if (!ids.every((id) => keys.has(id))) timeline.select(new Set(ids));
-  }
-
-  private chooseAlone(ids: readonly string[], event: PointerEvent): void {
-    if (!event.shiftKey && !event.ctrlKey && !event.metaKey) this.timeline.select(new Set(ids));
-  }
-
-  private dragMarks(marks: KeyMarks, x: number, reach: number, event: PointerEvent): SheetDrag | null {
-    const { view } = this;
-    const at = markNear(marks, view.time(x), reach / view.scale);
-    if (at < 0) return null;
-    const ids = marks.ids[at];
-    this.choose(ids, event);
-    return { ...this.moveSelected(marks.times[at], x), click: () => this.chooseAlone(ids, event) };
-  }
-
-  /** Moves the selection. @param anchor - time that snaps to frames @param from - position of the press */
-  private moveSelected(anchor: number, from: number): SheetDrag {
-    const { view, timeline } = this;
-    let gesture: ClipGesture | null = null;
-    const { keys } = timeline.selection;
-    return {
-      begin: () => (gesture = timeline.beginEdit()),
-      move: (x, _, event) => {
-        if (!gesture) return;
-        const time = anchor + (x - from) / view.scale;
-        const by = (event.altKey ? time : timeline.snap(time)) - anchor;
-        gesture.preview(movedLabel(timeline, keys.size), moveKeys(gesture.data, keys, by));
-      },
-      end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
-    };
-  }
-
-  /**
-   * Scales the selected keys in time. @param isEnd - drags the last key, about the first; else the reverse @param from
-   * - position of the press
-   */
-  private scale(isEnd: boolean, from: number): SheetDrag | null {
-    const { view, timeline } = this;
-    const { keys } = timeline.selection;
-    const range = rangeOfKeys(timeline.data, keys);
-    if (!range) return null;
-    const [pivot, dragged] = isEnd ? [range.first, range.last] : [range.last, range.first];
-    let gesture: ClipGesture | null = null;
-    return {
-      begin: () => (gesture = timeline.beginEdit()),
-      move: (x, _, event) => {
-        if (!gesture) return;
-        const factor = Math.max((dragged + (x - from) / view.scale - pivot) / (dragged - pivot), 0);
-        const snap = event.altKey ? undefined : timeline.snap;
-        gesture.preview(scaledLabel(timeline, keys.size), scaleKeys(gesture.data, keys, pivot, factor, snap));
-      },
-      end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
-    };
-  }
-
-  private dragEvent(x: number, reach: number, event: PointerEvent): SheetDrag | null {
-    const { view, timeline } = this;
-    const { events } = timeline.data;
-    const at = events.findLastIndex(({ time }) => x >= view.x(time) - reach && x <= view.x(time) + Math.max(reach, 9));
-    if (at < 0) return null;
-    const { events: before } = timeline.selection;
-    if (event.shiftKey || event.ctrlKey || event.metaKey) {
-      const places = before.includes(at) ? before.filter((place) => place !== at) : [...before, at];
-      timeline.select(new Set(), places);
-    } else if (!before.includes(at)) timeline.select(new Set(), [at]);
-    const { events: places } = timeline.selection;
-    const anchor = events[at].time;
-    let gesture: ClipGesture | null = null;
-    return {
-      begin: () => (gesture = timeline.beginEdit()),
-      move: (to, _, moved) => {
-        if (!gesture || places.length === 0) return;
-        const time = anchor + (to - x) / view.scale;
-        const edit = moveEvents(gesture.data, places, (moved.altKey ? time : timeline.snap(time)) - anchor);
-        const name = timeline.clip?.name ?? '';
-        gesture.preview(t('Moved events of {name}', { name }), edit.data, edit.places);
-      },
-      end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
     };
   }
 
   /** A press on empty space: a mouse draws a selection box, a finger pans. */
   private boxOrPan(x: number, y: number, event: PointerEvent): SheetDrag {
     const { timeline, view } = this;
-    const adds = event.shiftKey || event.ctrlKey || event.metaKey;
+    const adds = addsToSelection(event);
     const click = (): void => {
       if (!adds) timeline.select(new Set());
       if (view.chosen.size > 0 && view.mode === 'keys') view.set('chosen', new Set());
@@ -305,7 +184,8 @@ export class TimelinePointer {
     return {
       move: (x1, y1) => {
         view.box = { x0: x, y0: y, x1, y1 };
-        const inside = view.mode === 'curves' && y >= HEADER ? keysInCurveBox(view, view.box) : this.keysInBox();
+        const inside =
+          view.mode === 'curves' && y >= HEADER ? keysInCurveBox(view, view.box) : keysInBox(view, view.box);
         timeline.select(new Set([...before, ...inside]));
       },
       end: (keeps) => {
@@ -315,28 +195,6 @@ export class TimelinePointer {
       },
       click,
     };
-  }
-
-  private keysInBox(): string[] {
-    const { view, timeline } = this;
-    const { x0, y0, x1, y1 } = view.box!;
-    const [top, bottom] = [Math.min(y0, y1), Math.max(y0, y1)];
-    const [first, last] = [view.time(Math.min(x0, x1)), view.time(Math.max(x0, x1))];
-    const ids: string[] = [];
-    const add = (marks: KeyMarks): void => {
-      for (let i = firstMark(marks, first); i < marks.times.length && marks.times[i] <= last; i++)
-        ids.push(...marks.ids[i]);
-    };
-    if (y0 < HEADER) {
-      add(marksOfTracks(timeline.data.tracks));
-      return ids;
-    }
-    view.rows.forEach((row, i) => {
-      const middle = view.rowTop(i) + view.rowHeight / 2;
-      const marks = middle >= top && middle <= bottom ? marksOfRow(row) : null;
-      if (marks) add(marks);
-    });
-    return ids;
   }
 
   private pan(x: number, y: number): SheetDrag {
@@ -375,7 +233,7 @@ export class TimelinePointer {
     const { view, timeline } = this;
     const { x, y } = this.place(event);
     if (y < HEADER || !timeline.clip) return;
-    const time = this.timeAt(x, event);
+    const time = timeAt(this.view, x, event);
     if (view.mode === 'curves') {
       const track = trackOfCurveAt(view, x, y);
       if (track) addKeyOnCurve(timeline, track, time);

@@ -4,11 +4,10 @@ import { isTriple } from '@farol/engine/fields';
 import { keyId, valueAt } from '../../model/timeline/clipTracks';
 import { STRAIGHT } from '../../model/timeline/easingCurve';
 import { easeKeys, type KeySelection, moveKeys, setValuesOfKeys } from '../../model/timeline/editKeys';
-import type { ClipGesture } from '../../model/timeline/Timeline';
 import { movedLabel } from '../../model/timeline/timelineEdits';
 import { type CurveHandle, curveHandles } from './drawCurves';
 import { type ShownCurve, shownCurves } from './shownCurves';
-import type { SheetDrag } from './TimelinePointer';
+import { editDrag, type SheetDrag } from './SheetDrag';
 import type { Box, TimelineView } from './TimelineView';
 
 export interface CurveKey {
@@ -99,34 +98,28 @@ export function dragCurveKey(
   const { timeline } = view;
   const { keys: selected } = timeline.selection;
   const anchor = curve.row.track.keys[index].time;
-  let gesture: ClipGesture | null = null;
-  return {
-    begin: () => (gesture = timeline.beginEdit()),
-    move: (x, y, event) => {
-      if (!gesture) return;
-      let [wide, tall] = [x - from.x, y - from.y];
-      if (event.shiftKey && Math.abs(wide) > Math.abs(tall)) tall = 0;
-      else if (event.shiftKey) wide = 0;
-      const time = anchor + wide / view.scale;
-      const by = wide === 0 ? 0 : (event.altKey ? time : timeline.snap(time)) - anchor;
-      const rise = -tall / view.valueScale;
-      const ofTrack: KeySelection = new Set(
-        curve.row.track.keys.map((key) => keyId(curve.row.id, key.time)).filter((id) => selected.has(id)),
-      );
-      const toShown = (value: number): number =>
-        curve.shownOf({ time: 0, value: curve.isTriple ? [value, value, value] : value });
-      const raised =
-        tall === 0
-          ? gesture.data
-          : setValuesOfKeys(
-              gesture.data,
-              ofTrack,
-              withNumber(curve, (shown) => limited(curve, roundRise(shown + rise, view), toShown)),
-            );
-      gesture.preview(movedLabel(timeline, selected.size), moveKeys(raised, selected, by));
-    },
-    end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
-  };
+  return editDrag(timeline, (gesture, x, y, event) => {
+    let [wide, tall] = [x - from.x, y - from.y];
+    if (event.shiftKey && Math.abs(wide) > Math.abs(tall)) tall = 0;
+    else if (event.shiftKey) wide = 0;
+    const time = anchor + wide / view.scale;
+    const by = wide === 0 ? 0 : (event.altKey ? time : timeline.snap(time)) - anchor;
+    const rise = -tall / view.valueScale;
+    const ofTrack: KeySelection = new Set(
+      curve.row.track.keys.map((key) => keyId(curve.row.id, key.time)).filter((id) => selected.has(id)),
+    );
+    const toShown = (value: number): number =>
+      curve.shownOf({ time: 0, value: curve.isTriple ? [value, value, value] : value });
+    const raised =
+      tall === 0
+        ? gesture.data
+        : setValuesOfKeys(
+            gesture.data,
+            ofTrack,
+            withNumber(curve, (shown) => limited(curve, roundRise(shown + rise, view), toShown)),
+          );
+    gesture.preview(movedLabel(timeline, selected.size), moveKeys(raised, selected, by));
+  });
 }
 
 /** Rounds a value to the digits that a pixel can resolve. */
@@ -146,18 +139,12 @@ export function dragHandle(view: TimelineView, { curve, index, end }: CurveHandl
     field: curve.row.label.toLowerCase(),
     name: timeline.clip?.name ?? '',
   });
-  let gesture: ClipGesture | null = null;
-  return {
-    begin: () => (gesture = timeline.beginEdit()),
-    move: (x, y) => {
-      if (!gesture) return;
-      const share = Math.min(Math.max((view.time(x) - from.time) / (to.time - from.time), 0), 1);
-      const [low, high] = [curve.shownOf(from), curve.shownOf(to)];
-      const way = Math.abs(high - low) < 1e-9 ? before[end * 2 + 1] : (view.value(y) - low) / (high - low);
-      const control =
-        end === 0 ? ([share, way, before[2], before[3]] as const) : ([before[0], before[1], share, way] as const);
-      gesture.preview(label, easeKeys(gesture.data, ids, 'bezier', control));
-    },
-    end: (keeps) => (keeps ? gesture?.commit() : gesture?.discard()),
-  };
+  return editDrag(timeline, (gesture, x, y) => {
+    const share = Math.min(Math.max((view.time(x) - from.time) / (to.time - from.time), 0), 1);
+    const [low, high] = [curve.shownOf(from), curve.shownOf(to)];
+    const way = Math.abs(high - low) < 1e-9 ? before[end * 2 + 1] : (view.value(y) - low) / (high - low);
+    const control =
+      end === 0 ? ([share, way, before[2], before[3]] as const) : ([before[0], before[1], share, way] as const);
+    gesture.preview(label, easeKeys(gesture.data, ids, 'bezier', control));
+  });
 }

@@ -11,6 +11,7 @@ import {
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { tourSteps } from './tourSteps';
 import './tour.css';
+import { Button } from '../../ui/Button';
 
 /** Distance between a control and the card (CSS pixels). */
 const GAP = 12;
@@ -108,21 +109,10 @@ function Step({ current }: { current: number }): ReactNode {
         <h2 id="tour-title">{title}</h2>
         <p id="tour-text">{text}</p>
         <div className="tour-buttons">
-          <button type="button" className="button framed" onClick={() => tour.show(null)}>
-            {t('Leave the tour')}
-          </button>
+          <Button label={t('Leave the tour')} onClick={() => tour.show(null)} />
           <span className="dim">{t('{step} of {steps}', { step: current + 1, steps: steps.length })}</span>
-          <button
-            type="button"
-            className="button framed"
-            disabled={current === 0}
-            onClick={() => tour.show(current - 1)}
-          >
-            {t('Back')}
-          </button>
-          <button type="button" className="button primary" onClick={next}>
-            {isLast ? t('Done') : t('Next')}
-          </button>
+          <Button label={t('Back')} disabled={current === 0} onClick={() => tour.show(current - 1)} />
+          <Button look="primary" label={isLast ? t('Done') : t('Next')} onClick={next} />
         </div>
       </div>
     </>

@@ -15,6 +15,7 @@ import { SessionList } from '../dialogs/SessionList';
 import { RecentCards } from './RecentCards';
 import { SampleCards } from './SampleCards';
 import './welcome.css';
+import { Button } from '../../ui/Button';
 
 interface WelcomeProps {
   readonly request: WelcomeDialog;
@@ -116,9 +117,7 @@ export function Welcome({ request, onClose }: WelcomeProps): ReactNode {
           />
           {t('Show at start')}
         </label>
-        <button type="button" className="button framed" onClick={onClose}>
-          {t('Go on with “{scene}”', { scene: editor.document.scene.name })}
-        </button>
+        <Button label={t('Go on with “{scene}”', { scene: editor.document.scene.name })} onClick={onClose} />
       </footer>
     </div>
   );

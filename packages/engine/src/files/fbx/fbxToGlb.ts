@@ -217,17 +217,7 @@ function addPictures(json: GltfOut, binary: Uint8Array, pictures: GltfBuffer, te
 }
 
 function notesOf(name: string, textures: ObjTextures, warnings: ReadonlySet<string>): string[] {
-  const notes: string[] = [];
-  const listed = (paths: ReadonlySet<string>): string =>
-    [...paths].map((each) => shortText(each.replaceAll('\\', '/'), 60)).join(', ');
-  if (textures.missing.size > 0) {
-    notes.push(
-      `these textures were not found: ${listed(textures.missing)}. Drop the whole folder, or all files together.`,
-    );
-  }
-  if (textures.damaged.size > 0) {
-    notes.push(`these textures cannot be read: ${listed(textures.damaged)}. Save them anew, as PNG or JPEG.`);
-  }
+  const notes = textures.notes;
   for (const warning of [...warnings].slice(0, 4)) notes.push(`of three's FBXLoader: ${warning}`);
   return notes.map((note) => `${name}: ${note}`);
 }

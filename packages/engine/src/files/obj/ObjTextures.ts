@@ -1,4 +1,5 @@
 import type { FileMap } from '../../assets/collectFiles';
+import { listed } from './listed';
 import { canDecode, decodePicture, gltfMime } from './decodePicture';
 import { encodePng } from './encodePng';
 import type { GltfBuffer } from './GltfBuffer';
@@ -43,6 +44,17 @@ export class ObjTextures {
     private readonly buffer: GltfBuffer,
     private readonly signal?: AbortSignal,
   ) {}
+
+  /** Messages about files that are missing or damaged. */
+  get notes(): string[] {
+    const { missing, damaged } = this;
+    const notes: string[] = [];
+    if (missing.size > 0)
+      notes.push(`these textures were not found: ${listed(missing)}. Drop the whole folder, or all files together.`);
+    if (damaged.size > 0)
+      notes.push(`these textures cannot be read: ${listed(damaged)}. Save them anew, as PNG or JPEG.`);
+    return notes;
+  }
 
   /** Path of a map's file; null, and recorded as missing, when not found. @param from - path of the MTL file */
   find(from: string, map: MtlMap): string | null {

@@ -1,4 +1,3 @@
-import { shortText } from '@farol/editing';
 import type { FileMap } from '../../assets/collectFiles';
 import { checkSignature } from '../../guard/signature';
 import { Slices } from '../../base/Slices';
@@ -7,6 +6,7 @@ import { GltfBuffer } from './GltfBuffer';
 import { gltfOfMtl, greyMaterial } from './gltfOfMtl';
 import { ObjFolder } from './ObjFolder';
 import { objMeshes } from './objMeshes';
+import { listed } from './listed';
 import { ObjTextures } from './ObjTextures';
 import type { PackedObj } from './PackedObj';
 import { type MtlMaterial, parseMtl } from './parseMtl';
@@ -20,20 +20,6 @@ interface FoundMaterial {
 
 /** Bytes that fit into one buffer of any browser. */
 const LARGEST = 2 ** 31 - 1;
-
-/** Names that are listed in a message. */
-const LISTED = 12;
-
-const listed = (names: Iterable<string>): string => {
-  const all = [...names];
-  const more = all.length > LISTED ? ` and ${all.length - LISTED} more` : '';
-  return (
-    all
-      .slice(0, LISTED)
-      .map((name) => shortText(name.replaceAll('\\', '/'), 60))
-      .join(', ') + more
-  );
-};
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
@@ -94,14 +80,7 @@ export async function objToGlb(files: FileMap, path: string, signal?: AbortSigna
   }
 
   for (const each of textures.used) used.add(each);
-  if (textures.missing.size > 0) {
-    notes.push(
-      `these textures were not found: ${listed(textures.missing)}. Drop the whole folder, or all files together.`,
-    );
-  }
-  if (textures.damaged.size > 0) {
-    notes.push(`these textures cannot be read: ${listed(textures.damaged)}. Save them anew, as PNG or JPEG.`);
-  }
+  notes.push(...textures.notes);
   if (unknown.size > 0) notes.push(`these materials are in no MTL file and stay grey: ${listed(unknown)}.`);
   if (file.leftOut > 0) notes.push(`its lines, points and curves were left out.`);
   if (file.coarse > 0) {

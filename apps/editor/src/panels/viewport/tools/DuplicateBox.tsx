@@ -11,6 +11,7 @@ import { useEditor, useSignal } from '../../../ui/EditorContext';
 import { Icon } from '../../../ui/Icon';
 import type { DuplicateTool } from '../../../viewport/placing/DuplicateTool';
 import { ChoiceRow, NumberRow, SwitchRow, TripleRow } from './ToolField';
+import { Button } from '../../../ui/Button';
 
 interface PartProps {
   readonly tool: DuplicateTool;
@@ -208,9 +209,7 @@ export function DuplicateBox({ tool }: { readonly tool: DuplicateTool }): ReactN
             : tCount(tool.total, '{count} in all', '{count} in all')}
       </p>
       <div className="dialog-buttons">
-        <button type="button" className="button framed" onClick={() => tools.end(tool)}>
-          {t('Cancel')}
-        </button>
+        <Button label={t('Cancel')} onClick={() => tools.end(tool)} />
         <button type="submit" className="button primary" disabled={tool.total <= tool.sources.length}>
           {t('Duplicate')}
         </button>

@@ -2,6 +2,7 @@ import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
 import { useEditor, useSignal } from '../../../ui/EditorContext';
 import { lengthText, type MeasureTool } from '../../../viewport/placing/MeasureTool';
+import { Button } from '../../../ui/Button';
 
 /** Measured distance, and its components along the axes. */
 export function MeasureBox({ tool }: { readonly tool: MeasureTool }): ReactNode {
@@ -29,9 +30,7 @@ export function MeasureBox({ tool }: { readonly tool: MeasureTool }): ReactNode 
         <p className="tool-note">{t('Click two points. Vertices near the pointer are taken.')}</p>
       )}
       <div className="dialog-buttons">
-        <button type="button" className="button framed" onClick={() => tools.end(tool)}>
-          {t('Close')}
-        </button>
+        <Button label={t('Close')} onClick={() => tools.end(tool)} />
       </div>
     </section>
   );

@@ -1,7 +1,17 @@
-import type { Texts } from '@farol/editing';
+import type { Texts } from './translate';
 
-/** Spanish texts of errors in typed numbers. */
-export const numbers: Texts = {
+/** Spanish texts of this package, by their English ones. */
+export const es: Texts = {
+  '{count} objects': '{count} objetos',
+  object: 'objeto',
+  '{verb} {count} objects': '{verb} {count} objetos',
+  '{verb} {name}': '{verb} {name}',
+  Deleted: 'Eliminar',
+  'Scale##verb': 'Escalar',
+  'Set {field} of {name}': 'Cambiar {field} de {name}',
+  'Switched on {field} of {name}': 'Activar {field} de {name}',
+  'Switched off {field} of {name}': 'Desactivar {field} de {name}',
+  'Set {field} of {name} to {value}': 'Cambiar {field} de {name} a {value}',
   'There is one “)” too many.': 'Sobra un «)».',
   'Between “{before}” and “{after}” a sign such as + is missing.':
     'Entre «{before}» y «{after}» falta un signo, por ejemplo +.',
@@ -20,6 +30,10 @@ export const numbers: Texts = {
   'Before “{text}” a number is missing.': 'Antes de «{text}» falta un número.',
   '“{text}” is neither a unit nor a function.': '«{text}» no es ni una unidad ni una función.',
   'There are too many brackets.': 'Hay demasiados paréntesis.',
+  'From {min} to {max}{unit}.': 'De {min} a {max}{unit}.',
+  'At least {min}{unit}.': 'Al menos {min}{unit}.',
+  'At most {max}{unit}.': 'Como mucho {max}{unit}.',
+  'In {unit}.': 'En {unit}.',
   '“{text}” has no place in a number.': '«{text}» no cabe en un número.',
   '“{text}” has two decimal points.': '«{text}» tiene dos separadores decimales.',
   '“{text}” may be {large} or {small}: write one of them.':
@@ -35,4 +49,9 @@ export const numbers: Texts = {
   'It must be at most {max}{unit}.': 'Debe ser como mucho {max}{unit}.',
   'It must be at least {min}{unit}.': 'Debe ser al menos {min}{unit}.',
   'It must be from {min} to {max}{unit}.': 'Debe estar entre {min} y {max}{unit}.',
+  none: 'ninguno',
+  'Rotated {name} by {angle}°': 'Rotar {name} {angle}°',
+  'Moved {name} by {x}, {y}, {z} m': 'Mover {name} {x}, {y}, {z} m',
+  'Scaled {name} by {factor}': 'Escalar {name} por {factor}',
+  'Scaled {name} by {x}, {y}, {z}': 'Escalar {name} por {x}, {y}, {z}',
 };
