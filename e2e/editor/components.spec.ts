@@ -63,6 +63,15 @@ test('edits several objects at once, and goes back with Escape', async ({ page }
       expect.stringMatching(/^Set colour of 2 objects to #/),
       expect.stringMatching(/^Set colour of 2 objects to #/),
     ]);
+  // closed while a key of it is down: what is shown is kept
+  await light.getByRole('button', { name: 'Colour', exact: true }).click();
+  await page.getByRole('slider', { name: 'Hue' }).focus();
+  await page.keyboard.down('ArrowRight');
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.react-colorful')).toHaveCount(0);
+  await page.keyboard.up('ArrowRight');
+  await expect.poll(async () => (await history(page)).length).toBe(steps.length + 4);
+  await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).toEqual(dragged);
   expect(await fieldOf(page, 'Spot light', 'Light', 'diffuse')).not.toEqual([1, 1, 1]);
@@ -90,4 +99,18 @@ test('enables, resets and removes components', async ({ page }) => {
   for (let i = 0; i < 3; i++) await page.keyboard.press('Control+z');
   await expect(light.getByRole('combobox', { name: 'Type' })).toHaveText('Directional');
   expect(await serialized(page)).toBe(before);
+
+  // a key is taken by pressing it, by its place on the keyboard; Escape leaves it
+  await page.getByRole('combobox', { name: 'Add component' }).click();
+  await page.getByRole('combobox', { name: 'Search: Add component' }).fill('event trigger');
+  await page.getByRole('option').first().click();
+  const trigger = page.getByRole('region', { name: 'Event Trigger', exact: true });
+  await trigger.getByRole('combobox', { name: 'Event', exact: true }).click();
+  await page.getByRole('option', { name: 'Key down' }).click();
+  for (const key of ['Escape', 'k']) {
+    await trigger.getByRole('button', { name: 'Press the key for Key' }).click();
+    await page.keyboard.press(key);
+  }
+  await expect(trigger.getByRole('combobox', { name: 'Key', exact: true })).toHaveText('K');
+  expect((await history(page)).slice(-2)).toEqual(['Set event of Sun to keyDown', 'Set key of Sun to “KeyK”']);
 });

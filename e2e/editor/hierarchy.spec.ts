@@ -48,6 +48,25 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
   ]);
   for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
   expect(await serialized(page)).toBe(before);
+
+  // a double click looks at the object, unless it is on a switch of its row
+  await page.evaluate(() => {
+    const { viewport } = window.editor;
+    const { dataset } = document.documentElement;
+    viewport.focus = () => {
+      dataset.focused = String(Number(dataset.focused ?? 0) + 1);
+    };
+  });
+  for (const name of ['Hide Box', 'Lock Box']) await page.getByRole('button', { name }).dblclick();
+  await page.getByRole('treeitem', { name: 'Box' }).dblclick({ position: { x: 60, y: 8 } });
+  const focused = await page.evaluate(() => {
+    Reflect.deleteProperty(window.editor.viewport, 'focus');
+    const { focused } = document.documentElement.dataset;
+    delete document.documentElement.dataset.focused;
+    return focused;
+  });
+  expect(focused).toBe('1');
+  expect((await history(page)).slice(steps.length)).toEqual(['Hid Box', 'Showed Box', 'Locked Box', 'Unlocked Box']);
 });
 
 test('what was copied is there in another tab of the browser @verify', async ({ page }) => {

@@ -41,6 +41,19 @@ test('a clip of two recorded keys: eased, scrubbed, undone, played and stopped',
   await page.mouse.up();
   await expect(playhead).toHaveAttribute('aria-valuetext', '0.50 s, frame 15');
   await expect.poll(() => shownX(page)).toBe(2);
+  // by a typed number, of frames and of seconds
+  const timeOf = async (unit: string, number: string, shown: string): Promise<void> => {
+    await panel
+      .getByRole('spinbutton', { name: unit, exact: true })
+      .or(panel.getByLabel(unit, { exact: true }))
+      .fill(number);
+    await page.keyboard.press('Enter');
+    await expect(playhead).toHaveAttribute('aria-valuetext', shown);
+  };
+  await timeOf('Time in seconds', '0.2', '0.20 s, frame 6');
+  await panel.getByRole('button', { name: 'Show frames' }).click();
+  await timeOf('Frame', '15', '0.50 s, frame 15');
+  await panel.getByRole('button', { name: 'Show seconds' }).click();
   const text = await serialized(page);
   await panel.getByRole('application', { name: 'Dope sheet' }).focus();
   await page.keyboard.press('Control+a');

@@ -86,8 +86,10 @@ test('on a page that knows nothing of Farol: select, edit, undo', async ({ page 
     [0.123456789, 0, 1e-7, 'XYZ'],
     [3, 0, 0],
   ]);
+  await expect(row(page, 'chest')).not.toHaveClass(/hidden/);
   await page.getByLabel('Visible').first().uncheck();
   expect(await page.evaluate(() => window.example.scene!.getObjectByName('chest')!.visible)).toBe(false);
+  await expect(row(page, 'chest')).toHaveClass(/hidden/);
 
   await page.getByRole('searchbox', { name: 'Search objects' }).fill('rn 1');
   await expect(page.getByRole('treeitem')).toHaveCount(11); // lantern 1, and 10 to 19

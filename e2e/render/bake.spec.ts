@@ -66,7 +66,26 @@ test('baked light is the light of known scenes, by every technique, and leaves t
     const bounced = await bakeLightmaps(webgl, corner, cornerOptions);
     const again = await bakeLightmaps(webgl, corner, { ...cornerOptions, sliceMilliseconds: 4 });
     const isSame = bounced.lightmaps[0].data.every((half, i) => half === again.lightmaps[0].data[i]);
+    // the wall shows its back: a surface of two sides gives its light to both, one of a single side not
     const half = three.DataUtils.fromHalfFloat;
+    /** Mean red of the texels of the ground, which the wall alone lights. */
+    const groundOf = ({ lightmaps, meshes }: typeof bounced) => {
+      const { uv1 } = meshes.find(({ mesh }) => mesh === ground)!;
+      const along = (k: number) => Array.from(uv1).filter((_, i) => i % 2 === k);
+      const [left, low] = [0, 1].map((k) => Math.ceil(Math.min(...along(k)) * 32) + 1);
+      const [right, high] = [0, 1].map((k) => Math.floor(Math.max(...along(k)) * 32) - 2);
+      let sum = 0;
+      for (let y = low; y <= high; y++)
+        for (let x = left; x <= right; x++) sum += half(lightmaps[0].data[4 * (y * 32 + x)]);
+      return sum / ((right - left + 1) * (high - low + 1));
+    };
+    wall.rotation.y = -Math.PI / 2;
+    sun.position.set(-1, 0, 0);
+    const backs: number[] = [];
+    for (const side of [three.DoubleSide, three.FrontSide]) {
+      wall.material.side = side;
+      backs.push(groundOf(await bakeLightmaps(webgl, corner, { ...cornerOptions, samples: 64 })) / groundOf(bounced));
+    }
     const { uv1, index, sourceVertex } = bounced.meshes.find(({ mesh }) => mesh === ground)!;
     /** Texel of a corner of three's plane: 0 left above, 1 right above, 2 left below. */
     const texelOf = (vertex: number) => {
@@ -127,7 +146,21 @@ test('baked light is the light of known scenes, by every technique, and leaves t
     const probe = sh.getIrradianceAt(new three.Vector3(0.6, 0, 0.8), new three.Vector3()).toArray();
     const [within, outside] = furnace.probes!.backFaces;
     return {
-      ...{ warnings, before, after, left, isShown, differences, lit, shadowed, isSame, cancelled, reflected, texels },
+      ...{
+        warnings,
+        before,
+        after,
+        left,
+        isShown,
+        differences,
+        lit,
+        shadowed,
+        isSame,
+        cancelled,
+        reflected,
+        texels,
+        backs,
+      },
       ...{ mean, lowest, probe, within, outside, share: inside.length / (data.length / 4) },
     };
   });
@@ -143,6 +176,9 @@ test('baked light is the light of known scenes, by every technique, and leaves t
   }
   expect(found.texels).toBeGreaterThan(60);
   expect(Math.abs(found.reflected - 1), 'light that a plane reflects').toBeLessThan(0.01);
+  const [twoSided, oneSided] = found.backs;
+  expect(twoSided, 'light at the back of a plane of two sides').toBeCloseTo(1, 1);
+  expect(oneSided, 'light at the back of a plane of one side').toBe(0);
   const series = (albedo: number) => Math.PI * 0.5 * (1 + albedo + albedo ** 2 + albedo ** 3);
   [0.6, 0.3, 0].forEach((albedo, k) => {
     expect(Math.abs(found.mean[k] / series(albedo) - 1), `furnace ${albedo}`).toBeLessThan(0.01);

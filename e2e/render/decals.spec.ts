@@ -22,6 +22,8 @@ test('a decal on a plane is as a mesh of the same material laid on it, under all
       const map = texture((x, y) => [255 * x, 200, 255 * y, Math.hypot(x - 0.5, y - 0.5) < 0.45 ? 255 : 0]);
       map.colorSpace = three.SRGBColorSpace;
       const normalMap = texture((x, y) => [128 + 60 * Math.sin(12 * x), 128 + 60 * Math.cos(9 * y), 240, 255]);
+      // in a place of its own
+      normalMap.offset.set(0.3, 0.2);
       const scene = new three.Scene();
       scene.background = new three.Color(0.1, 0.1, 0.2);
       const floor = new three.Mesh(

@@ -18,6 +18,19 @@ test('the host finds its scene, renderer, device and three as they were, and sto
     const { webgl } = bench;
     webgl.setClearColor(0x123456, 0.5);
     const first = bench.stock(scene, camera);
+    // where three is kept from clearing: an opaque scene on the canvas
+    const plain = new three.Scene();
+    plain.background = new three.Color(0x203040);
+    plain.add(new three.Mesh(new three.BoxGeometry(), new three.MeshStandardMaterial()), new three.PointLight());
+    const clearingAfter = (technique: Parameters<typeof bench.byTechnique>[0]) => {
+      webgl.autoClearStencil = false;
+      bench.farol.technique = technique;
+      webgl.setRenderTarget(null);
+      bench.farol.render(plain, camera);
+      const { autoClear, autoClearColor, autoClearDepth, autoClearStencil } = webgl;
+      webgl.autoClearStencil = true;
+      return [autoClear, autoClearColor, autoClearDepth, autoClearStencil];
+    };
     return techniquesInTurn(3).map((technique) => {
       bench.byTechnique(technique, scene, camera);
       bench.stock(scene, camera);
@@ -31,12 +44,14 @@ test('the host finds its scene, renderer, device and three as they were, and sto
         const part = (text = '') => text.slice(Math.max(0, at - 60), at + 60);
         return `${name}: ${part(before[name])} → ${part(after[name])}`;
       });
-      return { technique, changed, again: compareImages(first, bench.stock(scene, camera)).largest };
+      const again = compareImages(first, bench.stock(scene, camera)).largest;
+      return { technique, changed, again, clearing: clearingAfter(technique) };
     });
   });
-  for (const { technique, changed, again } of results) {
+  for (const { technique, changed, again, clearing } of results) {
     expect.soft(changed, `${technique}: the host is as it was`).toEqual([]);
     expect(again, `${technique}: stock three afterwards`).toBe(0);
+    expect(clearing, `${technique}: what three clears`).toEqual([true, true, true, false]);
   }
 });
 

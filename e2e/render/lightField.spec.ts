@@ -143,6 +143,48 @@ test('lights of fields look as the same lights one by one, by every technique', 
   expect(results.counts).toEqual({ points: 308, 'points and spots': 458 });
 });
 
+test('of 32 lights, which share a box, one far from the others is in the lists of its tiles and depths too', async ({
+  benchPage: page,
+}) => {
+  const results = await page.evaluate(() => {
+    const { Bench, compareImages, lightFields, three } = window.testPage;
+    const bench = new Bench(256, 16);
+    const scene = new three.Scene();
+    // a wall that goes from the left far into the picture
+    const wall = new three.Mesh(new three.PlaneGeometry(90, 8), new three.MeshStandardMaterial());
+    wall.rotation.y = -Math.PI / 4;
+    const camera = new three.PerspectiveCamera(8, 16, 1, 120);
+    camera.position.z = 60;
+    const field = new lightFields.LightField(32);
+    const lights = Array.from({ length: 32 }, () => new three.PointLight(0xff88ff, 1, 2));
+    scene.add(wall, field, ...lights);
+    // 31 on one side, which order them before or after the one on the other
+    const cases = [-1, 1].flatMap((side) =>
+      (['tiled-deferred', 'clustered-forward'] as const).map((technique) => ({ side, technique })),
+    );
+    return cases.map(({ side, technique }) => {
+      lights.forEach((light, i) => {
+        const at = i < 31 ? side * (12 + 0.3 * i) : side * -22;
+        light.position.set(at - 0.5, 0, at + 0.5);
+        field.setPoint(i, at - 0.5, 0, at + 0.5, 2, light.color.r, light.color.g, light.color.b);
+      });
+      const [alone, together, lone] = ([32, 0, 31] as const).map((first) => {
+        lights.forEach((light, i) => (light.visible = first === 31 ? i === 31 : first === 32));
+        field.visible = first === 0;
+        return bench.byTechnique(technique, scene, camera);
+      });
+      for (const light of lights) light.visible = false;
+      const dark = bench.byTechnique(technique, scene, camera);
+      const name = `${technique}, ${side}`;
+      return { name, off: compareImages(alone, together).largest, lit: compareImages(dark, lone).largest };
+    });
+  });
+  for (const { name, off, lit } of results) {
+    expect(lit, name).toBeGreaterThan(0.1);
+    expect(off, name).toBeLessThan(2e-3);
+  }
+});
+
 test('a field by textures, in several renderers and by several cameras at once, after a lost context', async ({
   benchPage: page,
   watch,

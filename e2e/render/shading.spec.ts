@@ -284,3 +284,27 @@ test('area lights light what is flat as faces of their own, and what is Gouraud-
     expect.soft(vertices, `${technique}, Gouraud`).toBeGreaterThan(isInferred ? 28 : 45);
   }
 });
+
+test('light that grazes an iridescent surface is whole in the light buffer', async ({ benchPage: page }) => {
+  const found = await page.evaluate(() => {
+    const { Bench, compareImages, three } = window.testPage;
+    const bench = new Bench(64, 48);
+    const scene = new three.Scene();
+    const material = new three.MeshPhysicalMaterial({ color: 0x222222, roughness: 0.4 });
+    Object.assign(material, { iridescence: 1, iridescenceIOR: 1.3 });
+    const floor = new three.Mesh(new three.PlaneGeometry(12, 30), material);
+    floor.rotation.x = -Math.PI / 2;
+    // low before the camera: seen by its mirror image, where Fresnel's weight is large
+    const sun = new three.DirectionalLight(0xffffff, 1);
+    sun.position.set(0, 0.12, -1);
+    scene.add(floor, sun);
+    const camera = new three.PerspectiveCamera(30, 64 / 48, 0.1, 60);
+    camera.position.set(0, 1.5, 12);
+    camera.lookAt(0, 0, 0);
+    const stock = bench.stock(scene, camera);
+    const plain = compareImages(stock, bench.byTechnique('light-prepass', scene, camera));
+    return { ...plain, brightest: Math.max(...stock.data.filter((_, i) => i % 4 === 0)) };
+  });
+  expect(found.brightest, 'the glare is seen').toBeGreaterThan(0.3);
+  expect(found.psnr).toBeGreaterThan(55);
+});

@@ -54,6 +54,10 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
         red.visible = false;
         blue.visible = true;
         const unlit = pair(technique).largest;
+        // its colour is multiplied by its opacity already
+        Object.assign(blue.material, { premultipliedAlpha: true, needsUpdate: true });
+        const premultiplied = pair(technique).largest;
+        Object.assign(blue.material, { premultipliedAlpha: false, needsUpdate: true });
         blue.visible = false;
         glow.visible = true;
         const additive = pair(technique).largest;
@@ -68,7 +72,7 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
         });
         red.renderOrder = blue.renderOrder = 0;
         return {
-          ...{ technique, one, unlit, additive },
+          ...{ technique, one, unlit, premultiplied, additive },
           sortedApart: compareImages(orders[0].sorted, orders[1].sorted).largest,
           weightedApart: compareImages(orders[0].weighted, orders[1].weighted).largest,
           near: compareImages(orders[0].sorted, orders[0].weighted).psnr,
@@ -77,10 +81,11 @@ test('weighted blending: one layer is as sorted, several are the same in any ord
     },
     [120, 80, TECHNIQUES] as const,
   );
-  for (const { technique, one, unlit, additive, sortedApart, weightedApart, near } of results) {
+  for (const { technique, one, unlit, premultiplied, additive, sortedApart, weightedApart, near } of results) {
     // sums in half floats
     expect(one, technique).toBeLessThan(2e-3);
     expect(unlit, technique).toBeLessThan(2e-3);
+    expect(premultiplied, `${technique}: premultiplied`).toBeLessThan(2e-3);
     expect(additive, technique).toBeLessThan(1e-3);
     expect(sortedApart, `${technique}: order matters when sorted`).toBeGreaterThan(0.02);
     expect(weightedApart, technique).toBeLessThan(2e-3);
