@@ -8,8 +8,8 @@ export const houseLimits = {
   riddles: 2,
   parametersWithoutDash: 0,
   tinyFiles: 6,
-  macrosAcrossFiles: 39,
-  lines: 156_291,
+  macrosAcrossFiles: 40,
+  lines: 156_520,
 };
 
 /** First words by which a docblock hides its noun. */

@@ -1,7 +1,7 @@
 import { AudioSource } from '@farol/engine';
 import { component, number } from '@farol/engine/fields';
 
-/** Has the AudioSource of its object play at each step that the object takes over the ground. */
+/** Plays the AudioSource of its object at each step that the object takes over the ground. */
 export default class Footsteps extends component({
   stride: number(0.8, { unit: 'm', min: 0.1, step: 0.05, help: 'Way from step to step.' }),
 }) {

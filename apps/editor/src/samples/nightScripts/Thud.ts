@@ -1,7 +1,7 @@
 import { AudioSource } from '@farol/engine';
 import { component, number } from '@farol/engine/fields';
 
-/** Has the AudioSource of its object play when the object is struck hard. */
+/** Plays the AudioSource of its object when the object is struck hard. */
 export default class Thud extends component({
   impulse: number(8, { unit: 'N·s', min: 0, step: 0.5, help: 'How hard the blow must be.' }),
 }) {
