@@ -27,7 +27,6 @@ import { root } from './root.mjs';
  * @typedef {import('./benchOptions.mjs').BenchOptions} BenchOptions
  * @typedef {import('./benchLabBrowser.mjs').LabPlan} LabPlan
  * @typedef {import('./benchLabBrowser.mjs').LabRun} LabRun
- * @typedef {import('./benchLabBrowser.mjs').LabWindow} LabWindow
  * @typedef {{ now: string, against: string | null }} Labs folders of built Labs
  */
 
@@ -59,7 +58,7 @@ async function bench(options) {
   try {
     const plan = await planFor(browser, options);
     const previous = options.resume ? await readPrevious(browser, plan, options.out) : null;
-    const rest = previous === null ? plan : await browser.call(remainingOf, previous);
+    const rest = previous === null ? plan : await browser.call((lab, run) => lab.remaining(run), previous);
     const measured =
       rest.series.length === 0 ? previous : await measure(browser, { plan, rest, previous, options, end });
     if (measured === null) return 1;
@@ -120,8 +119,7 @@ function keepLabs(labs, out) {
  */
 function planFor(browser, { fragment, regret, lights, rivals, against, gpu }) {
   return browser.call(
-    ({ fragment, regret, lights, rivals, isCompared, gpu }) => {
-      const { lab } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
+    (lab, { fragment, regret, lights, rivals, isCompared, gpu }) => {
       // the configuration of the page's large button
       const configuration =
         fragment === 'preset=quick' ? lab.quickFor({ software: !gpu }) : lab.configurationOf(fragment);
@@ -150,9 +148,6 @@ function planFor(browser, { fragment, regret, lights, rivals, against, gpu }) {
   );
 }
 
-/** @param {LabRun} run */
-const remainingOf = (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.remaining(run);
-
 /**
  * Reads the run that ended early, to continue it.
  *
@@ -163,16 +158,13 @@ const remainingOf = (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (w
 async function readPrevious(browser, plan, out) {
   const path = join(out, 'bench.json');
   if (!existsSync(path)) return null;
-  const run = await browser.call(
-    (json) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.parse(json),
-    readFileSync(path, 'utf8'),
-  );
+  const run = await browser.call((lab, json) => lab.parse(json), readFileSync(path, 'utf8'));
   const key = (/** @type {LabPlan} */ { series, competitors }) =>
     JSON.stringify([series.map(({ cases, name }) => [name, cases]), competitors]);
   if (key(run.plan) !== key(plan)) {
     throw new Error(`--resume: ${path} is a run of something else. Give another --out, or leave --resume out.`);
   }
-  const here = await browser.call(() => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.surroundings());
+  const here = await browser.call((lab) => lab.surroundings());
   for (const field of /** @type {const} */ (['device', 'browser', 'build'])) {
     const [then, now] = [run.surroundings[field], here[field]];
     if (then === now) continue;
@@ -221,10 +213,7 @@ async function measure(browser, { plan, rest, previous, options, end }) {
       void keepParts([...parts, run]).catch(() => {});
     };
     const keepParts = async (/** @type {LabRun[]} */ runs) => {
-      whole = await browser.call(
-        ({ plan, runs }) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.merge(plan, runs),
-        { plan, runs },
-      );
+      whole = await browser.call((lab, { plan, runs }) => lab.merge(plan, runs), { plan, runs });
       writeRun(whole, options);
     };
     try {
@@ -242,7 +231,10 @@ async function measure(browser, { plan, rest, previous, options, end }) {
       if (part !== null) await keepParts([...parts, part]);
       parts = whole === null ? [] : [whole];
       // the parts of `onCase` have complete cases alone
-      rest = whole === null ? plan : await browser.call(remainingOf, { ...whole, complete: part !== null });
+      rest =
+        whole === null
+          ? plan
+          : await browser.call((lab, run) => lab.remaining(run), { ...whole, complete: part !== null });
     }
   }
   console.log(`${join(out, 'bench.json')} has what was measured; --resume goes on.`);
@@ -279,10 +271,7 @@ const withoutPicture = (row) => ({ ...row, likeness: row.likeness && { ...row.li
 async function writeFiles(browser, run, options) {
   const { out } = options;
   writeRun(run, options);
-  const files = await browser.call(
-    (run) => /** @type {LabWindow} */ (/** @type {unknown} */ (window)).lab.files(run),
-    run,
-  );
+  const files = await browser.call((lab, run) => lab.files(run), run);
   // removes drawings of an earlier run
   for (const name of readdirSync(out)) if (name.endsWith('.svg')) rmSync(join(out, name));
   for (const { name, text } of files) writeFileSync(join(out, name), text);

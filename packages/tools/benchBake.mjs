@@ -2,12 +2,11 @@
  * Bakes the atrium (the scene `sponza`) headless, prints the seconds of each phase, compares the light with a bake of
  * more samples, and times a frame that shows it against one without lights. `--help` lists the options.
  *
- * For a GPU host without a network: `node packages/tools/benchBake.mjs --pack DIR` here puts all that is needed into DIR;
- * bring DIR there and run `node packages/tools/benchBake.mjs --gpu` in it. The host needs Node and a Chromium
- * (CHROMIUM_PATH). A folder without Vite uses the page that was built last.
+ * A GPU host without a network needs Node, a Chromium (CHROMIUM_PATH), packages/tools, node_modules/playwright-core and
+ * .cache/bake-bench: a folder without Vite uses the page that was built last.
  */
-import { cpSync, existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { existsSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { serveFolder } from './benchServe.mjs';
@@ -33,7 +32,6 @@ const help = `node packages/tools/benchBake.mjs [options]
   --gpu               leave the flags of the software rasteriser out
   --built             use the page that was built last
   --json FILE         writes the figures
-  --pack DIR          puts into DIR what another machine needs, and bakes nothing
   --help              this text`;
 
 const text = /** @type {const} */ ({ type: 'string' });
@@ -54,7 +52,7 @@ try {
         padding: text,
         techniques: text,
       },
-      ...{ frame: text, rounds: text, turn: text, gpu: flag, built: flag, json: text, pack: text, help: flag },
+      ...{ frame: text, rounds: text, turn: text, gpu: flag, built: flag, json: text, help: flag },
     },
   });
   if (values.help) console.log(help);
@@ -62,8 +60,7 @@ try {
     const hasVite = existsSync(join(root, 'node_modules/vite'));
     if (!values.built && hasVite) await buildPage();
     else if (!existsSync(join(page, 'bakeBench.html'))) throw new Error(`${page} has no page: leave --built out.`);
-    if (values.pack) pack(resolve(values.pack));
-    else await measure(values);
+    await measure(values);
   }
 } catch (error) {
   console.error(error instanceof Error ? error.message : error);
@@ -84,16 +81,6 @@ async function buildPage() {
       rolldownOptions: { input: join(folder, 'bakeBench.html') },
     },
   });
-}
-
-/** @param {string} to */
-function pack(to) {
-  rmSync(to, { recursive: true, force: true });
-  for (const path of ['package.json', 'packages/tools', 'node_modules/playwright-core', '.cache/bake-bench']) {
-    mkdirSync(dirname(join(to, path)), { recursive: true });
-    cpSync(join(root, path), join(to, path), { recursive: true, dereference: true });
-  }
-  console.log(`${to}: bring it to the GPU host, and run node packages/tools/benchBake.mjs --gpu in it.`);
 }
 
 /**

@@ -88,10 +88,10 @@ export class LabBrowser {
   }
 
   /**
-   * Calls `work` in the page. Rejects with the message of its error.
+   * Calls `work` in the page, with `window.lab` before its argument. Rejects with the message of its error.
    *
    * @template T, [A=undefined]
-   * @param {(argument: A) => T | Promise<T>} work
+   * @param {(lab: LabHandle, argument: A) => T | Promise<T>} work
    * @param {A} [argument]
    * @returns {Promise<T>}
    */
@@ -103,10 +103,11 @@ export class LabBrowser {
       page.once('crash', crashed);
     });
     try {
-      return /** @type {T} */ (await Promise.race([page.evaluate(/** @type {any} */ (work), argument), crash]));
+      const lab = await page.evaluateHandle('lab');
+      return /** @type {T} */ (await Promise.race([lab.evaluate(/** @type {any} */ (work), argument), crash]));
     } catch (error) {
       const text = error instanceof Error ? error.message : String(error);
-      const [message] = text.replace(/^page\.\w+: (\w*Error: )?/, '').split(/\n\s+at /);
+      const [message] = text.replace(/^\w+\.\w+: (\w*Error: )?/, '').split(/\n\s+at /);
       throw new Error(message, { cause: error });
     } finally {
       page.off('crash', crashed);
@@ -134,8 +135,8 @@ export class LabBrowser {
       }, 1000);
     });
     const measured = this.call(
-      ({ plan, command, versions, crashes }) => {
-        const { lab, benchStep, benchCase } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
+      (lab, { plan, command, versions, crashes }) => {
+        const { benchStep, benchCase } = /** @type {LabWindow} */ (/** @type {unknown} */ (window));
         return lab.run(plan, { command, versions, crashes, onStep: benchStep, onCase: benchCase });
       },
       { plan, command, versions, crashes },

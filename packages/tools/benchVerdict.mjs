@@ -24,11 +24,8 @@ export const AGAINST = '@against';
 /** Titles of `Figures`. */
 const columns = ['frame', 'CPU', 'GPU', 'draws', 'programs', 'first'];
 
-/** Greatest ratio of a time to the other build's that is not slower, by index in `Figures`. */
-const limits = [
-  { at: 2, most: 1.02 },
-  { at: 1, most: 1.05 },
-];
+/** Greatest ratio of a time to the other build's that is not slower. */
+const limits = { GPU: 1.02, CPU: 1.05 };
 /** Greatest difference of times that is within a clock's step (ms). */
 const STEP = 0.005;
 
@@ -108,10 +105,11 @@ export function slowerCases(run) {
       const other = rows.find(({ competitor }) => competitor === `${row.competitor}${AGAINST}`);
       const [ours, theirs] = [figuresOf(row), figuresOf(other)];
       if (!ours || !theirs) return [];
-      return limits.flatMap(({ at, most }) => {
+      return Object.entries(limits).flatMap(([what, most]) => {
+        const at = columns.indexOf(what);
         const [a, b] = [ours[at], theirs[at]];
         if (a === null || b === null || a - b <= STEP || a <= b * most) return [];
-        return [{ name, series, index, competitor: row.competitor, what: columns[at], ratio: a / b }];
+        return [{ name, series, index, competitor: row.competitor, what, ratio: a / b }];
       });
     }),
   );
