@@ -21,6 +21,7 @@ import { gpuFlags, softwareFlags } from './browserFlags.mjs';
  * @property {number | null} firstMs
  * @property {{ draws: number | null, programs: number | null } | null} counts
  * @property {string | null} technique
+ * @property {string[]} warnings
  * @property {{ thumbnail: string } | null} likeness
  * @property {string | null} problem
  *

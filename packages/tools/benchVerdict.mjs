@@ -191,18 +191,19 @@ const ms = ({ frame }) => frame?.median ?? Number.NaN;
 const percent = (share) => `${(100 * share).toFixed(1)}%`;
 
 /**
- * Figures of this build in a run, a case and competitor a line, as the text of apps/lab/reached.json.
+ * Figures of this build in a run, if none is doubtful, a case and competitor a line, as the text of apps/lab/reached.json.
  *
  * @param {LabRun} run
  * @param {Reached | null} before - whose other cases stay, if they are of this device
  */
 export function reachedText(run, before) {
-  const { device, browser, build, date, command } = run.surroundings;
+  const { device, browser, build, date } = run.surroundings;
+  const command = run.surroundings.command?.replace(/ --(dist|out|against) \S+/g, '');
   const cases = { ...(before?.device === device ? before.cases : {}) };
   for (const { name, rows } of casesOf(run)) {
     for (const row of rows) {
       const figures = figuresOf(row);
-      if (figures && !row.competitor.endsWith(AGAINST))
+      if (figures && row.warnings.length === 0 && !row.competitor.endsWith(AGAINST))
         cases[`${name}: ${row.competitor}`] = figures.map(
           (value) => value && (Number.isInteger(value) ? value : Number(value.toPrecision(3))),
         );

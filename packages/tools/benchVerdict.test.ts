@@ -5,7 +5,16 @@ import { doubtfulPlan, figuresTable, reachedText, regretReport, slowerCases } fr
 /** A row by its times (ms): of a frame, on the CPU, on the GPU. */
 function row(competitor: string, index: number, [frame, cpu, gpu]: number[], technique: string | null = null): LabRow {
   return {
-    ...{ competitor, series: 'sponza-lights', index, technique, firstMs: 90, likeness: null, problem: null },
+    ...{
+      competitor,
+      series: 'sponza-lights',
+      index,
+      technique,
+      firstMs: 90,
+      likeness: null,
+      problem: null,
+      warnings: [],
+    },
     ...{ frame: { median: frame }, cpu: { median: cpu }, gpu: { median: gpu }, counts: { draws: 4901, programs: 2 } },
   };
 }
@@ -19,7 +28,13 @@ function runOf(rows: LabRow[]): LabRun {
   return {
     ...{ name: '', rows, complete: true },
     plan: { label: 'Regression', series: [series], competitors, effort: { rounds: 5 } },
-    surroundings: { date: '2026-11-27', device: 'H100', browser: 'Chromium', build: '0.1.0', command: 'npm run bench' },
+    surroundings: {
+      date: '2026-11-27',
+      device: 'H100',
+      browser: 'Chromium',
+      build: '0.1.0',
+      command: 'npm run bench -- --gpu --dist ../x/now --write',
+    },
   };
 }
 
@@ -47,12 +62,20 @@ it('finds what is slower: on the GPU by more than 2%, on the CPU by more than 5%
 it('prints each figure with the other build’s, its ratio, and what was reached', () => {
   const run = runOf([row('auto', 1, [7, 1.5, 6.5], 'tiled-deferred'), row('auto@against', 1, [7, 1, 13])]);
   const reached = JSON.parse(reachedText(run, null));
-  expect(reached).toMatchObject({ device: 'H100', command: 'npm run bench' });
+  expect(reached).toMatchObject({ device: 'H100', command: 'npm run bench -- --gpu --write' });
   expect(reached.cases).toEqual({ 'Atrium over point lights, 1,000 lights: auto': [7, 1.5, 6.5, 4901, 2, 90] });
   expect(figuresTable(run, reached).split('\n').at(-1)).toBe(
     '| Atrium over point lights, 1,000 lights | auto (tiled-deferred) | 7 / 7 (1.000) | 1.50 / 1 (1.500) | ' +
       '6.50 / 13 (0.500) | 4901 / 4901 (1.000) | 2 / 2 (1.000) | 90 / 90 (1.000) | 7, 1.50, 6.50 |',
   );
+});
+
+it('writes no figure that is doubtful', () => {
+  const [spoiled, sound] = [row('auto', 0, [1, 1, 1]), row('deferred', 0, [1, 1, 1])];
+  spoiled.warnings.push('The last turn was 47% faster than the first.');
+  expect(Object.keys(JSON.parse(reachedText(runOf([spoiled, sound]), null)).cases)).toEqual([
+    'Atrium over point lights, 10 lights: deferred',
+  ]);
 });
 
 it('keeps what was reached in other cases of the same device, and nothing of another', () => {
