@@ -12,17 +12,13 @@ import { bindTexture, unbindTexture } from '../three/state';
 
 /**
  * A texture of unsigned 32-bit words, filled from an array of the caller's. Grows; uploads the words in use, unless
- * they equal those uploaded last.
+ * they are of the version uploaded last.
  */
 export class WordTable {
   texture: DataTexture;
   /** Bytes uploaded by the last `upload`. */
   uploadedBytes = 0;
-  private fresh = true;
-  /** Whether the texture lacks the words uploaded last. */
-  private stale = true;
-  /** Words uploaded last, and the version that they were of. */
-  private sent = new Uint32Array(0);
+  /** Version of the words that the texture has; -1 for none. */
   private version = -1;
 
   /** @param channels - words in a texel, 1 or 4 */
@@ -39,24 +35,21 @@ export class WordTable {
    * Uploads the first rows.
    * @param words - row after row, at least width * rows * channels
    * @param width - texels in a row
-   * @param version - number that differs from that of the last upload if a word may differ
+   * @param version - number of at least 0 that differs from that of the last upload if a word may differ
    */
   upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number, version: number): void {
     if (this.texture.image.width !== width || this.texture.image.height < rows) {
       this.texture.dispose();
       this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
-      this.fresh = true;
     }
-    // three forgets its textures when a lost context is restored
-    if (this.fresh || textureHandle(webgl, this.texture) === undefined) {
+    // three knows no new texture, and forgets its textures when a lost context is restored
+    if (textureHandle(webgl, this.texture) === undefined) {
       webgl.initTexture(this.texture);
-      this.fresh = false;
-      this.stale = true;
+      this.version = -1;
     }
     this.uploadedBytes = 0;
-    if (!this.stale && version === this.version) return;
+    if (version === this.version) return;
     this.version = version;
-    if (!this.differs(words, width * rows * this.channels)) return;
     const gl = webgl.getContext() as WebGL2RenderingContext;
     bindTexture(webgl, gl.TEXTURE_2D, textureHandle(webgl, this.texture)!);
     unpackAsIs(webgl, gl);
@@ -64,20 +57,6 @@ export class WordTable {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, format, gl.UNSIGNED_INT, words, 0);
     unbindTexture(webgl);
     this.uploadedBytes = width * rows * this.channels * 4;
-  }
-
-  /** Compares words with those uploaded last, and keeps them for the next comparison. */
-  private differs(words: Uint32Array, count: number): boolean {
-    const { sent } = this;
-    if (!this.stale && sent.length >= count) {
-      let i = 0;
-      while (i < count && sent[i] === words[i]) i++;
-      if (i === count) return false;
-    }
-    if (sent.length < words.length) this.sent = words.slice();
-    else sent.set(words);
-    this.stale = false;
-    return true;
   }
 
   dispose(): void {

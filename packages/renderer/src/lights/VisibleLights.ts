@@ -39,12 +39,10 @@ export class VisibleLights {
   areas = 0;
   /** Whether there are area lights, with a range or without. */
   hasAreas = false;
-  /**
-   * Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere lights included).
-   */
+  /** Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere ones included). */
   total = 0;
   visible = 0;
-  /** Number of managed lights in the scene that are objects of their own: not of a light field. */
+  /** Number of managed lights in the scene that are objects of their own, light fields left out. */
   singles = 0;
   /** Sum of the shares of the picture that `boundeds` cover: how many lie over a pixel, whatever its depth. */
   coverage = 0;
@@ -93,7 +91,10 @@ export class VisibleLights {
         if (kind === 'area') this.areas++;
       } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
       else if (kind === 'field') this.addField(light as LightFieldData);
-      else this.addEndless(light, kind === 'directional' ? this.directionals : this.unboundeds);
+      else {
+        (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
+        if (facts.isMasked) this.masked.push(light);
+      }
       if (kind === 'area') this.hasAreas = true;
       this.visible++;
     }
@@ -141,11 +142,6 @@ export class VisibleLights {
     ambient[3 + c] += slope * up.x;
     ambient[6 + c] += slope * up.y;
     ambient[9 + c] += slope * up.z;
-  }
-
-  private addEndless(light: Light, to: Light[]): void {
-    to.push(light);
-    if (this.facts.isMasked) this.masked.push(light);
   }
 
   /**

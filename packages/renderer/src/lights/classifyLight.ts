@@ -1,4 +1,4 @@
-import type { DirectionalLight, HemisphereLight, Light, Matrix4, PointLight, RectAreaLight, SpotLight } from 'three';
+import type { DirectionalLight, HemisphereLight, Light, PointLight, RectAreaLight, SpotLight } from 'three';
 import { type AreaRadii, type FarolLightData, lightRange } from './lightData';
 
 const NO_DATA: FarolLightData = {};
@@ -197,10 +197,6 @@ function hasFiniteValues(light: Light): boolean {
   if (angle !== undefined) sum += angle + penumbra;
   if (width !== undefined) sum += width + height + elements[1] + elements[4];
   if (groundColor !== undefined) sum += groundColor.r + groundColor.g + groundColor.b;
-  if (target !== undefined) sum += placeSum(target.matrixWorld);
+  if (target !== undefined) for (let i = 12; i < 15; i++) sum += target.matrixWorld.elements[i];
   return Number.isFinite(sum);
-}
-
-function placeSum({ elements }: Matrix4): number {
-  return elements[12] + elements[13] + elements[14];
 }

@@ -15,10 +15,7 @@ export interface FarolInfo {
   technique: string;
   /** Reason why the technique was chosen. */
   reason: string;
-  /**
-   * Sentence without a stop on what the page could do for a faster frame; null for none. From 2,000 lights on that are
-   * objects of their own, it names LightField.
-   */
+  /** Sentence on how the page could have faster frames; null for none. From 2,000 single lights on it names LightField. */
   hint: string | null;
   /**
    * Names of the parts of Farol's code that the frame asked for and that are not loaded yet: being fetched, or to be

@@ -1,4 +1,4 @@
-import type { Light, Object3D, PointLight } from 'three';
+import type { Light, Object3D, PointLight, SpotLight } from 'three';
 import { fetching } from '../../lights/fetching';
 
 /** Objects whose data are fetched together; few enough for the caches of a processor's core. */
@@ -6,8 +6,6 @@ const FETCHED = 32;
 /** Number of objects from which on they are fetched: fewer stay in the caches from frame to frame. */
 const FETCHED_FROM = 64;
 
-/** Number of lights from which on `FarolInfo.hint` names LightField. */
-const MANY = 2000;
 const HINT =
   'the CPU reads 2,000 lights or more in each frame, every one an object; a LightField (@farol/renderer/light-field) holds them in arrays';
 
@@ -16,7 +14,7 @@ const sums = new Float64Array(1);
 
 /** Lets later frames of all renderers fetch lights ahead. */
 export function fetchLightsAhead(): void {
-  fetching.fetcher = { fetchPlaces, fetchEmissions, hintFor };
+  fetching.fetcher = { fetchPlaces, fetchEmissions, hintFor: (singles) => (singles < 2000 ? null : HINT) };
 }
 
 // Lights lie scattered in memory. Reads without work between them wait for it together; those of code that works light
@@ -55,12 +53,6 @@ function fetchEmissions(lights: readonly Light[], first: number): number {
   return end;
 }
 
-function hintFor(singles: number): string | null {
-  return singles >= MANY ? HINT : null;
-}
-
-function isLocal(
-  object: Object3D & { readonly isPointLight?: boolean; readonly isSpotLight?: boolean },
-): object is PointLight {
-  return object.isPointLight === true || object.isSpotLight === true;
+function isLocal(object: Object3D): object is PointLight {
+  return (object as PointLight).isPointLight === true || (object as object as SpotLight).isSpotLight === true;
 }
