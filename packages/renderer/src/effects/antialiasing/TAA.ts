@@ -11,6 +11,8 @@ import { halton } from './halton';
 import lanczosCross from './lanczosCross.glsl?raw';
 import { looksOf, surroundingsOf } from './looksOf';
 import { MotionPass } from './MotionPass';
+import { DistancePass } from '../../passes/forward/DistancePass';
+import { storedKind } from '../../passes/gbuffer/gbufferUniforms';
 import taaDepth from './taaDepth.glsl?raw';
 import taaNear from './taaNear.glsl?raw';
 import taaPicture from './taaPicture.glsl?raw';
@@ -87,6 +89,9 @@ export class TAA implements FarolEffect {
     farol_motionMap: { value: null as Texture | null },
     farol_reproject: { value: new Matrix4() },
     farol_jitter: this.jitter,
+    farol_distances: { value: null as Texture | null },
+    farol_distanceDepth: { value: null as Texture | null },
+    farol_distancesStored: { value: 0 },
     farol_depthKind: { value: new Vector2() },
     farol_projectZ: { value: new Vector4() },
     farol_hasMotion: { value: false },
@@ -125,6 +130,7 @@ export class TAA implements FarolEffect {
       farol_isReactive: { value: [0, 0] },
     },
   });
+  private readonly distances = new DistancePass();
   private shared: Picture | null = null;
   /** True from `begin` to `end`. If true at `begin`, an exception has ended the last frame. */
   private open = false;
@@ -138,7 +144,7 @@ export class TAA implements FarolEffect {
   }
 
   get bytes(): number {
-    let bytes = this.motion.bytes + (this.shared?.bytes ?? 0);
+    let bytes = this.motion.bytes + this.distances.bytes + (this.shared?.bytes ?? 0);
     for (const history of this.histories) bytes += history.bytes;
     return bytes;
   }
@@ -185,6 +191,7 @@ export class TAA implements FarolEffect {
     uniforms.farol_hasPast.value = !history.isEmpty;
     uniforms.farol_encoded.value = picture.encoded;
     this.setDepthKind(frame);
+    this.drawDistances(frame);
     uniforms.farol_reproject.value.copy(viewProjection).invert().premultiply(history.viewProjection);
     this.setShares(frame);
     const { next, nextReach } = history;
@@ -208,6 +215,7 @@ export class TAA implements FarolEffect {
     this.histories.length = 0;
     this.recent.clear();
     this.motion.dispose();
+    this.distances.dispose();
     for (const pass of [this.near, this.resolve, this.average]) pass.dispose();
     this.shared?.dispose();
   }
@@ -263,6 +271,15 @@ export class TAA implements FarolEffect {
     // a cell that is a whole pixel gets a sample in every frame
     const least = 1 - (1 - share) ** (parts / 4);
     farol_share.value.set(Math.max(first, least), Math.max(first, least * STILL));
+  }
+
+  /** Draws how far surfaces are, where depth does not tell. */
+  private drawDistances(frame: Frame): void {
+    const { farol_distances, farol_distanceDepth, farol_distancesStored } = this.resolve.uniforms;
+    farol_distancesStored.value = frame.storesDistance ? storedKind(frame.camera) : 0;
+    const target = frame.storesDistance ? this.distances.render(frame) : null;
+    farol_distances.value = target?.texture ?? this.shared!.texture;
+    farol_distanceDepth.value = target?.depthTexture ?? this.shared!.target.depthTexture;
   }
 
   private setDepthKind(frame: Frame): void {

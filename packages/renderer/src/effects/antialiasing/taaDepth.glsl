@@ -1,6 +1,11 @@
 // Depth for temporal anti-aliasing: distances of samples (m along the view), and their motion since the last frame.
 // Karis 2014, High Quality Temporal Supersampling
+#include "storedDistance"
 uniform highp sampler2D farol_pictureDepth;
+// surfaces whose depth is shifted (polygonOffset), oblique or coarse: their distances, and depth as drawn with them
+uniform highp sampler2D farol_distances;
+uniform highp sampler2D farol_distanceDepth;
+uniform highp int farol_distancesStored; // 0: there are none; 1: in perspective; 2: orthographic
 // xy: motion (1: picture width, height); z: change of distance (m); w: 1 where objects move
 uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
@@ -22,6 +27,17 @@ float farol_deviceZ(const in float depth) {
   return farol_depthKind.x > 0.5 ? depth : depth * 2.0 - 1.0;
 }
 
+// distance of a surface whose depth does not tell it (m); 0: none is stored for what the picture shows
+float farol_storedAt(const in ivec2 pixel, const in float depth) {
+  if (farol_distancesStored == 0 || abs(texelFetch(farol_distanceDepth, pixel, 0).r - depth) > 1e-5) return 0.0;
+  float away = farol_unpackDistance(texelFetch(farol_distances, pixel, 0).rg, farol_distancesStored == 2);
+  return away < 5.9e4 ? max(away, 1e-3) : 0.0;
+}
+
+float farol_deviceZAt(const in float away) {
+  return (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
+}
+
 // limited to the range of half floats
 float farol_distanceOf(const in float deviceZ) {
   float z = (farol_projectZ.y - deviceZ * farol_projectZ.w) / (deviceZ * farol_projectZ.z - farol_projectZ.x);
@@ -29,7 +45,10 @@ float farol_distanceOf(const in float deviceZ) {
 }
 
 float farol_distanceAt(const in ivec2 pixel) {
-  float depth = texelFetch(farol_pictureDepth, farol_inPicture(pixel), 0).r;
+  ivec2 inside = farol_inPicture(pixel);
+  float depth = texelFetch(farol_pictureDepth, inside, 0).r;
+  float stored = farol_storedAt(inside, depth);
+  if (stored > 0.0) return stored;
   if (farol_depthKind.y > 0.0) return clamp(exp2(depth * farol_depthKind.y) - 1.0, 1e-3, 6e4);
   return farol_distanceOf(farol_deviceZ(depth));
 }
@@ -41,14 +60,15 @@ vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
     if (motion.w > 0.5) return vec3(motion.xy, max(away + motion.z, 1e-3));
   }
   vec2 now = (vec2(pixel) + 0.5) / vec2(textureSize(farol_pictureDepth, 0)) * 2.0 - 1.0 - farol_jitter;
-  vec4 before = farol_reproject * vec4(now, farol_deviceZ(texelFetch(farol_pictureDepth, pixel, 0).r), 1.0);
+  float depth = texelFetch(farol_pictureDepth, pixel, 0).r;
+  float stored = farol_storedAt(pixel, depth);
+  vec4 before = farol_reproject * vec4(now, stored > 0.0 ? farol_deviceZAt(stored) : farol_deviceZ(depth), 1.0);
   return vec3(0.5 * (now - before.xy / before.w), farol_distanceOf(before.z / before.w));
 }
 
 // motion that the camera alone gives a place (0 to 1) at a distance (m); 1: picture width, height
 vec2 farol_wayAt(const in vec2 place, const in float away) {
-  float deviceZ = (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
   vec2 now = place * 2.0 - 1.0;
-  vec4 before = farol_reproject * vec4(now, deviceZ, 1.0);
+  vec4 before = farol_reproject * vec4(now, farol_deviceZAt(away), 1.0);
   return 0.5 * (now - before.xy / before.w);
 }

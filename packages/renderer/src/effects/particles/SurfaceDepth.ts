@@ -1,12 +1,10 @@
 import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
-import { depthTwin, hasDepthTwin, hasDistanceTwin } from '../../materials/depthTwin';
+import { depthTwin, hasDepthTwin } from '../../materials/depthTwin';
 import type { Frame } from '../../frame/Frame';
-import { isPlain, type RenderItem } from '../../frame/RenderItem';
+import { isPlain } from '../../frame/RenderItem';
 import { PassTarget } from '../../gpu/PassTarget';
 import { targetBytes } from '../../gpu/targetBytes';
 import { DistancePass } from '../../passes/forward/DistancePass';
-
-const isDrawn = (item: RenderItem) => isPlain(item) && !item.ownShader;
 
 /**
  * Depth of the opaque surfaces of a frame as a texture, while the frame's target is drawn to: from the technique's
@@ -20,7 +18,7 @@ export class SurfaceDepth {
   distances: Texture | null = null;
   private copied: WebGLRenderTarget | null = null;
   private readonly drawn = new PassTarget({ depthTexture: true });
-  private readonly distancePass = new DistancePass((item) => isDrawn(item) && hasDistanceTwin(item.material));
+  private readonly distancePass = new DistancePass();
 
   get bytes(): number {
     return this.drawn.bytes + this.distancePass.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
@@ -86,7 +84,7 @@ export class SurfaceDepth {
     frame.bind(target);
     frame.clear(0, true);
     for (const item of frame.queue.opaque)
-      if (isDrawn(item) && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
+      if (isPlain(item) && !item.ownShader && hasDepthTwin(item.material)) frame.drawTwin(item, depthTwin);
     return target.depthTexture!;
   }
 }

@@ -1,11 +1,13 @@
-import { HalfFloatType, NoBlending, RGFormat, type WebGLRenderTarget } from 'three';
+import { HalfFloatType, NoBlending, RGFormat, Vector4, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
-import type { RenderItem } from '../../frame/RenderItem';
+import { isPlain, type RenderItem } from '../../frame/RenderItem';
 import { PassTarget } from '../../gpu/PassTarget';
-import { depthTwin } from '../../materials/depthTwin';
+import { depthTwin, hasDistanceTwin } from '../../materials/depthTwin';
 import type { TwinKind } from '../../materials/TwinKind';
 import { afterChunkOrAtEnd, replaceChunk } from '../../three/replaceChunk';
 
+/** Value of pixels without a surface: farther than half floats tell. */
+const NOWHERE = new Vector4(6e4, 0, 0, 0);
 const WRITE = 'gl_FragColor = vec4(farol_packDistance(farol_away, isOrthographic), 0.0, 1.0);\nif (true) return;';
 
 /** Writes the distance of surfaces along the view, over the same pixels as `depthTwin` writes depth. */
@@ -23,10 +25,15 @@ const distanceTwin: TwinKind = {
   },
 };
 
+/** True for an opaque item that three's own shaders draw, and whose distance a twin can write. */
+export function drawsDistance(item: RenderItem): boolean {
+  return isPlain(item) && !item.ownShader && hasDistanceTwin(item.material);
+}
+
 /** Draws the distances of surfaces whose depth does not tell them. */
 export class DistancePass {
   /** @param draws - whether an opaque item is drawn */
-  constructor(private readonly draws: (item: RenderItem) => boolean) {}
+  constructor(private readonly draws: (item: RenderItem) => boolean = drawsDistance) {}
 
   private readonly target = new PassTarget({ format: RGFormat, type: HalfFloatType, depthTexture: true });
 
@@ -38,7 +45,7 @@ export class DistancePass {
   render(frame: Frame): WebGLRenderTarget {
     const target = this.target.of(frame.width, frame.height);
     frame.bind(target);
-    frame.clear(1, true);
+    frame.clear(1, true, NOWHERE);
     for (const item of frame.queue.opaque) {
       if (this.draws(item)) frame.drawTwin(item, distanceTwin);
     }
