@@ -6,7 +6,7 @@ const HOLDERS = new Set(['moov', 'trak', 'mdia', 'minf', 'stbl', 'moof', 'traf']
 const SAMPLES = 1024;
 
 /**
- * The size of AAC in an MP4: as long as it says, or as its samples come to, whichever is more.
+ * Size of AAC in an MP4: the greater of the length in the header and that of the samples.
  * @see ISO/IEC 14496-12
  */
 export function mp4Size(view: DataView): SoundSize | null {
