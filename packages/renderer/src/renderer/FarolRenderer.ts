@@ -364,7 +364,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.finder.dispose();
   };
 
-  /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
+  /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */
   private pickTechnique(): LightOrder {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
