@@ -161,7 +161,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (!views.includes(name)) throw unknownName('view', name, views);
     if (name !== 'final') checkDevice(this.webgl, true);
     this.viewName = name;
-    this.views.available(name); // has its code fetched
+    this.views.available(name); // begins to fetch the view's code
   }
 
   /** @throws RangeError unless above 0 and at most 1 */

@@ -60,7 +60,10 @@ export const maskRecord = {
   },
   /** Region of the photometric profile: corner, size (texels). */
   profile: {},
-  /** Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three cascades: fit of the third. */
+  /**
+   * Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three
+   * cascades instead: transform to the third, as `firstFit`.
+   */
   cookie: {},
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
