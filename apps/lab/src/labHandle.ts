@@ -60,9 +60,9 @@ export interface LabHandle {
   surroundings(): Promise<LabSurroundings>;
   /** Cancels the run, whose promise then resolves with the rows so far. */
   cancel(): void;
-  /** See `remainingPlan` in mergeRuns.ts. */
+  /** Plan of the cases that a cancelled or late run has left to measure. */
   remaining(run: LabRun): LabPlan;
-  /** See `mergeRuns`. */
+  /** Merges parts of one run; rows of later parts replace those of earlier ones. @throws Error if they do not match */
   merge(plan: LabPlan, parts: readonly LabRun[]): LabRun;
   /** @throws FormatError */
   parse(json: string): LabRun;

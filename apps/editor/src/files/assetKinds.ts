@@ -16,7 +16,7 @@ export interface AssetEntry {
   readonly label: string;
   /** Whether the asset is built in, so that it cannot be deleted. */
   readonly isBuiltin: boolean;
-  /** Path of its folder; '' for the top. */
+  /** Path of the asset's folder; '' for the top. */
   readonly folder: string;
   /**
    * Whether the asset duplicates another one: a built-in texture in another size, or an image used twice in a model.

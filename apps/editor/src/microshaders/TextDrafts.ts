@@ -92,7 +92,7 @@ export abstract class TextDrafts<Key> {
     this.problems.delete(key);
   }
 
-  /** Called when another scene was opened. */
+  /** Called when another scene was opened: drops all drafts. */
   protected forget(): void {
     if (this.waiting) clearTimeout(this.waiting.timer);
     this.waiting = null;

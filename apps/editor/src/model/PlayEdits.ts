@@ -67,7 +67,7 @@ export class PlayEdits {
     return this.all.length > 0 && this.document.commands.last === this.last;
   }
 
-  /** Called when the scene begins to play. */
+  /** Called when the scene begins to play: notes its authored values and assets, and starts collecting edits. */
   begin(): void {
     this.dismiss();
     const { scene } = this.document;
@@ -96,7 +96,7 @@ export class PlayEdits {
     this.changed.emit();
   }
 
-  /** Called when another scene was opened. */
+  /** Called when another scene was opened: forgets the edits made while playing. */
   abort(): void {
     this.dismiss();
   }

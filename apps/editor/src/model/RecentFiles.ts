@@ -4,7 +4,7 @@ import { Signal } from '@farol/editing';
 export interface RecentFile {
   readonly id: string;
   readonly name: string;
-  /** Name of its scene. */
+  /** Name of the scene in the file. */
   readonly scene: string;
   /** When it was last opened or saved (ms since 1970). */
   readonly time: number;
@@ -12,7 +12,7 @@ export interface RecentFile {
   readonly handle: FileSystemFileHandle | null;
   /** Copy of the file, when there is no handle; null when it was too large to keep. */
   readonly copy: Blob | null;
-  /** Thumbnail of its scene; null until it is made. */
+  /** Thumbnail of the scene in the file; null until it is made. */
   readonly picture: Blob | null;
 }
 

@@ -1,3 +1,4 @@
+/** Commands for edits of assets. Each captures the scene as it is when the command is made. */
 import { type Command, type FieldEdit, SetFields, t, tCount } from '@farol/editing';
 import {
   type AssetLibrary,
@@ -15,8 +16,6 @@ import { Sequence } from './commands/Sequence';
 import { SetFolder } from './commands/SetFolder';
 import { SetPrefab } from './commands/SetPrefab';
 import { setSources, sourcesAfterRename } from './scriptImports';
-
-/** Commands for edits of assets. Each captures the scene as it is when the command is made. */
 
 type Values = Readonly<Record<string, FieldValue>>;
 

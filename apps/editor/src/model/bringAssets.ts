@@ -7,7 +7,7 @@ import { sourceWithImports } from './scriptImports';
 import { componentTypeOf, scriptOfType, sourceForName, sourceForType } from './scriptNames';
 
 /**
- * A file or address of a clip read for a scene: the asset, ready to be added under its name; or the name of an equal
+ * A copied file or address, read for a scene: the asset, ready to be added under its name; or the name of an equal
  * asset of the scene; null when it could not be read.
  */
 export type ReadAsset = TakenAsset | string | null;
@@ -17,7 +17,7 @@ export interface BroughtAssets {
   /** Assets to add, which the scene does not have yet. */
   readonly taken: readonly TakenAsset[];
   /**
-   * Name in the scene of each asset, by its name in the clip: an equal asset of the scene is shared, a different one of
+   * Name in the scene of each asset, by its name in the clipboard: an equal asset of the scene is shared, a different one of
    * that name stays.
    */
   readonly names: ReadonlyMap<string, string>;
@@ -28,9 +28,9 @@ export interface BroughtAssets {
 }
 
 /**
- * Prepares the assets of a clip for a scene.
+ * Prepares the assets of copied objects for a scene.
  * @param list - each after the assets that it uses
- * @param read - files and addresses that were read, by their names in the clip
+ * @param read - files and addresses that were read, by their names in the clipboard
  */
 export function bringAssets(
   scene: Scene,
@@ -42,7 +42,7 @@ export function bringAssets(
   return bringing;
 }
 
-/** Name in a scene of the file or address that a clip has; null when the scene does not have it. */
+/** Name under which a scene already has a copied file or address; null when it does not have it. */
 export function nameInScene({ assets }: Scene, { name, type, file, url }: FileAsset): string | null {
   if (url !== undefined) return assets.urlOf(name) === url ? name : null;
   if (file === undefined) return null;
@@ -59,7 +59,7 @@ class Bringing implements BroughtAssets {
   readonly types = new Map<string, string>();
   readonly missing = new Set<string>();
   private readonly scripts: ReadonlySet<string>;
-  /** Names of assets and component types that other assets of the clip got. */
+  /** Names in the scene already given to other copied assets; `takenTypes`: those of component types. */
   private readonly takenNames = new Set<string>();
   private readonly takenTypes = new Set<string>();
 
@@ -148,7 +148,7 @@ class Bringing implements BroughtAssets {
   }
 }
 
-/** Name in the scene of a clip's asset, or of a part of a model; null for one that could not be read. */
+/** Name in the scene of a copied asset, or of a part of a model; null for one that could not be read. */
 function assetNameIn(name: string, { names, missing }: Pick<BroughtAssets, 'names' | 'missing'>): string | null {
   for (let end = name.length; end > 0; end = name.lastIndexOf('/', end - 1)) {
     const whole = name.slice(0, end);
@@ -176,7 +176,7 @@ function renamedValues(
   return renamed;
 }
 
-/** Objects of a clip with assets and component types renamed as in the scene. */
+/** Copied objects with assets and component types renamed as in the scene. */
 export function renamedObjects(
   scene: Scene,
   objects: readonly FileObject[],

@@ -26,7 +26,7 @@ import { nameUniquely } from './UniqueNames';
 
 /** Copied GameObjects as JSON: content of the clipboard. */
 export interface Clip {
-  /** The first of its text: `Clipboard.hasObjects` looks for it. */
+  /** First member of the JSON text, by which `Clipboard.hasObjects` recognizes copied objects. */
   readonly format: 'farol-objects';
   /** Objects in tree order; the copied roots have no parent. */
   readonly objects: readonly FileObject[];
@@ -182,7 +182,7 @@ const checked = (
 export interface PasteOptions {
   /** Moves the copies, which are not in the scene yet. */
   readonly place?: (copies: readonly GameObject[]) => void;
-  /** Files and addresses read for the scene, by their names in the clip; those that the scene has may be left out. */
+  /** Files and addresses read for the scene, by their names in the clipboard; those that the scene has may be left out. */
   readonly read?: ReadonlyMap<string, ReadAsset>;
 }
 

@@ -1,3 +1,4 @@
+/** Commands for edits by the user. Each captures the scene as it is when made, and must be run before another edit. */
 import { type Command, countLabel, namesOf, SetFields, t } from '@farol/editing';
 import { type Component, type ComponentClass, GameObject, type Scene } from '@farol/engine';
 import type { FieldOwner, FieldValue } from '@farol/engine/fields';
@@ -11,8 +12,6 @@ import { PlaceObjects } from './commands/PlaceObjects';
 import { SetProperty } from './commands/SetProperty';
 import { followTracks } from './timeline/followTracks';
 import { nameUniquely } from './UniqueNames';
-
-/** Commands for edits by the user. Each captures the scene as it is when made, and must be run before another edit. */
 
 const ids = (objects: readonly GameObject[]): string[] => objects.map(({ id }) => id);
 

@@ -1,3 +1,4 @@
+/** Commands for edits of prefabs. Each captures the scene as it is when the command is made. */
 import { type Command, labelOfField, SetFields, t } from '@farol/editing';
 import type { Component, GameObject, Scene } from '@farol/engine';
 import {
@@ -22,8 +23,6 @@ import { SetPrefab } from './commands/SetPrefab';
 import { SetProperty } from './commands/SetProperty';
 import { deleteObjects } from './edits';
 import { followTracks } from './timeline/followTracks';
-
-/** Commands for edits of prefabs. Each captures the scene as it is when the command is made. */
 
 const stay = { done: [], undone: [] };
 

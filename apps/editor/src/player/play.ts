@@ -1,3 +1,7 @@
+/**
+ * Plays a scene on a page of its own: an exported page, or an embedded frame. The scene is in the element `farol-scene`
+ * (base64 of a `.farol` file), or in the URL's hash (`#scene=…`).
+ */
 import { setTexts, t } from '@farol/editing';
 import {
   App,
@@ -23,11 +27,6 @@ import { hasParticles } from './hasParticles';
 import { needsParticles } from '../files/share/needsParticles';
 import { hasScripts, isSandboxed, showSandboxed, tellReady } from './sandbox';
 import { playWithParticles } from './withParticles';
-
-/**
- * Plays a scene on a page of its own: an exported page, or an embedded frame. The scene is in the element `farol-scene`
- * (base64 of a `.farol` file), or in the URL's hash (`#scene=…`).
- */
 
 /** The player's script element; must be read while the script first runs. */
 const ownScript = document.currentScript;

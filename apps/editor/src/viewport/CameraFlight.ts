@@ -84,7 +84,7 @@ export class CameraFlight {
     this.note(flown);
   }
 
-  /** Called after the controls were updated. @param hasMoved - whether they moved the editor's camera */
+  /** Moves the scene's camera with the editor's, as an edit. @param hasMoved - whether the editor's camera moved */
   update(hasMoved: boolean): void {
     const { flown, document } = this;
     if (!flown?.isAttached) return;

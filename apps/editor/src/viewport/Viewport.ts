@@ -362,7 +362,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
     this.panes.lookFromSides();
   }
 
-  /** Called when the scene or an edit may have changed the technique. */
+  /** Emits `changed` if the technique is another than at the last call. */
   private noticeTechnique(): void {
     const { technique } = this.farol;
     if (technique === this.drawnBy) return;

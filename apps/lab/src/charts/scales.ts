@@ -58,7 +58,7 @@ export function logTicks(low: number, high: number, most = 10): number[] {
   return Array.from({ length: most }, (_, i) => 10 ** (power + i * stride)).filter((tick) => tick <= high * 1.001);
 }
 
-/** Those of ascending values whose texts do not overlap, `room` pixels apart; the last one always stays. */
+/** Ticks, of ascending ones, whose texts do not overlap, `room` pixels apart; the last one always stays. */
 export function ticksWithRoom(values: readonly number[], place: Scale, room: number): number[] {
   const kept: number[] = [];
   const last = values.at(-1);

@@ -127,7 +127,7 @@ class AddedLights {
     this.materials.set(source, copy);
     const { lights, emissive } = copy as Material & { lights?: boolean; emissive?: { set(value: number): void } };
     copy.visible = source.visible && (lights === true || 'lightMap' in copy) && !(copy instanceof MeshBasicMaterial);
-    // the base pass has these already
+    // the base pass has already drawn emissive, environment and light maps
     emissive?.set(0);
     for (const map of ['emissiveMap', 'envMap', 'lightMap', 'aoMap']) {
       if (map in copy) (copy as unknown as Record<string, unknown>)[map] = null;

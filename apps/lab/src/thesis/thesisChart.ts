@@ -80,7 +80,7 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
 
 function barOf(frames: Frames, competitor: string, lane: number, tip: ChartTip): RowBar[] {
   if (frames === null) return [];
-  // visible even if both bounds are equal
+  // 3 % wider on both sides: the bar stays visible even if both bounds are equal
   const [from, to] = [frames[0] * 0.97, frames[1] * 1.03];
   return [{ from, to, lane, opacity: 0.4, fill: (paint) => paint.competitor(competitor), tip }];
 }

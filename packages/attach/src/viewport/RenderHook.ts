@@ -22,7 +22,7 @@ export class RenderHook {
   private planned = false;
   private attached = true;
 
-  /** @param overlay - draws over the finished frame, by the function that it is given */
+  /** @param overlay - draws over the finished frame with `render`, three's own method without this hook */
   constructor(
     session: Session,
     private readonly overlay: (render: WebGLRenderer['render']) => void,

@@ -30,7 +30,7 @@ struct FarolArrival {
 FarolArrival farol_areaArrival(const in int light, const in int kind, const in vec3 center, const in vec3 colour,
   const in vec3 axis, const in vec3 position, const in vec3 normal, const in vec2 u) {
   FarolArrival arrival = FarolArrival(vec3(0.0), vec3(0.0), vec3(0.0), false);
-  vec4 width = farol_table(farol_lights, 9 * light + 6); // half of it, area
+  vec4 width = farol_table(farol_lights, 9 * light + 6); // xyz: vector along half the width (m); w: area
   vec4 height = farol_table(farol_lights, 9 * light + 7);
   vec2 part = kind == 4 ? farol_disc(u) : 2.0 * u - 1.0;
   vec3 shining = axis;
@@ -68,7 +68,7 @@ FarolArrival farol_arrival(const in int light, const in vec3 position, const in 
   float distance = length(toLight);
   if (colour.w > 0.0 && distance >= colour.w) return arrival;
   vec3 along = toLight / distance;
-  vec4 law = farol_table(farol_lights, 9 * light + 4); // kind, and what belongs to it
+  vec4 law = farol_table(farol_lights, 9 * light + 4); // x: law of the falloff; yzw: parameters of that law
   float attenuation = 1.0;
   if (kind == 2) {
     float cosine = dot(along, axis.xyz);

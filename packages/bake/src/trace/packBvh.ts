@@ -33,7 +33,7 @@ export function packBvh(positions: Float32Array): PackedBvh {
     ),
   );
   const bvh = new MeshBVH(geometry, { strategy: SAH, targetLeafSize: 4, maxDepth: 40 });
-  // its textures are declared nowhere
+  // the struct's types do not declare its textures
   const struct = new MeshBVHUniformStruct() as MeshBVHUniformStruct & Record<'bvhBounds' | 'bvhContents', DataTexture>;
   struct.updateFrom(bvh);
   const bounds = struct.bvhBounds.image.data as Float32Array;

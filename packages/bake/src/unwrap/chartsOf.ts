@@ -1,7 +1,7 @@
 import { type Charts, NO_CHART } from './cutCharts';
 
 export interface Chart {
-  /** Indices of its vertices in `uvs`, each once. */
+  /** Indices of the chart's vertices in `uvs`, each once. */
   readonly vertices: Uint32Array;
   /** Triangles of the chart, three vertex indices each. */
   readonly triangles: Uint32Array;

@@ -9,7 +9,7 @@ import { Signal } from '../Signal';
 export class CommandStack<Item = string> {
   /** Emits when the history changes. */
   readonly changed = new Signal();
-  /** Replaces commands that are run or previewed by others, as recording an animation does; null for none. */
+  /** Gives another command in place of each one run or previewed, as when an animation is recorded; null for none. */
   recorder: EditRecorder<Item> | null = null;
 
   private readonly done: Command<Item>[] = [];

@@ -105,6 +105,6 @@ export class LayeredMaterial {
     this.material.dispose();
   }
 
-  // its programs go with those of the source; drawn again they are made again
+  // frees the material's programs with those of the source; the next draw compiles them again
   private readonly sourceDisposed = (): void => this.material.dispose();
 }

@@ -101,7 +101,7 @@ export class ObjectRenderer extends component({
     this.applyFlags();
   }
 
-  /** Called when a component that gives the object its shape has changed, was added or removed. @internal */
+  /** Applies the geometry again: a component that shapes the object has changed, was added or removed. @internal */
   shapeChanged(): void {
     this.refreshGeometry();
   }

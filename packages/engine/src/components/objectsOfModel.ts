@@ -96,7 +96,7 @@ export function objectsOfModel(
   const parts = modelParts(model, name);
   const kept = keptTogether(model);
   const alone = new Map<Object3D, KeptPart>();
-  /** Kept parts that consist of several nodes, by the common parent of those nodes. */
+  /** Unsplittable parts of several nodes (such as a skeleton and its meshes), by the common ancestor of the nodes. */
   const several = new Map<Object3D, KeptPart[]>();
   const placesOfSeveral = new Set<Object3D>();
   for (const part of kept) {

@@ -112,7 +112,7 @@ export class ScenePointer {
     this.pointers.length = 0;
   }
 
-  /** Called when an object leaves the scene; its ancestors stay under the pointer. */
+  /** Forgets an object that leaves the scene; its parent counts as under the pointer. */
   forget(gameObject: GameObject): void {
     for (const pointer of this.pointers) {
       if (pointer.over === gameObject) pointer.over = gameObject.parent;

@@ -112,7 +112,7 @@ export abstract class FieldOwner {
     this.fieldChanged(name, before);
   }
 
-  /** Authored values that differ from the defaults, without views. */
+  /** Authored values that differ from the defaults, without views (fields that show a part of another field). */
   changedValues(): Record<string, FieldValue> {
     const values: Record<string, FieldValue> = {};
     for (const { name, field } of savedFields(this.fields)) {

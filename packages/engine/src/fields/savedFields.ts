@@ -8,7 +8,7 @@ export interface SavedField {
 
 const known = new WeakMap<FieldTable, readonly SavedField[]>();
 
-/** The fields of a table but for views of others: found once for each table, since scenes have many components of few types. */
+/** Fields of a table, without views (fields that show a part of another field); cached for each table. */
 export function savedFields(fields: FieldTable): readonly SavedField[] {
   let list = known.get(fields);
   if (!list) {

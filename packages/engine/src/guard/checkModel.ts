@@ -17,7 +17,7 @@ export const absurdSize = ({ elements }: Matrix4, reach = 1): boolean =>
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Elements between two looks at the clock. */
+/** Elements checked at a stretch, before the slice of work may end. */
 const STEP = 16_384;
 
 /** Largest coordinate of some points; NaN when one is no number. */

@@ -1,13 +1,13 @@
 import { FileError } from './FileError';
 import { counted } from '../base/counted';
 
-/** How much packed data may become. */
+/** Limits of the size of unpacked data. */
 export const unpackLimits = {
-  /** Bytes that nobody is asked about. */
+  /** Unpacked bytes up to which the user is not asked. */
   free: 64 * 2 ** 20,
-  /** Data that become at most this many times their packed size are not asked about either. */
+  /** Unpacked size as a multiple of the packed size up to which the user is not asked. */
   ratio: 20,
-  /** Bytes beyond which data are refused. */
+  /** Unpacked bytes beyond which data are refused. */
   most: 2 ** 30,
   /** Files in a ZIP. */
   entries: 10_000,

@@ -288,7 +288,7 @@ export class Body implements BodyControl {
     this.isSettled = this.wasSleeping && !this.movedInStep;
   }
 
-  /** Called when the object has another parent. */
+  /** Watches the object from now on below its new parent. */
   objectMoved(): void {
     this.watch = new ObjectWatch(this.object.object3D);
     this.noteShown();

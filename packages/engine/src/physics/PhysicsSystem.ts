@@ -70,7 +70,7 @@ export class PhysicsSystem implements SceneSystem {
     return this.preparing;
   }
 
-  /** Called when a component was added, removed, switched or has another field value. */
+  /** Notes a component that was added, removed, switched or has another field value; the world follows. */
   componentChanged(component: Component): void {
     this.revision++;
     if (this.world) this.changed.add(component);

@@ -123,7 +123,7 @@ export class PhysicsWorld {
     for (const record of this.watched) if (record.watch!.moved()) this.colliderMoved(record);
   }
 
-  /** Called when a collider's object was moved relative to its body. */
+  /** Moves or rebuilds a collider whose object was moved relative to its body, and wakes the bodies that it touches. */
   private colliderMoved(record: ColliderRecord): void {
     const { body, rapier, component } = record;
     if (!moveCollider(record)) {

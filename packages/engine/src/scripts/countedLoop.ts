@@ -1,6 +1,6 @@
 import { openingOf, type ScriptToken, within } from './scriptTokens';
 
-/** The parts of a `for (;;)` whose passes its own counter counts. Places are those of tokens. */
+/** A `for (;;)` whose counter changes by a constant in each iteration. Places are indices of tokens. */
 export interface CountedLoop {
   readonly counter: string;
   /** Whether the counter goes up. */
@@ -9,7 +9,7 @@ export interface CountedLoop {
   readonly end: number;
 }
 
-/** A least step; with a smaller one too many passes would go by between two looks at the clock. */
+/** Least step of a counter; a smaller one allows too many iterations between two checks of the time limit. */
 const LEAST_STEP = 0.01;
 
 /** Tokens allowed in the initial value of a loop's counter; one must be a number, so that the counter is no BigInt. */

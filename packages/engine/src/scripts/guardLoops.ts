@@ -1,19 +1,18 @@
 import { countedLoop } from './countedLoop';
 import { scriptTokens, within } from './scriptTokens';
 
-/** Passes of a script's loops between two looks at the clock; a power of two. */
+/** Iterations of a script's loops between two checks of the time limit; a power of two. */
 const PASSES = 256;
 
-/** Steps of a counter between two looks at the clock, in loops that count themselves. */
+/** Increase of a `for` loop's counter between two checks of the time limit, where such a counter is found. */
 const STEPS = 1024;
 
-/** Expression put into every pass of a loop: counts passes, and checks the time limit every `PASSES` passes. */
+/** Expression put into each iteration of a loop: counts iterations, and checks the time limit every `PASSES` of them. */
 const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 
 /**
- * JavaScript whose loops look at the clock now and then, on the same lines: `for` of every kind, `while` and `do`. It
- * needs
- * `$passes`, a number, and `$check`, a function that throws when they go on for too long.
+ * Adds checks of a time limit to the loops of JavaScript (`for` of every kind, `while` and `do`); lines stay where they
+ * are. The result needs `$passes`, a number, and `$check`, a function that throws when a loop runs for too long.
  *
  * A call within a loop keeps browsers from making it fast, whether it is made or not. So a `for` that counts has
  * another one around it that makes the call, each time that the counter has gone on by `STEPS`:

@@ -5,7 +5,7 @@ import { guardLoops } from './guardLoops';
 import { ScriptError } from './ScriptError';
 import { isTypeScript, scriptUrl } from './scriptUrl';
 
-/** See `compileScript`, which fetches this. */
+/** Makes JavaScript of a script's text: the code that `compileScript` loads when first needed. */
 export function transformScript(name: string, source: string): CompiledScript | ScriptError {
   try {
     const { code } = sucrase.transform(source, {

@@ -118,7 +118,7 @@ export class Picture {
   }
 
   /**
-   * Ends an effect's use; the last one writes the picture to the host's target.
+   * Ends the use of the picture by an effect; the last effect to end writes the picture to the host's target.
    * @param goesOn - whether more of the frame is drawn afterwards over the host's target
    */
   end(frame: Frame, goesOn = false): void {
@@ -176,7 +176,7 @@ export class Picture {
       target = new WebGLRenderTarget(1, 1, {
         type,
         colorSpace,
-        // effects fetch texels; devices without OES_texture_float_linear read black from a filtered texture of whole floats
+        // effects fetch texels; devices without OES_texture_float_linear read black from a filtered 32-bit float texture
         minFilter: NearestFilter,
         magFilter: NearestFilter,
         stencilBuffer: stencil,

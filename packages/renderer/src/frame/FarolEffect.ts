@@ -65,7 +65,7 @@ export interface FarolEffect {
    * @param pass - the pass that was drawn, or that is to be replaced
    */
   render?(frame: Frame, pass: Pass): void;
-  /** Called inside three's `render` after all passes; has figures in `FarolInfo.passes` unless there is `after`. */
+  /** Called inside three's `render` after all passes; measured for `FarolInfo.passes` unless there is `after`. */
   end?(frame: Frame): void;
   /**
    * Compiles the programs for a technique that 'auto' is about to change to, one a call, by draws as in a frame that

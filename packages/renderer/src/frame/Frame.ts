@@ -78,7 +78,7 @@ export class Frame extends FrameTarget {
   scene!: Scene;
   /** The host's camera, or that of the effect that moves it (`FarolEffect.movesCamera`), which sets it in `begin`. */
   camera!: Camera;
-  /** The host's camera, or the array of cameras that it is of: its layers tell which lights there are, and who casts shadows. */
+  /** The host's camera, or the ArrayCamera that contains it: its layers select the lights and the shadow casters. */
   seenBy!: Camera;
   view: View = 'final';
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
@@ -99,7 +99,7 @@ export class Frame extends FrameTarget {
 
   // ---- Set by `SceneDraws`, from the effects of the frame and from what three leaves uncleared ----
 
-  /** Give the kinds of twins that items are drawn with, in order: each gets the kind that the one before gave. */
+  /** Replace the twin kind of a draw, in order: each adapter gets the kind that the one before returned. */
   adapters: readonly TwinAdapter[] = [];
   /** Attachments of the G-buffer after those of `gbufferLayout`. */
   gbufferExtras: readonly GBufferAttachment[] = [];
@@ -159,8 +159,8 @@ export class Frame extends FrameTarget {
   }
 
   /**
-   * Takes over the host's target, viewport, scene and camera.
-   * @param seenBy - the camera, or the array of cameras that it is of
+   * Begins a frame with the host's current target and viewport.
+   * @param seenBy - the camera, or the ArrayCamera that contains it
    */
   begin(scene: Object3D, camera: Camera, seenBy: Camera, view: View): void {
     const { webgl } = this;
@@ -204,7 +204,7 @@ export class Frame extends FrameTarget {
     }
   }
 
-  /** The kind that effects have an item drawn with. */
+  /** Twin kind to draw an item with, as replaced by the `adapters`. */
   private adapted(kind: TwinKind, item: RenderItem): TwinKind {
     const { adapters } = this;
     for (let i = 0; i < adapters.length; i++) kind = adapters[i].adapt(kind, item);

@@ -60,7 +60,7 @@ export class FrameTarget {
     return this.target === null ? this.canvasSamples : this.target.samples;
   }
 
-  /** Takes over the host's target and viewport. */
+  /** Reads the host's current target and viewport. */
   protected beginTarget(): void {
     const { webgl } = this;
     this.target = webgl.getRenderTarget() as WebGLRenderTarget | null;

@@ -136,7 +136,7 @@ export class RenderQueue {
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     if (list === this.opaque) {
-      // its depth does not match its position
+      // a polygon offset moves depths, from which positions are rebuilt
       if (material.polygonOffset) this.farthest = -Infinity;
       if (!this.reachesFar && this.farthest !== Infinity) this.reachesFar = this.reaches(object, geometry);
     }

@@ -18,7 +18,7 @@ export interface GBufferAttachment {
 export const gbufferLayout = [
   // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess
   { name: 'accumulation', format: RGBAFormat, type: HalfFloatType, bytes: 8 },
-  // view-space normal, octahedral; of four numbers where depth is too coarse: the distance too, see storedDistance.glsl
+  // rg: view-space normal, octahedral; ba, only where depth is too coarse: distance, see storedDistance.glsl
   { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4 },
   // rgb: square root of the albedo; a: flags (surfaceFlags.ts) / 255
   { name: 'albedo', format: RGBAFormat, type: UnsignedByteType, bytes: 4, precision: 'lowp' },

@@ -5,7 +5,7 @@ import * as chunks from './chunks';
 import { fieldSlices, type FieldSlices } from './FieldSlices';
 import { LightFields } from './LightFields';
 
-/** Sources of its microshaders, by name. */
+/** GLSL texts of the microshaders of light fields, by name. */
 export const microShaders = { ...chunks };
 
 const told = new WeakSet<object>();

@@ -3,7 +3,7 @@ import type { PhotometricData } from './PhotometricData';
 /** Degrees between texels, the widest first. */
 const STEPS = [90, 45, 30, 22.5, 20, 18, 15, 12, 10, 9, 7.5, 6, 5, 4, 3, 2.5, 2, 1, 0.5];
 const FINEST = 0.25;
-/** Step (degrees) for light that ends at an angle, and for angles that no step of the texture meets. */
+/** Step (degrees) if the light stops abruptly at the first or last angle; also for types A and B, of other axes. */
 const FINE = 0.5;
 
 /**

@@ -6,7 +6,7 @@ import type { LightLoop } from './LightLoop';
 const OPAQUE = '#include <opaque_fragment>';
 const DIRECT_LIGHT = 'reflectedLight.directDiffuse + reflectedLight.directSpecular;';
 
-/** Rewrites a shader to show direct light alone, with tone mapping, colour space and fog as it has them. */
+/** Rewrites a shader to show direct light alone, with its own tone mapping, colour space and fog. */
 function onlyDirect(text: string): string {
   return text.replace(OPAQUE, `outgoingLight = ${DIRECT_LIGHT}\n${OPAQUE}`);
 }

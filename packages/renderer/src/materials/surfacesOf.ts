@@ -16,11 +16,11 @@ export interface WornSurfaces {
   /** Number that changes when a GLSL text, uniform value or time changes the colours of pixels. */
   look(): number;
   shape(): number;
-  /** Writes the times (s) of the surfaces to a list. */
+  /** Writes the animation time (s) of each surface to a list. */
   copyTimes(times: number[]): void;
   /** Greatest displacement of vertices (m, in the object's own space); Infinity if a surface does not declare it. */
   reach(): number;
-  /** Sets the times (s) for which former positions of vertices are computed. */
+  /** Sets each surface's animation time (s) of the frame before, from which motion vectors are computed. */
   setTimesBefore(times: readonly number[]): void;
 }
 

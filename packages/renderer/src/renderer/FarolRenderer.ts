@@ -161,7 +161,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (!views.includes(name)) throw unknownName('view', name, views);
     if (name !== 'final') checkDevice(this.webgl, true);
     this.viewName = name;
-    this.views.available(name); // has its code fetched
+    this.views.available(name); // begins to fetch the view's code
   }
 
   /** @throws RangeError unless above 0 and at most 1 */
@@ -364,7 +364,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.finder.dispose();
   };
 
-  /** Called when the lights that the camera sees are known. @returns the order in which the technique wants them */
+  /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */
   private pickTechnique(): LightOrder {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);

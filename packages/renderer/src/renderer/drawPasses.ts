@@ -4,7 +4,7 @@ import type { InfoRecorder } from './InfoRecorder';
 import type { Pass } from '../frame/Pass';
 import type { Resource } from '../frame/Resources';
 
-/** Draws the passes of a technique in their order, with the effects after them or in their place, each with its figures. */
+/** Draws the passes of a technique in their order, with the effects after them or in their place, and measures each. */
 export function drawPasses(
   frame: Frame,
   technique: string,
@@ -28,7 +28,7 @@ export function drawPasses(
   }
   for (const effect of effects) {
     if (effect.end === undefined) continue;
-    // effects with `after` have their figures already
+    // an effect with `after` was measured above
     if (effect.after === undefined) recorder.beginPass(effect.name);
     effect.end(frame);
     recorder.endPass();

@@ -33,7 +33,7 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-/** Runs work as a pass of the frame, of this name in its figures. */
+/** Runs work as a pass of the frame, listed by this name in `FarolInfo.passes`. */
 interface PassRunner {
   run(name: string, work: () => void): void;
 }

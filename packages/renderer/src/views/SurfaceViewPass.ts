@@ -30,7 +30,7 @@ const PANELS = [
 
 const panel = new Vector4();
 
-/** The kind that writes an item into the G-buffer of the views, null for what these do not show. */
+/** Twin kind that writes an item into the G-buffer of the surface views; null for items that these do not show. */
 function viewTwinOf(item: RenderItem): TwinKind | null {
   const m = item.material as Material & { isShaderMaterial?: boolean; isMeshBasicMaterial?: boolean };
   if (!isPlain(item)) return null;

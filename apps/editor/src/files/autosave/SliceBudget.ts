@@ -19,7 +19,7 @@ export class SliceBudget {
   private parts = FIRST;
   private stretch = LATE;
 
-  /** Called when reading begins. */
+  /** Called when reading begins: resets the duration of slices. */
   begin(): void {
     this.stretch = LATE;
   }

@@ -104,7 +104,7 @@ export class Timeline implements EditRecorder {
     return this.isOpen && !this.isFollowing && this.currentClip !== null && this.currentRoot !== null;
   }
 
-  /** Called when the timeline panel is shown. */
+  /** Called when the timeline panel is shown: begins to follow the document. */
   open(): void {
     if (this.isOpen) return;
     this.isOpen = true;
@@ -279,7 +279,7 @@ export class Timeline implements EditRecorder {
     });
   }
 
-  /** Called when another scene was opened. */
+  /** Called when another scene was opened: forgets the clip, its selection and the time. */
   private forget(): void {
     this.chosen = null;
     this.selections.forget();
@@ -334,7 +334,7 @@ export class Timeline implements EditRecorder {
     this.shownChanged();
   }
 
-  /** Called when the preview changed values shown by the viewport and, while recording, by the inspector. */
+  /** Redraws the viewport and, while recording, the inspector, after the preview has changed the values they show. */
   private shownChanged(): void {
     this.redraw();
     this.document.previewed.emit();

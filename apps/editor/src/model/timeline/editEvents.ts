@@ -1,7 +1,6 @@
+/** Edits of the events of a clip, which are sorted by time and identified by index; several may share a time. */
 import type { ClipData, ClipEvent } from '@farol/engine';
 import { roundTime } from './clipTracks';
-
-/** Edits of the events of a clip, which are sorted by time and identified by index; several may share a time. */
 
 const inOrder = (a: ClipEvent, b: ClipEvent): number => a.time - b.time;
 

@@ -1,3 +1,7 @@
+/**
+ * Edits of the keys of a clip. Each returns a new clip and leaves the given one unchanged; untouched keys, and tracks
+ * without touched keys, stay the same objects.
+ */
 import type { ClipData, ClipKey, ClipTrack, Easing } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
 import {
@@ -14,11 +18,6 @@ import {
   valueAt,
 } from './clipTracks';
 import { type CurveControl, splitCurve } from './easingCurve';
-
-/**
- * Edits of the keys of a clip. Each returns a new clip and leaves the given one unchanged; untouched keys, and tracks
- * without touched keys, stay the same objects.
- */
 
 /** A selection of keys, by `keyId`. */
 export type KeySelection = ReadonlySet<string>;

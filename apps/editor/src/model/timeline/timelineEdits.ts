@@ -1,3 +1,4 @@
+/** Edits of the timeline's clip by the panel, its keys and its menus; each is one step of the history. */
 import { labelOfField, t, tCount } from '@farol/editing';
 import type { ClipTrack, Easing } from '@farol/engine';
 import { clipName } from './clipEdits';
@@ -9,8 +10,6 @@ import { deleteKeys, easeKeys, moveKeys, rangeOfKeys, removeTracks, retargetTrac
 import { type KeyValue, withKeys } from './recordEdit';
 import type { Timeline } from './Timeline';
 import { type AnimatableField, addressOf, targetOf } from './trackTargets';
-
-/** Edits of the timeline's clip by the panel, its keys and its menus; each is one step of the history. */
 
 const nameOf = ({ clip }: Timeline): string => (clip ? clipName(clip) : '');
 

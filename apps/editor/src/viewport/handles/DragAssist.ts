@@ -118,7 +118,7 @@ export class DragAssist {
     this.typed = new TypedAmounts(Math.max(1, this.letters.length));
   }
 
-  /** Called when the drag is over. */
+  /** Called when the drag is over: hides the readout, and stops listening to keys. */
   end(): void {
     window.removeEventListener('keydown', this.keyDown, true);
     this.readout.hide();

@@ -116,7 +116,7 @@ export class HandlePoints {
     return this.handles.map(({ place }) => place);
   }
 
-  /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
+  /** Places the handles for a frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     this.three.material.size = SIZE * pixelRatio;
     const { document } = this.host;

@@ -36,7 +36,7 @@ export class PhysicsOverlay {
     return this.handles.places;
   }
 
-  /** Called before each frame. @param pixelRatio - pixel ratio of the canvas */
+  /** Brings the drawn colliders and joints up to date for a frame. @param pixelRatio - pixel ratio of the canvas */
   update(pixelRatio: number): void {
     const { document, showColliders } = this.host;
     const { scene, selectedObjects } = document;

@@ -29,7 +29,7 @@ export class InstanceGroups {
     this.groups.delete(key);
   }
 
-  /** Called when the world matrices are up to date. */
+  /** Copies the world matrices, which must be up to date, to the instanced meshes. */
   update(): void {
     for (const group of this.groups.values()) {
       const mesh = group.update();

@@ -23,7 +23,7 @@ export class MovedObjects {
     this.stop = scene.onMatricesUpdated(() => this.update());
   }
 
-  /** Called after lightmapped meshes were added, removed or moved by an edit. */
+  /** Makes the present places count as unmoved: an edit has added, removed or moved lightmapped meshes. */
   changed(): void {
     this.places = null;
   }

@@ -23,7 +23,7 @@ const LARGEST = 2 ** 31 - 1;
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
-/** See `packObj`. */
+/** Packs an OBJ, STL or PLY into a GLB: the code that `packObj` loads when first needed. */
 export async function objToGlb(files: FileMap, path: string, signal?: AbortSignal): Promise<PackedObj> {
   const given = files.get(path)!;
   if (given.size > LARGEST)

@@ -13,7 +13,7 @@ const fail = (problem: string): never => {
 
 /** Checks what a block becomes. @param size - bytes that it must become */
 async function checkBlock(bytes: Uint8Array<ArrayBuffer>, size: number, compression: number): Promise<void> {
-  // stored as it is
+  // a block that compression would not shrink is stored uncompressed
   if (bytes.length >= size) return;
   if (compression === NONE) fail('a block of it is cut short');
   if (compression === RLE && runLengthSize(bytes) !== size) fail('a block of it is damaged');

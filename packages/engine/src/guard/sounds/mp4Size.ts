@@ -6,7 +6,7 @@ const HOLDERS = new Set(['moov', 'trak', 'mdia', 'minf', 'stbl', 'moof', 'traf']
 const SAMPLES = 1024;
 
 /**
- * The size of AAC in an MP4: as long as it says, or as its samples come to, whichever is more.
+ * Size of AAC in an MP4: the greater of the length in the header and that of the samples.
  * @see ISO/IEC 14496-12
  */
 export function mp4Size(view: DataView): SoundSize | null {
@@ -29,7 +29,7 @@ export function mp4Size(view: DataView): SoundSize | null {
       else if (name === 'mdhd' && data + 32 <= end) {
         const isLong = view.getUint8(data) === 1;
         const duration = isLong ? Number(view.getBigUint64(data + 24)) : view.getUint32(data + 16);
-        // all ones: it is not known
+        // all ones: duration not known
         if (duration < 0xffffffff || isLong)
           said = Math.max(said, duration / Math.max(1, view.getUint32(data + (isLong ? 20 : 12))));
       } else if (name === 'stsd' && data + 44 <= end) {

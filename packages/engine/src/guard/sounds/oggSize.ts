@@ -3,8 +3,8 @@ import type { SoundSize } from './SoundSize';
 
 const RATE_OF_OPUS = 48_000;
 /**
- * Packets of Vorbis are short or long: so many times more samples than it says would be there if all were long, at
- * most.
+ * Vorbis packets are short or long. Counted all as long ones they come to at most this many times the true samples;
+ * divided by it, never to more.
  */
 const SHORT = 3;
 
@@ -14,9 +14,9 @@ interface Stream {
   readonly rate: number;
   /** Samples of a packet that begins at a byte. */
   samplesAt(at: number): number;
-  /** Samples of its packets. */
+  /** Samples of the stream's packets so far. */
   samples: number;
-  /** Samples as the pages say. */
+  /** Greatest sample position in the headers of the stream's pages. */
   said: number;
 }
 
@@ -51,7 +51,7 @@ function beginStream(view: DataView, at: number): Stream | null {
   return info && { ...counts, ...info, samplesAt: (from) => flacFrame(view, from) };
 }
 
-/** The size of an Ogg, by what its pages say or its packets come to, whichever is more. @see RFC 3533, 6 */
+/** Size of an Ogg file: per stream, the greater of the length in page headers and that of its packets. @see RFC 3533, 6 */
 export function oggSize(view: DataView): SoundSize | null {
   const all: Stream[] = [];
   /** Open streams by serial number. */
@@ -73,7 +73,7 @@ export function oggSize(view: DataView): SoundSize | null {
     const stream = begun ?? streams.get(serial);
     if (begun) streams.set(serial, begun);
     if (stream) {
-      // -1 says nothing
+      // -1: no position
       const said = Number(view.getBigInt64(at + 6, true));
       stream.said = Math.max(stream.said, said);
     }

@@ -18,7 +18,7 @@ const IS_ENCRYPTED = 1;
 interface Entry {
   readonly name: string;
   readonly method: number;
-  /** CRC-32 of its content. */
+  /** CRC-32 of the entry's unpacked content. */
   readonly checksum: number;
   readonly packed: number;
   readonly unpacked: number;

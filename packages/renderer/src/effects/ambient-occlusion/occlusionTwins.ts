@@ -13,7 +13,7 @@ function warnOf({ name, type }: Material): void {
 const UNIFORMS = 'uniform highp sampler2D farol_occlusionMap;\nuniform highp vec2 farol_occlusionOffset;\n';
 
 /**
- * The kind of a forward draw, with its indirect light taken down by ambient occlusion.
+ * Twin kind of a forward draw, with indirect light darkened by ambient occlusion.
  * @param uniforms - farol_occlusionMap, at full resolution, and farol_occlusionOffset (pixels)
  */
 export function occludedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {
@@ -36,7 +36,7 @@ farol_outIndirect = vec4(reflectedLight.indirectDiffuse + material.roughness * r
 farol_outIndirect = vec4(reflectedLight.indirectDiffuse, 0.0);
 #endif`;
 
-/** The kind of a G-buffer draw, which writes its indirect light to the attachment at a location. */
+/** Twin kind of a G-buffer draw that also writes its indirect light to the attachment at a location. */
 export function indirectTwin(kind: TwinKind, location: number): TwinKind {
   return {
     ...kind,

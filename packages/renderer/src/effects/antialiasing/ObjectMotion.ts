@@ -151,7 +151,7 @@ function displacementOf(object: Object3D): number {
   return material === undefined ? 0 : displacementOfOne(material);
 }
 
-/** Copies the times of an object's surfaces to `times`; of several materials, those of the last. */
+/** Copies the animation times (s) of an object's GLSL surfaces; with several materials, those of the last. */
 function copyTimes(object: Object3D, times: number[]): void {
   const { material } = object as Mesh;
   if (!Array.isArray(material)) surfacesOf(material)?.copyTimes(times);

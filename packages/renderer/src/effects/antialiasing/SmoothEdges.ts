@@ -62,7 +62,7 @@ const smoothsEdges = ({ smoothsEdges = false }: { readonly smoothsEdges?: boolea
 
 const STOP = new Error('Farol: asked');
 
-/** Whether the renderer was made with an `outputBufferType`, which it tells within `render` alone; nothing is drawn. */
+/** Whether the renderer was made with an `outputBufferType`. Asked by a `render` that is stopped before it draws. */
 function hasOutputBuffer(webgl: WebGLRenderer): boolean {
   const scene = new Scene();
   const { toneMapping } = webgl;

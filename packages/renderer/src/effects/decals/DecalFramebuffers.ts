@@ -46,7 +46,7 @@ export class DecalFramebuffers {
 
   dispose(): void {
     for (const framebuffer of this.framebuffers) {
-      // those of a context that was lost are gone
+      // a lost context has taken its framebuffers along
       if (this.gl?.isFramebuffer(framebuffer)) this.gl.deleteFramebuffer(framebuffer);
     }
     this.framebuffers = [];

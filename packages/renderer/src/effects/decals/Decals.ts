@@ -127,7 +127,7 @@ export class Decals implements FarolEffect {
     copies.take(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
-    frame.bind(gbuffer.target); // its viewport
+    frame.bind(gbuffer.target); // for the target's viewport
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
     uniforms.farol_surfaceNormal.value = copies.normal;

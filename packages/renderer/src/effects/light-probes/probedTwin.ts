@@ -19,7 +19,7 @@ iblIrradiance *= farol_environmentShare;
 #endif`;
 
 /**
- * The kind of a draw of lit materials, with the light of probes for those without a lightmap.
+ * Twin kind of lit materials that adds the light of probes to those without a lightmap.
  * @param uniforms - of probeIrradiance.glsl
  */
 export function probedTwin(kind: TwinKind, uniforms: Record<string, IUniform>): TwinKind {

@@ -74,7 +74,7 @@ export class SurfaceDepth {
     }
     const copied = this.copied!;
     if (copied.width !== width || copied.height !== height) copied.setSize(width, height);
-    frame.bind(copied); // gives it storage
+    frame.bind(copied); // allocates the target that is copied to
     frame.copyDepth(frame.target!, copied, viewport.x, viewport.y);
     return copied.depthTexture!;
   }

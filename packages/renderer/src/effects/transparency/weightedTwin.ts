@@ -25,7 +25,7 @@ const BLENDING = {
   depthWrite: false,
 } as const;
 
-/** The kind of a transparent draw, which adds its colour to the weighted sums in place of laying it over what is there. */
+/** Twin kind of a transparent draw that adds its colour to the weighted sums instead of blending it over the target. */
 export function weightedTwin(kind: TwinKind): TwinKind {
   return {
     ...kind,

@@ -8,7 +8,7 @@ interface Registry {
   add(chunks: readonly MicroShader[]): void;
 }
 
-/** See `MicroShaderRegistry.loadXML`. */
+/** Adds the microshaders of an XML text to a registry. @param file - named in errors @returns their names */
 export function loadXML(registry: Registry, text: string, file: string): string[] {
   const chunks = parseMicroShaderXML(text, file);
   const known = chunks.find(({ name }) => registry.has(name));
@@ -18,7 +18,7 @@ export function loadXML(registry: Registry, text: string, file: string): string[
   return chunks.map(({ name }) => name);
 }
 
-/** See `MicroShaderRegistry.loadXMLFile`. */
+/** Adds the microshaders of the XML file at a URL to a registry. @returns their names */
 export async function fetchXML(registry: Registry, url: string): Promise<string[]> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: the server answers ${response.status}; is the address of the file right?`);

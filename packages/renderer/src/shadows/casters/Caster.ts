@@ -37,7 +37,7 @@ export interface Caster {
 export interface MergedCaster {
   readonly caster: Caster;
   readonly geometry: CasterGeometry;
-  /** Index of the page that holds the triangles, and number of the object in that page. */
+  /** Index of the mesh (`Page` of MergedCasters.ts) that holds the triangles; `object`: index of the matrix in it. */
   readonly page: number;
   readonly object: number;
   /** First of the caster's vertex indices in the page. */

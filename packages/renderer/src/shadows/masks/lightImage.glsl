@@ -18,7 +18,7 @@ vec3 farol_planeVS = vec3(0.0);
 struct FarolImage {
   vec4 region; // by farol_maskCookie
   ivec2 faces; // number of faces across and up: 1 and 1, of a cube 3 and 2
-  ivec2 face; // place of the face among them
+  ivec2 face; // column and row of the face in the copy of a cube
 };
 
 // colour of an image in one mipmap level; layout of levels: atlas/mipmapBlock.ts

@@ -84,7 +84,8 @@ FarolDisk farol_mapDisk(const in vec4 region, const in vec3 coord, const in vec2
     vec4(region.xy + 0.5, region.xy + region.zw - 0.5) * texel);
 }
 
-// region of the first cascade that holds a place, the whole map last; moves coord into it; cascades lie two a row
+// region of the first cascade that holds a place, else of the whole shadow camera's map; moves coord into it; two
+// regions a row
 vec4 farol_cascadeRegion(const in int record, const in vec4 region, inout vec3 coord, const in int cascades) {
   int map = cascades;
 #ifdef FAROL_SHADOW_CASCADES

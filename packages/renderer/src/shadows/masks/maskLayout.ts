@@ -60,7 +60,10 @@ export const maskRecord = {
   },
   /** Region of the photometric profile: corner, size (texels). */
   profile: {},
-  /** Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three cascades: fit of the third. */
+  /**
+   * Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three
+   * cascades instead: transform to the third, as `firstFit`.
+   */
   cookie: {},
   layers: {
     /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
@@ -72,7 +75,7 @@ export const maskRecord = {
     pixelSpan: 'zw',
   },
   /**
-   * Transform of the whole map's coordinates to those of the first cascade: scale and shift of x, scale and shift of y.
+   * Transform of coordinates in the whole shadow camera's map to the first cascade's: scale, shift of x; scale, shift of y.
    * For a light with a photometric profile: directions of horizontal angle 0 and of vertical angle 0 (view space, unit
    * length).
    */
@@ -89,6 +92,6 @@ export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;
 
-/** Greatest number of cascades of a directional light beside the whole map. */
+/** Greatest number of cascades of a directional light, beside the map of the light's whole shadow camera. */
 export const MOST_CASCADES = 3;
 export const FITS = [MASK.firstFit, MASK.secondFit, MASK.cookie] as const;

@@ -10,8 +10,8 @@ uniform highp usampler2D farol_gridMasks;
 uniform highp ivec4 farol_grid;
 uniform highp vec2 farol_size;
 uniform highp int farol_tileShadowWords;
-// for two words of lights: bits of those that light all of the tile, of those that light none; both bits: see
-// lightLoopClustered.glsl
+// for two words (32 lights each): bits of lights that light all of the tile, bits of those that light none; both
+// bits: see lightLoopClustered.glsl
 layout(location = 0) out highp uvec4 farol_marks;
 
 const int FAROL_MOST_BLOCKS = 6; // largest side of the region of a map that a tile covers (blocks)
@@ -59,8 +59,8 @@ vec2 farol_ratio(const in float a, const in float shift, const in float c, const
 
 // Result of comparing a shadow map with the tile's surfaces.
 struct FarolComparison {
-  bool isLit; // nothing casts a shadow on them
-  bool isDark; // something casts a shadow on all of them
+  bool isLit; // nothing casts a shadow on any surface of the tile
+  bool isDark; // something casts a shadow on each surface of the tile
 };
 
 // low, high: corners of what the tile covers of the atlas (texels); depths: least and most of the tile's surfaces in

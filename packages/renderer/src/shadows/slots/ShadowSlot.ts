@@ -51,13 +51,13 @@ export class ShadowSlot implements AtlasTenant {
   readonly isCube: boolean;
   /** The light's own shadow object; Farol changes only properties that three changes too. */
   readonly shadow: LightShadow;
-  /** Faces of the map: one a cascade, the whole map last; six of a cube. */
+  /** Faces of the map: one for each cascade, then one for the light's whole shadow camera; six of a cube. */
   readonly faces: ShadowFace[];
-  /** Number of maps for the space near the camera, beside the whole map. */
+  /** Number of cascades: maps of the space near the viewer's camera, beside that of the light's whole shadow camera. */
   readonly cascades: number;
   /** Number of maps along a side of the square that the cascades form. */
   readonly side: number;
-  /** Transform of the whole map's coordinates to each cascade's: scale and shift of x, scale and shift of y. */
+  /** Transform of coordinates in the whole camera's map to each cascade's: scale and shift of x, scale and shift of y. */
   readonly fits: Float64Array;
   /** Transform from world space to the map (0 to 1) and depth; for a point light: to the vector from the light. */
   readonly matrix = new Matrix4();
@@ -131,7 +131,7 @@ export class ShadowSlot implements AtlasTenant {
     this.cascades = Math.max(0, cascades - 1);
     this.side = cascades > 1 ? 2 : 1;
     this.fits = new Float64Array(4 * this.cascades);
-    // the whole map is the last
+    // the map of the whole shadow camera is the last
     for (let i = 0; i < this.cascades; i++) this.faces.splice(i, 0, new ShadowFace(cascadeCamera()));
   }
 

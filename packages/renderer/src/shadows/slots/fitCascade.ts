@@ -10,13 +10,13 @@ const centre = new Vector3();
 /**
  * Fits the camera of a cascade round the near part of what a camera sees: a box that neither turns nor changes its size
  * with that camera, moved by whole texels, so that shadows do not crawl.
- * @param whole - camera of the whole map, which is the last cascade
+ * @param whole - the light's whole shadow camera, whose map is the last one
  * @param viewer - camera of the picture
  * @param wider - number of cascades that are wider than this one, at least 1
  * @param width - of the map (texels)
  * @param height - of the map (texels)
- * @param out - gets the transform of the whole map's coordinates to the cascade's: scale and shift of x, scale and
- * shift of y
+ * @param out - gets the transform of coordinates in the map of `whole` to the cascade's: scale and shift of x, scale
+ * and shift of y
  * @see Valient 2008, Stable Rendering of Cascaded Shadow Maps (ShaderX6)
  */
 export function fitCascade(

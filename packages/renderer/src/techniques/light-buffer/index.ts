@@ -6,7 +6,7 @@ import { LitMaterialsPass } from './LitMaterialsPass';
 import { StippledPass } from './StippledPass';
 import { ThinGBufferPass } from './ThinGBufferPass';
 
-/** Sources of its microshaders, by name. */
+/** GLSL texts of the microshaders of 'light-prepass', by name. */
 export const microShaders = { ...chunks };
 
 /** The passes of 'light-prepass'. */

@@ -16,8 +16,8 @@ const NUMBER = `farol_object = farol_objectAttribute;
 `;
 
 /**
- * The kind with a varying `farol_object`, the same over a whole draw: it is given by `setObject`. A vertex attribute without
- * an array has one value for all vertices, which may change from draw to draw without a change of material.
+ * Twin kind whose shader also gets the object's number, instances one each, as the varying `farol_object`. `setObject`
+ * sets it for each draw as a vertex attribute without an array, which changes without a change of material.
  */
 export function withObject(kind: TwinKind): TwinKind {
   return {

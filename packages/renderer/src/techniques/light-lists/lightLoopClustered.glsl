@@ -7,7 +7,7 @@
 #include "viewport"
 uniform highp usampler2D farol_gridMasks; // bit a light; a row of texels for a row of tiles, four words a texel
 uniform highp usampler2D farol_gridBins; // ranks of the lights in each bin of depth: first | last << 16
-// x: log2 of the side of a tile (pixels); y: tiles in y; z: words of lights of every depth; w: first record
+// x: log2 of a tile's side (pixels); y: tiles in y; z: words of 32 lights that reach every depth; w: first record
 uniform highp ivec4 farol_grid;
 uniform highp vec3 farol_gridDepth; // bin of a distance d (m): (float bits of (d + x) - float bits of y) * z
 
@@ -28,8 +28,8 @@ uint farol_listedBits(const in ivec2 tile, const in int word, const in ivec2 ran
 }
 
 #if defined( FAROL_HAS_MASKS ) && defined( FAROL_TILE_SHADOWS )
-// marks of tiles of 8 pixels, for two words of lights a texel: bits of lights that light all of the tile, and bits of
-// lights that light none of it; both bits: a masked point light that lights all of it
+// per tile of 8 pixels, a texel for each two words (32 lights each): bits of lights that light all of the tile, bits of
+// lights that light none of it; both bits: a point light with a shadow map that lights all of it
 uniform highp usampler2D farol_tileShadows;
 uniform highp int farol_tileShadowWords; // words of farol_tileShadows a tile; 0 while none are known
 

@@ -3,12 +3,12 @@
 #include "addPoint"
 #include "lightTileLists"
 
-// the bits of a summary word that stand for quads first to last
+// bits first to last of a word of 32 bits, one a quad (128 lights), the first of them quad start
 uint farol_quadsFrom(const in uint bits, const in int start, const in int first, const in int last) {
   return bits & farol_bitsFrom(start, first, last);
 }
 
-// opens loops over quads firstQuad to lastQuad of the list of farol_tile
+// opens loops over the lights in quads firstQuad to lastQuad of the list of farol_tile
 #define FAROL_FOR_EACH_LISTED_IN(firstQuad, lastQuad) \
   FAROL_FOR_EACH_IN_QUADS(farol_summaryOf(farol_tile, farol_page), \
     farol_quadsFrom(farol_summary.x, farol_word, firstQuad, lastQuad))

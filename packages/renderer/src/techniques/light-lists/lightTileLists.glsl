@@ -17,8 +17,8 @@ uvec4 farol_summaryOf(const in ivec2 tile, const in int page) {
 }
 
 // Opens five loops over the list of the tile farol_tile; farol_record is a light's record.
-// summary: of farol_page: its quads that may hold a light; quads: of those in farol_summary.x, from quad farol_word on,
-// those to go through
+// summary: bits of the quads of farol_page that may hold a light; quads: bits to loop over, among those of
+// farol_summary.x, which begin at quad farol_word
 #define FAROL_FOR_EACH_IN_QUADS(summary, quads) \
   for (int farol_page = 0; farol_page < farol_tileRun.z; farol_page++) { \
     uvec4 farol_summary = summary; \

@@ -25,7 +25,7 @@ int farol_lowestBit(const in uint bits) {
   return (floatBitsToInt(float(bits & (~bits + 1u))) >> 23) - 127;
 }
 
-// bits of lights first to last in the word of lights start to start + 31
+// mask of the bits of lights first to last in a word whose 32 bits stand for lights start to start + 31
 uint farol_bitsFrom(const in int start, const in int first, const in int last) {
   int low = max(first - start, 0);
   int high = min(last - start, 31);

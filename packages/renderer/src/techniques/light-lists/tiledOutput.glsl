@@ -6,7 +6,7 @@
 #include "heatScale"
 uniform highp sampler2D farol_overdrawMap;
 uniform vec2 farol_size;
-uniform int farol_view; // 0 final picture, 1 direct light alone, 2 heat map of counts
+uniform int farol_view; // 0 final picture, 1 direct light alone, 2 heat map of lights, or lights and draws, per pixel
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = farol_gDepthAt(pixel);

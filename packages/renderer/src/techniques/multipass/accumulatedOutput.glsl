@@ -8,7 +8,7 @@ uniform highp sampler2D farol_accumulated;
 uniform highp sampler2D farol_accumulatedDepth;
 uniform highp sampler2D farol_overdrawMap;
 uniform vec2 farol_size;
-uniform int farol_view; // 0 final picture, 1 direct light alone, 2 heat map of counts
+uniform int farol_view; // 0 final picture, 1 direct light alone, 2 heat map of lights, or lights and draws, per pixel
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy - farol_offset);
 float depth = texelFetch(farol_accumulatedDepth, pixel, 0).r;

@@ -4,7 +4,7 @@ import { AccumulatedOutputPass } from './AccumulatedOutputPass';
 import * as chunks from './chunks';
 import { MultipassLightsPass } from './MultipassLightsPass';
 
-/** Sources of its microshaders, by name. */
+/** GLSL texts of the microshaders of 'forward', by name. */
 export const microShaders = { ...chunks };
 
 /** The passes of 'forward'. */

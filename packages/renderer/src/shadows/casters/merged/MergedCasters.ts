@@ -59,7 +59,7 @@ const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
 /** Group with which three compiles the program, and makes no draw call. */
 const NO_DRAW: GeometryGroup = { start: 1, count: -1 };
 
-/** Mesh of merged casters: as many as one uniform block has matrices for. */
+/** Merged casters drawn as one mesh: as many as one uniform block has matrices for. */
 interface Page {
   readonly mesh: MergedMesh;
   readonly matrices: CasterMatrices;
@@ -89,10 +89,10 @@ export class MergedCasters {
   private matrixLocation: WebGLUniformLocation | null = null;
   /** Page × 3 + side that three has bound for draws; -1 for none. */
   private bound = -1;
-  /** Number of triangles whose casters have been removed from the scene. */
+  /** Number of triangles in the buffers whose casters have been removed from the scene. */
   private gone = 0;
   private triangles = 0;
-  /** Number of casters removed from the scene whose numbers in their page are not reused yet. */
+  /** Number of casters removed from the scene that still take up a matrix; `startAnew` frees these. */
   private lost = 0;
   private swept = 0;
   private hidden = 0;
