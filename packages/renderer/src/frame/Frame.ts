@@ -92,8 +92,6 @@ export class Frame extends FrameTarget {
   fields: FieldDraws | null = null;
   /** Null while no light casts a shadow. */
   tileShadows: TileShadows | null = null;
-  /** Whether lights, being few, were given to shaders as uniforms, so that no texture was written for them. */
-  hasFew = false;
   /** Shadow maps that are drawn anew in this frame. */
   shadowMapsDrawn = 0;
 

@@ -269,7 +269,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     }
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
-    if (!frame.hasFew && Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
+    if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
     this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);

@@ -37,7 +37,6 @@ export class FrameUniforms {
   private giveTable(webgl: WebGLRenderer, frame: Frame, shadows: ShadowMaps | null): void {
     const { lights, values } = this;
     const few = frame.readsFew && frame.fields === null && shadows === null && this.copyFew();
-    frame.hasFew = few;
     values.farol_fewLights.value = few ? lights.recordCount : 0;
     if (few) lights.table.uploadedBytes = 0;
     else lights.upload(webgl);
