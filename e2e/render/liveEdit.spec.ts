@@ -42,10 +42,10 @@ test('a microshader replaced while the scene runs changes the picture of every t
     });
     // two edits before the next frame, the second of which needs the first
     const before = bench.byTechnique('tiled-deferred', scene, camera);
-    const user = microshaders.get('shading')!;
+    const user = microshaders.get('addPoint')!;
     microshaders.replace(name, { ...good, header: `${good.header}\nfloat farol_half() { return 0.5; }\n` });
-    const halved = user.header.replace(/= ?farol_bounded/g, '= farol_half() * farol_bounded');
-    microshaders.replace('shading', { ...user, header: halved });
+    const halved = user.header.replaceAll('farol_boundedAttenuation(', 'farol_half() * farol_boundedAttenuation(');
+    microshaders.replace('addPoint', { ...user, header: halved });
     const both = compareImages(before, bench.byTechnique('tiled-deferred', scene, camera)).largest;
     return { results, both };
   });

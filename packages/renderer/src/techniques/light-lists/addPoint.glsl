@@ -20,13 +20,11 @@ void farol_addPoint(inout FarolShading s, const in int record, const in bool phy
   float along = dot(s.normalVS, toLight);
   float rangeSquared = range * range;
   if (!(along > 0.0) || distanceSquared >= rangeSquared || !farol_lightIsPlain(emission)) return;
-  float decay = farol_lightPlainDecay(emission);
   float inverse = inversesqrt(max(distanceSquared, 1e-12));
-  float ratio = distanceSquared / rangeSquared;
-  float window = 1.0 - ratio * ratio;
   float dotNL = along * inverse;
   // irradiance for a colour of 1
-  float arriving = dotNL * window * window * min(decay == 2.0 ? inverse * inverse : pow(inverse, decay), 100.0);
+  float arriving = dotNL * farol_boundedAttenuation(distanceSquared, distanceSquared / rangeSquared,
+    farol_lightPlainDecay(emission));
   // half vector h = (l + v) / |l + v|, |l + v|² = 2 + 2 l·v = 4 (v·h)²
   float halfSquared = max(2.0 * inverse * dot(s.viewDirVS, toLight) + 2.0, 1e-8);
   float halfScale = inversesqrt(halfSquared);
