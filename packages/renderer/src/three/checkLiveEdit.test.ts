@@ -40,3 +40,14 @@ test('a program whose material names things otherwise is tried with these names'
   expect(tried[0]).toContain('vec2 texel = gl_FragCoord.xy;');
   expect(tried[0]).toContain('coordinate.xy = texel;');
 });
+
+test('microshaders that stand after one whose new text needs them are tried before it', () => {
+  const registry = new MicroShaderRegistry<ShaderSource>();
+  registry.loadGLSL('falloff', 'float falloff() { return 1.0; }');
+  registry.loadGLSL('pixel', 'vec2 pixel() { return gl_FragCoord.xy; }');
+  registry.loadGLSL('light', '#include "falloff"\n#include "pixel"\n//# main\ngl_FragColor = vec4(falloff());');
+  const { webgl, tried } = contextWith(registry.compose([], ['light']).fragmentShader, /^$/);
+  registry.addCheck((changed) => checkLiveEdit(webgl, registry, changed));
+  registry.replace('falloff', '#include "pixel"\nfloat falloff() { return pixel().x; }');
+  expect(tried).toEqual([registry.compose([], ['light']).fragmentShader]);
+});

@@ -66,16 +66,17 @@ function withNewText(source: string, registry: MicroShaderRegistry, names: reado
 
 const FRAMES = /^\/\/ <([^/>][^>]*)>(?: \d+)?\n[^]*?^\/\/ <\/\1>\n/gm;
 
-/** Puts the frame of `name` out of `composed` in its place, after frames it newly depends on. */
+/** Puts the frame of `name` out of `composed` in its place, after all that it depends on: frames that stood later move. */
 function replaceFrames(text: string, composed: string, name: string): string {
-  const own = framesOf(composed).get(name);
-  if (own === undefined) return text;
-  const known = framesOf(text);
-  const added = [...framesOf(composed)]
-    .filter(([other]) => other !== name && !known.has(other))
-    .map(([, frame]) => frame);
-  const place = known.get(name);
-  return place === undefined ? text : text.replace(place, () => resolveThree([...added, own].join('')));
+  const frames = framesOf(composed);
+  const place = framesOf(text).get(name);
+  if (!frames.has(name) || place === undefined) return text;
+  const at = text.indexOf(place);
+  const before = text.slice(0, at);
+  let after = text.slice(at + place.length);
+  for (const other of framesOf(before).keys()) frames.delete(other);
+  for (const [other, frame] of framesOf(after)) if (frames.has(other)) after = after.replace(frame, '');
+  return before + resolveThree([...frames.values()].join('')) + after;
 }
 
 function framesOf(text: string): Map<string, string> {
