@@ -29,8 +29,8 @@ export class SceneDelta {
   private pieces: { readonly key: PartKey; readonly objects: readonly FileObject[] | null }[] = [];
   /** Number of pieces read of each prefab. */
   private readonly pieceCounts = new Map<string, number>();
-  /** Objects still to be noted with everything below them; nothing is read until this is empty. */
-  private readonly trees: GameObject[] = [];
+  /** Ids of objects still to be noted with everything below them; nothing is read until this is empty. */
+  private readonly trees = new NoteList();
   private headChanged = false;
   /**
    * Id of the container of each object when it was last noted, '' for the top; needed since a removal does not tell it.
@@ -44,14 +44,14 @@ export class SceneDelta {
   get isEmpty(): boolean {
     return (
       !this.headChanged &&
-      this.pieces.length + this.trees.length + this.objects.size + this.containers.size + this.prefabs.size === 0
+      this.pieces.length + this.trees.size + this.objects.size + this.containers.size + this.prefabs.size === 0
     );
   }
 
   noteAll(): void {
     this.headChanged = true;
     this.containers.add('');
-    for (const root of this.scene.roots) this.trees.push(root);
+    for (const { id } of this.scene.roots) this.trees.add(id);
     this.prefabs.add('');
     for (const { id } of this.scene.prefabs.list) this.prefabs.add(id);
   }
@@ -63,7 +63,7 @@ export class SceneDelta {
   note(change: SceneChange): void {
     switch (change.kind) {
       case 'add':
-        this.trees.push(change.gameObject);
+        this.trees.add(change.gameObject.id);
         this.containerOf.set(change.gameObject.id, idOfParent(change.gameObject));
         this.containers.add(idOfParent(change.gameObject));
         break;
@@ -79,7 +79,7 @@ export class SceneDelta {
         const { id } = change.gameObject;
         const parent = idOfParent(change.gameObject);
         // the old parent may be unknown, and no longer leads to the object
-        if (!this.containerOf.has(id)) this.trees.push(change.gameObject);
+        if (!this.containerOf.has(id)) this.trees.add(id);
         this.containers.add(this.containerOf.get(id) ?? '').add(parent);
         this.containerOf.set(id, parent);
         this.objects.add(id);
@@ -115,8 +115,8 @@ export class SceneDelta {
   read(isOver: () => boolean, most = Infinity): PartChange[] {
     const changes: PartChange[] = [];
     do {
-      const tree = this.trees.pop();
-      if (tree) this.noteNext(tree);
+      const tree = this.trees.take();
+      if (tree !== undefined) this.noteNext(tree);
       else {
         const next = this.readNext();
         if (!next) break;
@@ -163,13 +163,14 @@ export class SceneDelta {
   }
 
   /** Notes an object, and queues its children. */
-  private noteNext(object: GameObject): void {
+  private noteNext(id: string): void {
+    const object = this.scene.findById(id);
     // removed meanwhile
-    if (object.scene !== this.scene) return;
-    this.objects.add(object.id);
-    this.containerOf.set(object.id, idOfParent(object));
-    if (object.children.length > 0) this.containers.add(object.id);
-    for (const child of object.children) this.trees.push(child);
+    if (!object) return;
+    this.objects.add(id);
+    this.containerOf.set(id, idOfParent(object));
+    if (object.children.length > 0) this.containers.add(id);
+    for (const child of object.children) this.trees.add(child.id);
   }
 }
 

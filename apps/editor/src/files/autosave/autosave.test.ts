@@ -1,3 +1,5 @@
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import { createRandom, GameObject, Light } from '@farol/engine';
 import { serialize } from '@farol/engine/files';
 import { changePrefab, makePrefab } from '@farol/engine/prefabs';
@@ -11,6 +13,9 @@ import { PendingParts } from './PendingParts';
 import { SceneDelta } from './SceneDelta';
 import { SliceBudget } from './SliceBudget';
 import type { SessionInfo } from '../../model/SessionInfo';
+
+setFlagsFromString('--expose_gc');
+const collect = runInNewContext('gc') as () => void;
 
 const keep = (changes: readonly PartChange[], parts: Map<string, string>): number => {
   for (const [key, json] of changes) {
@@ -84,6 +89,25 @@ it('reads what changed, and nothing else', () => {
   const parts = new Map<string, string>();
   expect(readAll(delta, parts)).toBe(1);
   expect([...parts.keys()]).toEqual([`o/${scene.roots[5].id}`]);
+});
+
+it('objects that are removed before they are read are let go', async () => {
+  const { scene, sceneChanged } = new EditorDocument();
+  const delta = new SceneDelta(scene);
+  sceneChanged.subscribe((change) => delta.note(change));
+  const comeAndGo = (): WeakRef<GameObject> => {
+    const object = new GameObject('Passing');
+    scene.add(object);
+    scene.remove(object);
+    return new WeakRef(object);
+  };
+  const gone = Array.from({ length: 20 }, comeAndGo);
+  // references are let go between tasks
+  await new Promise((resolve) => setImmediate(resolve));
+  collect();
+  // the last one may be on the stack
+  expect(gone.filter((each) => each.deref() !== undefined).length).toBeLessThan(2);
+  expect(delta.isEmpty).toBe(false);
 });
 
 it('reads a large prefab in pieces, and forgets those that it has no more', () => {
