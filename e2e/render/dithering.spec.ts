@@ -163,8 +163,9 @@ for (const isChanged of [false, true]) {
       three.ShaderChunk.shadowmap_pars_fragment = text;
       return found;
     }, isChanged);
-    // rounding: an H100 has 113.5 dB in a part, turned by another pixel it is 35
+    // an H100 rounds to 113.5 dB in a part; a disk turned by another pixel gives 35
+    const most = process.env.FAROL_GPU ? 113 : 120;
     for (const { name, corner, part } of pairs)
-      expect.soft(part, `${name}, dB; ${corner} in the corner`).toBeGreaterThan(Math.min(corner, 113) - 3);
+      expect.soft(part, `${name}, dB; ${corner} in the corner`).toBeGreaterThan(Math.min(corner, most) - 3);
   });
 }
