@@ -48,6 +48,7 @@ export interface EditorHandle {
   readonly commands: {
     readonly history: readonly string[];
     readonly isDirty: boolean;
+    clear(): void;
     readonly changed: { subscribe(listener: () => void): () => void };
   };
   addPlugin(plugin: {

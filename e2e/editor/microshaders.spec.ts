@@ -67,7 +67,9 @@ async function openSphere(page: Page): Promise<void> {
   await expect(panel(page).locator('.cm-content')).toBeVisible();
 }
 
-test('edit a microshader, break it, mend it: the picture follows, and keeps the last good one', async ({ page }) => {
+test('edit a microshader, break it, mend it: the picture follows, keeps the last good one, and ends with the scene', async ({
+  page,
+}) => {
   await openSphere(page);
   await expect.poll(() => isRed(page)).toBe(false);
   expect(await isPreviewRed(page)).toBe(false);
@@ -111,6 +113,23 @@ test('edit a microshader, break it, mend it: the picture follows, and keeps the 
   await expect.poll(() => isRed(page)).toBe(true);
 
   await expect(panel(page).getByRole('complementary')).toContainText('Clustered forward');
+
+  // one that a technique brings, and nothing draws with, is tried by that technique
+  await goBefore(page, 'lightLoopOne', '#include');
+  await page.keyboard.type('// tried\n');
+  await expect(panel(page).getByRole('status')).toContainText('Edited in this scene');
+
+  // in another scene the built-in texts are back
+  const other = JSON.stringify({ ...JSON.parse(saved), microShaders: {} });
+  await page.evaluate((text) => {
+    window.editor.commands.clear();
+    return window.editor.openFileBytes(text, { name: null, handle: null });
+  }, other);
+  expect(await isRed(page)).toBe(false);
+  for (const name of ['lightLoopOne', 'incidentLight']) {
+    await page.evaluate((name) => window.editor.openMicroShader(name), name);
+    await expect(panel(page).getByRole('status')).toContainText('As built in');
+  }
 });
 
 own(

@@ -21,6 +21,8 @@ interface Kept {
     reset(): void;
   };
   readonly log: { readonly entries: readonly object[]; clear(): void };
+  /** Microshaders of the scene in the renderers of viewport and previews; private in MicroShaderEditing.ts. */
+  readonly microShaders: { readonly overrides: readonly { readonly applied: ReadonlyMap<string, string> }[] };
   readonly notices: { readonly current: readonly { readonly id: number }[]; remove(id: number): void };
   readonly panels: { readonly list: readonly { readonly id: string }[] };
   readonly plugins: { readonly list: readonly { readonly name: string }[] };
@@ -108,7 +110,9 @@ const stateOf = (page: Page): Promise<object> =>
   page.evaluate((names) => {
     const editor = window.editor as unknown as Kept;
     const { clipboard, commands, dialogs, keys, layout, log, notices, plugins, preferences, tools, tour } = editor;
+    const { microShaders, viewport } = editor;
     return {
+      edited: microShaders.overrides.flatMap(({ applied }) => [...applied.keys()]),
       scene: editor.serialize().replaceAll(/"(id|parent|activeCamera)": "[^"]+"/g, '"$1"'),
       assets: editor.document.assets.files.length,
       simulation: editor.document.simulation.state,
@@ -121,7 +125,7 @@ const stateOf = (page: Page): Promise<object> =>
       shown: [dialogs.current, notices.current, tools.current, tour.current, log.entries],
       clipboard: clipboard.text,
       storage: Object.keys(localStorage).filter((key) => !key.startsWith('farol-editor')),
-      viewport: names.map((name) => editor.viewport[name]),
+      viewport: names.map((name) => viewport[name]),
       document: { ...document.documentElement.dataset, language: document.documentElement.lang },
     };
   }, Object.keys(viewportSettings));

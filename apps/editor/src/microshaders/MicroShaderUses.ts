@@ -106,17 +106,16 @@ export class MicroShaderUses {
 
   /**
    * Compiles microshaders that may be in no program.
-   * @param names - a microshader with a new text in the registry but not in the scene, and its dependents
+   * @param names - a microshader with a new text in the registry but maybe not in the scene, then its dependents
    * @throws MicroShaderCompileError when one does not compile where it is used, or alone when it is unused
    */
   private probe(names: readonly string[]): void {
     const { gl, farol } = this;
     const registry = farol.microshaders;
     const texts = new Map(this.getTexts());
-    for (const name of names) {
-      const chunk = registry.get(name);
-      if (chunk) texts.set(name, formatMicroShader(chunk));
-    }
+    const chunk = registry.get(names[0]);
+    if (chunk) texts.set(names[0], formatMicroShader(chunk));
+    else texts.delete(names[0]);
     const user = names.flatMap((name) => this.techniquesOf(name)).at(0) ?? null;
     probeMicroShader(gl, registry, texts, names, user, farol.techniques);
   }

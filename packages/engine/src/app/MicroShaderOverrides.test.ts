@@ -1,3 +1,4 @@
+import { addMicroShaders } from '@farol/renderer/authoring';
 import { MicroShaderRegistry } from '@farol/renderer/microshaders';
 import { expect, it } from 'vitest';
 import { Scene } from '../core/Scene';
@@ -66,4 +67,16 @@ it('puts a chunk back that is not built in, such as those of effects', () => {
   expect(apply()).toEqual([]);
   expect(registry.get('shadow')!.header).toBe('float shadow;');
   expect(registry.has('own')).toBe(false);
+});
+
+it('keeps a text of a chunk whose code comes later, and gives the chunk back', () => {
+  const { registry, scene, apply, overrides } = made();
+  scene.microShaders.set('lightLoopOne', 'float other;');
+  expect(apply()).toEqual([]);
+  addMicroShaders(registry as never, 'technique forward', { lightLoopOne: 'float one;' });
+  expect(registry.get('lightLoopOne')!.header).toBe('float other;');
+  expect(overrides.originalOf('lightLoopOne')!.header).toBe('float one;');
+  scene.microShaders.set('lightLoopOne', null);
+  expect(apply()).toEqual([]);
+  expect(registry.get('lightLoopOne')!.header).toBe('float one;');
 });

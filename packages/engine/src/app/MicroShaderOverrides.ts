@@ -42,7 +42,7 @@ export class MicroShaderOverrides {
         if (registry.has(name) === isNew || applied.get(name) === text) continue;
         attempt(name, () => {
           if (!isNew) return this.replace(name, text);
-          registry.loadGLSL(name, text);
+          registry.loadGLSL(name, text, true);
           applied.set(name, text);
         });
       }

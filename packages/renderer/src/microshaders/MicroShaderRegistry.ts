@@ -12,7 +12,7 @@ export interface MicroShaderRegistryOptions<Program> {
   compiler?: MicroShaderCompiler<Program>;
 }
 
-/** Gets the names of a replaced chunk and of all chunks that depend on it. */
+/** Gets the name of a replaced chunk, then those of all chunks that depend on it. */
 export type MicroShaderListener = (names: readonly string[]) => void;
 
 /**
@@ -70,9 +70,21 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     for (const chunk of added) this.own.set(chunk.name, chunk);
   }
 
-  /** Adds one chunk from the text of a `.glsl` file; its form is that of `parseMicroShader`. */
-  loadGLSL(name: string, text: string): void {
+  /**
+   * Adds one chunk from the text of a `.glsl` file; its form is that of `parseMicroShader`.
+   * @param isEdit - the text is an edit: a chunk of this name that code brings later is drawn with after `remove`
+   */
+  loadGLSL(name: string, text: string, isEdit = false): void {
     this.add(parseMicroShader(name, text));
+    if (!isEdit) return;
+    this.edited.set(name, undefined);
+    this.replacedAt.set(name, ++this.replacements);
+    this.revisions.clear();
+  }
+
+  /** Whether a chunk is an edit of one that no code has brought yet. */
+  isEarly(name: string): boolean {
+    return this.edited.has(name) && !this.edited.get(name) && !this.original(name);
   }
 
   /**
@@ -140,9 +152,9 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     return known || xmlUrl === undefined ? shader() : this.loadXMLFile(xmlUrl).then(shader);
   }
 
-  /** Chunk of a name in the parent, even if it is replaced here; undefined when the parent has none. */
+  /** Chunk of a name in the parent, or that code brought after its edit; undefined when there is none. */
   original(name: string): MicroShader | undefined {
-    return this.parent?.get(name);
+    return this.parent?.get(name) ?? (this.edited.has(name) ? this.swapped.get(name) : undefined);
   }
 
   /**
@@ -175,7 +187,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     this.edited.delete(name);
   }
 
-  /** A chunk and all that depend on it, directly or not. */
+  /** A chunk, then all that depend on it, directly or not. */
   usersOf(name: string): string[] {
     const names = this.names();
     const users = new Set([name]);
@@ -183,7 +195,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
       known = users.size;
       for (const other of names) if (this.get(other)!.dependencies.some((each) => users.has(each))) users.add(other);
     }
-    return names.filter((other) => users.has(other));
+    return [...users];
   }
 
   /**

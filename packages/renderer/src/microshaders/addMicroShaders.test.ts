@@ -15,6 +15,23 @@ describe('addMicroShaders', () => {
     expect(registry.get('a')!.header).toBe('float edited;');
   });
 
+  it('leaves an edit that was there first in use, and puts the chunk in its place once the edit is taken back', () => {
+    const registry = new MicroShaderRegistry(parent);
+    registry.loadGLSL('a', 'float edited;', true);
+    expect(registry.original('a')).toBeUndefined();
+    expect(registry.textKey(['a'])).not.toBe('');
+    addMicroShaders(registry, 'SMAA', { a: 'float a;', b: 'float b;' });
+    addMicroShaders(registry, 'TAA', { a: 'float a;' });
+    expect(registry.get('a')!.header).toBe('float edited;');
+    expect(registry.original('a')!.header).toBe('float a;');
+    registry.replace('a', 'float again;');
+    registry.remove('a');
+    expect(registry.get('a')!.header).toBe('float a;');
+    expect(registry.original('a')).toBeUndefined();
+    expect(() => registry.remove('a')).toThrow(/as it was/);
+    expect(() => addMicroShaders(registry, 'my effect', { a: 'float other;' })).toThrow('than that of SMAA;');
+  });
+
   it('names both who bring different texts of one name, and adds none', () => {
     const registry = new MicroShaderRegistry(parent);
     addMicroShaders(registry, 'SMAA', { a: 'float a;' });

@@ -10,7 +10,8 @@ interface Added {
 const added = new WeakMap<MicroShaderRegistry, Map<string, Added>>();
 
 /**
- * Adds chunks that several parts of a page may bring to a renderer's registry, each once.
+ * Adds chunks that several parts of a page may bring to a renderer's registry, each once. An edit of one that was there
+ * first stays in use.
  * @param owner - name of the part that adds them, for errors
  * @param sources - texts by name
  * @throws Error when a name stands for another text already; then no chunk is added
@@ -24,12 +25,14 @@ export function addMicroShaders(
   added.set(registry, known);
   const fresh = Object.entries(sources).filter(([name, text]) => {
     const before = known.get(name);
-    if (before === undefined && !registry.has(name)) return true;
+    if (before === undefined && (!registry.has(name) || registry.isEarly(name))) return true;
     if (before?.text === text) return false;
     throw new Error(
       `Microshader "${name}" of ${owner} is another text than that of ${before?.owner ?? 'Farol'}; give it a name of its own.`,
     );
   });
-  registry.add(fresh.map(([name, text]) => parseMicroShader(name, text)));
+  const chunks = fresh.map(([name, text]) => parseMicroShader(name, text));
+  registry.add(chunks.filter(({ name }) => !registry.has(name)));
+  for (const chunk of chunks) if (registry.isEarly(chunk.name)) registry.swap(chunk.name, chunk);
   for (const [name, text] of fresh) known.set(name, { owner, text });
 }
