@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import { drop } from '../support/drop';
 import { expect, test } from '../support/test';
 import { addObject, openEditor, pointOf } from './editor';
 
@@ -41,11 +42,11 @@ const selected = (page: Page): Promise<string[]> =>
   page.evaluate(() => window.editor.document.selectedObjects.map(({ name }) => name).toSorted());
 
 // one page for all: what takes the time is to open it
-test('outline, box selection, copies, groups and flights wait for their code, and are there once it is', async ({
+test('outline, box selection, copies, groups, drops and flights wait for their code, and are there once it is', async ({
   page,
 }) => {
-  const files = ['SelectionLines', 'pickBox', '(clip|groupObjects)', '(CameraPreview|CameraFlight)'];
-  const [outline, box, copies, flight] = await openWithout(page, files);
+  const files = ['SelectionLines', 'pickBox', '(clip|groupObjects)', '(CameraPreview|CameraFlight)', 'dropOn'];
+  const [outline, box, copies, flight, dropped] = await openWithout(page, files);
 
   await test.step('the outline of what is selected', async () => {
     await addObject(page, 'Mesh', 'Box');
@@ -78,6 +79,15 @@ test('outline, box selection, copies, groups and flights wait for their code, an
     await expect(page.getByRole('treeitem', { name: 'Box 2' })).toBeVisible();
     await page.keyboard.press('Control+g');
     await expect(page.getByRole('treeitem', { name: 'Group' })).toBeVisible();
+  });
+
+  await test.step('a dropped file', async () => {
+    const files = (): Promise<number> => page.evaluate(() => window.editor.document.scene.assets.files.length);
+    const before = await files();
+    await drop(page, { 'triangle.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' });
+    expect(await files()).toBe(before);
+    dropped();
+    await expect.poll(files).toBeGreaterThan(before);
   });
 
   await test.step('a camera that is looked through stays where it is', async () => {

@@ -30,7 +30,9 @@ import { edgeScene } from './edgeScene';
 import { hostSnapshot } from './hostSnapshot';
 import { LateCase } from './lateCases';
 import { CELL, lineSheet } from './lineSheet';
+import { floorScene } from './floorScene';
 import { materialScene } from './materialScene';
+import { oneParticle } from './oneParticle';
 import { privateScene } from './privateScene';
 import { readTexels } from './readTexels';
 import { supersampled } from './supersampled';
@@ -67,6 +69,8 @@ export interface TestPage {
   materialScene: typeof materialScene;
   chunkScene: typeof chunkScene;
   edgeScene: typeof edgeScene;
+  floorScene: typeof floorScene;
+  oneParticle: typeof oneParticle;
   lineSheet: typeof lineSheet;
   /** Pixels along a side of the squares of `lineSheet`. */
   CELL: typeof CELL;
@@ -136,6 +140,8 @@ window.testPage = {
   materialScene,
   chunkScene,
   edgeScene,
+  floorScene,
+  oneParticle,
   lineSheet,
   CELL,
   supersampled,

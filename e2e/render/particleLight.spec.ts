@@ -6,7 +6,7 @@ test('lit particles: environment, probes, ambient, hemisphere and area lights as
   benchPage: page,
 }) => {
   const seen = await page.evaluate((isWhole) => {
-    const { Bench, effects, setLightOptions, three } = window.testPage;
+    const { Bench, effects, oneParticle, setLightOptions, three } = window.testPage;
     const [width, height] = [32, 32];
     const bench = new Bench(width, height);
     bench.farol.effects = [new effects.Particles()];
@@ -15,20 +15,7 @@ test('lit particles: environment, probes, ambient, hemisphere and area lights as
     camera.lookAt(0, 0, 0);
     const plain = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
     plain.needsUpdate = true;
-    const emitter = new effects.ParticleEmitter({
-      capacity: 1,
-      rate: 0,
-      bursts: [{ time: 0, count: 1 }],
-      life: [9, 9],
-      speed: [0, 0],
-      shape: { kind: 'point' },
-      colorOverLife: [[0, [1, 1, 1], 1]],
-      size: [1, 1],
-      texture: plain,
-      blending: 'blended',
-      softness: 0,
-      lit: true,
-    });
+    const emitter = oneParticle({ texture: plain, initialRotation: [0, 2 * Math.PI], lit: true });
     emitter.step(0.03);
     // particles have no specular light; three's Lambert material takes nothing of area lights
     const lambert = new three.MeshLambertMaterial();

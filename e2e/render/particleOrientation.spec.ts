@@ -8,7 +8,7 @@ test('meshes of particles stand as the emitter, along their way, or as the world
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, effects, isFlat, readTexels, three } = window.testPage;
+    const { Bench, oneParticle, compareImages, effects, isFlat, readTexels, three } = window.testPage;
     type Settings = Partial<InstanceType<typeof effects.ParticleEmitter>>;
     const [width, height] = [96, 72];
     const bench = new Bench(width, height);
@@ -28,13 +28,10 @@ test('meshes of particles stand as the emitter, along their way, or as the world
 
     /** A single particle, thrown and pulled aside where `settings` do not let it rest. */
     const draw = (settings: Settings) => {
-      const emitter = new effects.ParticleEmitter({
-        ...{ capacity: 1, rate: 0, bursts: [{ time: 0, count: 1 }], life: [9, 9], speed: [1.5, 1.5], seed: 3 },
-        ...{ shape: { kind: 'cone', radius: 0, angle: 0 }, gravity: [0.5, -4, 1], size: [1, 1] },
-        ...{ render: 'mesh', blending: 'blended', softness: 0, colorOverLife: [[0, [1, 1, 1], 1]] },
-        ...{ initialRotation: [0, 0], particleGeometry: flag },
-        ...settings,
-      } as const);
+      const emitter = oneParticle({
+        ...{ speed: [1.5, 1.5], seed: 3, shape: { kind: 'cone', radius: 0, angle: 0 }, gravity: [0.5, -4, 1] },
+        ...{ render: 'mesh', particleGeometry: flag, ...settings },
+      });
       emitter.rotation.set(0.4, 0.5, -0.9);
       emitter.step(0.6);
       scene.add(emitter);

@@ -6,7 +6,7 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
 }) => {
   // where they are, whatever the frames
   const motion = await page.evaluate(async () => {
-    const { Bench, effects, three, readTexels } = window.testPage;
+    const { Bench, effects, oneParticle, three, readTexels } = window.testPage;
     const bench = new Bench(16, 16);
     const particles = new effects.Particles();
     bench.farol.effects = [particles];
@@ -57,9 +57,14 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
     const begun = draw(new effects.ParticleEmitter(settings), [], false);
 
     // in the emitter's space: a particle at rest goes where the emitter goes, with the velocity that it has there
-    const carried = new effects.ParticleEmitter({
-      ...{ capacity: 1, rate: 0, bursts: [{ time: 0, count: 1 }], life: [9, 9], speed: [1, 1], space: 'local' },
-      ...{ shape: { kind: 'cone', radius: 0, angle: 0 }, render: 'mesh', orientation: 'velocity' },
+    const carried = oneParticle({
+      ...{
+        speed: [1, 1],
+        space: 'local',
+        shape: { kind: 'cone', radius: 0, angle: 0 },
+        render: 'mesh',
+        orientation: 'velocity',
+      },
       particleGeometry: new three.BoxGeometry(),
     });
     draw(carried, [0.5], false);
@@ -70,11 +75,8 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
 
     // one projectile, thrown 30 degrees from the upright, in long and short steps; with drag too
     const throws = [0, 0.8].map((drag) => {
-      const thrown = new effects.ParticleEmitter({
-        capacity: 1,
-        rate: 0,
+      const thrown = oneParticle({
         bursts: [{ time: 0.1, count: 1 }],
-        life: [9, 9],
         speed: [5, 5],
         shape: { kind: 'cone', radius: 0, angle: 0 },
         gravity: [0, -9.81, 0],
@@ -85,11 +87,7 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
       return draw(thrown, [0.5, 0.013, 0.337, 0.25], true).slice(0, 4);
     });
     // to and fro between a wall and a ball
-    const bounced = new effects.ParticleEmitter({
-      capacity: 1,
-      rate: 0,
-      bursts: [{ time: 0, count: 1 }],
-      life: [9, 9],
+    const bounced = oneParticle({
       speed: [5, 5],
       shape: { kind: 'cone', radius: 0, angle: 0 },
       colliders: [
@@ -100,11 +98,7 @@ test('particles: the same twice, where the formula says, summed up, soft, lit, a
     bounced.rotation.z = -Math.PI / 2;
     const between = draw(bounced, [0.7, 0.013, 0.687], true).slice(0, 3);
     // 1 m over a floor, down at 45 degrees
-    const slid = new effects.ParticleEmitter({
-      capacity: 1,
-      rate: 0,
-      bursts: [{ time: 0, count: 1 }],
-      life: [9, 9],
+    const slid = oneParticle({
       speed: [Math.SQRT2, Math.SQRT2],
       shape: { kind: 'cone', radius: 0, angle: 0 },
       colliders: [{ kind: 'plane', normal: [0, 1, 0], height: 0, bounce: 0.5, friction: 0.25 }],

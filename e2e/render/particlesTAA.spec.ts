@@ -3,26 +3,19 @@ import { expect, test } from '../support/benchTest';
 
 test('under TAA particles leave no trail', async ({ benchPage: page }) => {
   const seen = await page.evaluate((isWhole) => {
-    const { Bench, edgeScene, effects, three } = window.testPage;
+    const { Bench, edgeScene, effects, oneParticle, three } = window.testPage;
     const [width, height] = [96, 64];
     const bench = new Bench(width, height);
     const { scene, camera } = edgeScene(width, height);
     const plain = new three.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
     plain.needsUpdate = true;
     // one that flies across the upper half of the picture
-    const emitter = new effects.ParticleEmitter({
-      capacity: 1,
-      rate: 0,
-      bursts: [{ time: 0, count: 1 }],
-      life: [9, 9],
+    const emitter = oneParticle({
       speed: [4, 4],
       shape: { kind: 'cone', radius: 0, angle: 0 },
       size: [0.7, 0.7],
-      initialRotation: [0, 0],
       colorOverLife: [[0, [4, 0.2, 4], 1]],
       texture: plain,
-      blending: 'blended',
-      softness: 0,
     });
     const ahead = camera.getWorldDirection(new three.Vector3());
     const right = new three.Vector3(1, 0, 0).applyQuaternion(camera.quaternion);

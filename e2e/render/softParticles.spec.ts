@@ -4,7 +4,7 @@ test('soft particles fade before surfaces where these lie, not where polygonOffs
   benchPage: page,
 }) => {
   const rows = await page.evaluate(() => {
-    const { Bench, compareImages, effects, techniquesInTurn, three } = window.testPage;
+    const { Bench, compareImages, effects, oneParticle, techniquesInTurn, three } = window.testPage;
     const [width, height] = [96, 72];
     const bench = new Bench(width, height);
     bench.farol.inferredScale = 1;
@@ -12,23 +12,7 @@ test('soft particles fade before surfaces where these lie, not where polygonOffs
     const material = new three.MeshStandardMaterial({ color: 0x101010 });
     const floor = new three.Mesh(new three.PlaneGeometry(40, 40), material);
     floor.rotation.x = -Math.PI / 2;
-    const fog = new effects.ParticleEmitter({
-      ...{
-        capacity: 1,
-        rate: 0,
-        bursts: [{ time: 0, count: 1 }],
-        life: [9, 9],
-        speed: [0, 0],
-        shape: { kind: 'point' },
-      },
-      ...{
-        size: [3, 3],
-        initialRotation: [0, 0],
-        colorOverLife: [[0, [1, 1, 1], 1]],
-        blending: 'blended',
-        softness: 0.8,
-      },
-    });
+    const fog = oneParticle({ size: [3, 3], softness: 0.8 });
     fog.position.set(0, 0.6, 0);
     fog.step(0.03);
     scene.add(floor, fog, new three.PointLight(0xffffff, 1, 1));

@@ -1,3 +1,6 @@
+import type { Command } from '@farol/editing';
+import type { GameObject, Scene } from '@farol/engine';
+import type * as Placing from '../viewport/placing/alignObjects';
 import type { AlignSide, Axis } from '../viewport/placing/alignObjects';
 import type { EditorApi } from '../api/EditorApi';
 import type { Action } from '../api/Action';
@@ -6,16 +9,21 @@ import { hasSelection } from './hasSelection';
 const several = ({ document }: EditorApi): boolean => document.selection.ids.length > 1;
 const three = ({ document }: EditorApi): boolean => document.selection.ids.length > 2;
 
+/** Runs a command of the selected objects that code fetched late makes. */
+const runOn =
+  (make: (placing: typeof Placing, scene: Scene, objects: readonly GameObject[]) => Command): Action['run'] =>
+  async ({ document, commands }) => {
+    const placing = await import('../viewport/placing/alignObjects');
+    const { scene, selectedObjects } = document;
+    if (selectedObjects.length > 0) commands.run(make(placing, scene, selectedObjects));
+  };
+
 /** Drops the selected objects onto the surface below them. */
 export const drop: Action = {
   id: 'object.drop',
   label: 'Drop to ground',
   keys: ['End'],
-  async run({ document, commands }) {
-    const { dropToGround } = await import('../viewport/placing/alignObjects');
-    const { scene, selectedObjects } = document;
-    if (selectedObjects.length > 0) commands.run(dropToGround(scene, selectedObjects));
-  },
+  run: runOn(({ dropToGround }, scene, objects) => dropToGround(scene, objects)),
   enabled: hasSelection,
 };
 
@@ -35,11 +43,7 @@ const alignments: readonly [Axis, AlignSide, string][] = [
 export const align: readonly Action[] = alignments.map(([axis, side, label]) => ({
   id: `object.align-${axis}-${side}`,
   label,
-  async run({ document, commands }) {
-    const { alignObjects } = await import('../viewport/placing/alignObjects');
-    const { scene, selectedObjects } = document;
-    if (selectedObjects.length > 0) commands.run(alignObjects(scene, selectedObjects, axis, side));
-  },
+  run: runOn(({ alignObjects }, scene, objects) => alignObjects(scene, objects, axis, side)),
   enabled: several,
 }));
 
@@ -56,10 +60,6 @@ const distributions: readonly [Axis, 'gaps' | 'centres', string][] = [
 export const distribute: readonly Action[] = distributions.map(([axis, by, label]) => ({
   id: `object.distribute-${axis}-${by}`,
   label,
-  async run({ document, commands }) {
-    const { distributeObjects } = await import('../viewport/placing/alignObjects');
-    const { scene, selectedObjects } = document;
-    if (selectedObjects.length > 0) commands.run(distributeObjects(scene, selectedObjects, axis, by));
-  },
+  run: runOn(({ distributeObjects }, scene, objects) => distributeObjects(scene, objects, axis, by)),
   enabled: three,
 }));

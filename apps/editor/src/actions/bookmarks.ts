@@ -5,7 +5,7 @@ import type { EditorApi } from '../api/EditorApi';
 import { SetView } from '../model/commands/SetView';
 
 /** Numbers of the views that can be stored with a scene. */
-const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
+export const places = [1, 2, 3, 4, 5, 6, 7, 8, 9] as const;
 
 export const nameOfView = (place: number, { name }: SceneView): string =>
   name === '' ? t('View {place}', { place }) : name;
@@ -27,28 +27,6 @@ export function showView({ document, viewport }: EditorApi, place: number): void
   viewport.viewChanged();
 }
 
-export function forgetView({ commands, document }: EditorApi, place: number): void {
-  const view = document.scene.views.get(place);
-  if (!view) return;
-  const label = t('Forget {name}', { name: nameOfView(place, view) });
-  commands.run(new SetView(label, document.scene, place, null));
-}
-
-/** Asks for a name of a stored view. */
-export function renameView({ commands, dialogs, document }: EditorApi, place: number): void {
-  const { scene } = document;
-  const view = scene.views.get(place);
-  if (!view) return;
-  void dialogs.show({
-    kind: 'text',
-    title: t('Name of the view'),
-    label: t('Name'),
-    value: nameOfView(place, view),
-    action: t('Rename'),
-    accept: (name) => commands.run(new SetView(t('Rename {name}', { name }), scene, place, { ...view, name })),
-  });
-}
-
 export const showViews: readonly Action[] = places.map((place) => ({
   id: `view.bookmark.${place}`,
   label({ document }) {
@@ -67,7 +45,3 @@ export const keepViews: readonly Action[] = places.map((place) => ({
   keys: [`Ctrl+${place}`],
   run: (editor) => keepView(editor, place),
 }));
-
-/** The first number without a stored view; 9 when all are taken. */
-export const freePlace = ({ document }: EditorApi): number =>
-  places.find((place) => document.scene.views.get(place) === null) ?? places.length;

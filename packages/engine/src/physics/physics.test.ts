@@ -1,4 +1,4 @@
-import { BoxGeometry, Quaternion } from 'three';
+import { BoxGeometry } from 'three';
 import { expect, test } from 'vitest';
 import { Collider } from '../components/Collider';
 import { ObjectRenderer } from '../components/ObjectRenderer';
@@ -8,7 +8,6 @@ import { createRandom } from '../base/createRandom';
 import { GameObject } from '../core/GameObject';
 import type { Scene } from '../core/Scene';
 import { serialize } from '../files/serialize';
-import type { CollisionEvent } from './CollisionEvent';
 import { PhysicsSystem } from './PhysicsSystem';
 import { box, ground, makeScene, placesOf, prepare, run, worldOf } from '../components/testing/physicsScene';
 
@@ -201,109 +200,6 @@ test('colliders of one object and of those below it make one body', async () => 
   expect(worldOf(table).y).toBeCloseTo(1, 2);
   const { control } = table.getComponent(RigidBody) as unknown as { control: { mass: number } };
   expect(control.mass).toBeCloseTo(10, 4);
-});
-
-test('forces, impulses, velocities and teleports by script', async () => {
-  const scene = makeScene();
-  const bodies = ['a', 'b', 'c', 'd'].map((name, i) =>
-    box(name, [i * 5, 0, 0], { mass: 2, gravityScale: 0, angularDamping: 0 }),
-  );
-  class Pusher extends Component {
-    static override readonly typeName = 'Pusher';
-    override start(): void {
-      const body = this.gameObject.getComponent(RigidBody)!;
-      if (this.gameObject.id === 'a') body.applyImpulse([0, 4, 0]);
-      if (this.gameObject.id === 'c') body.velocity = [0, 0, 1];
-      if (this.gameObject.id === 'd') body.teleport([0, 50, 0], new Quaternion(0, 1, 0, 0));
-    }
-    override update(): void {
-      if (this.gameObject.id === 'b') this.gameObject.getComponent(RigidBody)!.applyForce([0, 4, 0]);
-    }
-  }
-  for (const each of bodies) each.addComponent(Pusher);
-  for (const each of bodies) scene.add(each);
-  await prepare(scene);
-  run(scene, 60);
-  const [a, b, c, d] = bodies;
-  expect(worldOf(a).y).toBeCloseTo((2 * 59) / 60, 3);
-  expect(b.getComponent(RigidBody)!.velocity.y).toBeCloseTo(2, 3);
-  expect(worldOf(c).z).toBeCloseTo(59 / 60, 3);
-  expect(worldOf(d).toArray()).toEqual([0, 50, 0]);
-  scene.reset();
-  expect(worldOf(d).toArray()).toEqual([15, 0, 0]);
-});
-
-test('a force or an impulse at a point turns a body about its centre of mass, wherever its origin is', async () => {
-  const scene = makeScene();
-  scene.settings.gravity = [0, 0, 0];
-  const bodyPushed = (x: number, push: (body: RigidBody) => void): RigidBody => {
-    // its collider, and so its centre of mass, lies 1 m beside it
-    const object = box(`Body ${x}`, [x, 0, 0], { angularDamping: 0 }, { fit: false, offset: [1, 0, 0] });
-    const body = object.getComponent(RigidBody)!;
-    class Pusher extends Component {
-      static override readonly typeName = 'Pusher';
-      override start(): void {
-        push(body);
-      }
-    }
-    object.addComponent(Pusher);
-    scene.add(object);
-    return body;
-  };
-  const bodies = [0, 0.5, -0.5].flatMap((arm, i) => [
-    // during a frame of 1/60 s: 1 N·s
-    bodyPushed(20 * i, (body) => body.applyForce([0, 60, 0], [20 * i + 1 + arm, 0, 0])),
-    bodyPushed(20 * i + 10, (body) => body.applyImpulse([0, 1, 0], [20 * i + 11 + arm, 0, 0])),
-  ]);
-  await prepare(scene);
-  run(scene, 4);
-  // 0.5 N·m·s on a cube of 1 kg and 1 m, whose moment of inertia is 1/6 kg·m²
-  [0, 0, 3, 3, -3, -3].forEach((turn, i) => expect(bodies[i].angularVelocity.z, `body ${i}`).toBeCloseTo(turn, 2));
-});
-
-const heard: string[] = [];
-
-class Listener extends Component {
-  static override readonly typeName = 'Listener';
-  onCollisionEnter(event: CollisionEvent): void {
-    const { x, y, z } = event.normal!;
-    heard.push(`${this.gameObject.name} meets ${event.other.name} ${[x, y, z].map((n) => Math.round(n) + 0).join()}`);
-  }
-  onCollisionExit(event: CollisionEvent): void {
-    heard.push(`${this.gameObject.name} leaves ${event.other.name}`);
-  }
-  onTriggerEnter(event: CollisionEvent): void {
-    heard.push(`${this.gameObject.name} in ${event.other.name}`);
-  }
-  onTriggerExit(event: CollisionEvent): void {
-    heard.push(`${this.gameObject.name} out of ${event.other.name}`);
-  }
-}
-
-test('collisions and sensors call the methods of both objects, in the order of steps and tree', async () => {
-  heard.length = 0;
-  const scene = makeScene();
-  const cube = box('Cube', [0, 4, 0], { lockRotationX: true, lockRotationZ: true });
-  // a second collider makes no second event
-  cube.addComponent(Collider, { fit: false, size: [0.5, 1, 0.5] });
-  const gate = box('Gate', [0, 2, 0], null, { sensor: true });
-  const floor = ground();
-  for (const each of [cube, gate, floor]) each.addComponent(Listener);
-  scene.add(floor).add(gate).add(cube);
-  await prepare(scene);
-  run(scene, 240);
-  expect(heard).toEqual([
-    'Gate in Cube',
-    'Cube in Gate',
-    'Gate out of Cube',
-    'Cube out of Gate',
-    'Ground meets Cube 0,-1,0',
-    'Cube meets Ground 0,1,0',
-  ]);
-  heard.length = 0;
-  scene.remove(cube);
-  run(scene, 2);
-  expect(heard).toEqual(['Ground leaves Cube']);
 });
 
 test('objects come, go, sleep and change while the scene plays', async () => {

@@ -1,6 +1,6 @@
 import { Camera, PerspectiveCamera, PointLight, Scene } from 'three';
 import { expect, it } from 'vitest';
-import { collectLights, type FoundLights } from '../renderer/collectLights';
+import { collectLights, FoundLights } from '../renderer/collectLights';
 import { fetchLightsAhead } from '../techniques/light-lists/fetchLights';
 import { rankByDepth } from '../techniques/light-lists/rankByDepth';
 import { LightTable } from './LightTable';
@@ -70,17 +70,7 @@ it('reads few properties of a light to find it and to bring its matrices up to d
     light.parent = scene;
     scene.children.push(light);
   }
-  const found: FoundLights = {
-    all: [],
-    count: 0,
-    places: [],
-    nested: [],
-    rest: [],
-    seeksMasks: true,
-    masks: 0,
-    left: 0,
-    hasArea: false,
-  };
+  const found = new FoundLights();
   const left = { shadows: false, cookies: false, areas: false, all: false };
   for (let frame = 0; frame < 2; frame++) {
     reads = 0;

@@ -1,4 +1,6 @@
-/** Inputs of the last update of a light grid. Grows to what is needed and is kept. */
+import type { LightGrid } from './LightGrid';
+
+/** Inputs of the last update of a light grid, in arrays that only grow. */
 export class GridInputs {
   private count = -1;
   private hasCones = false;
@@ -11,16 +13,16 @@ export class GridInputs {
    * Compares inputs with those kept, and keeps them; parameters as for `LightGrid.update`.
    * @returns whether one differs
    */
-  replace(
-    count: number,
-    spheres: ArrayLike<number>,
-    projection: ArrayLike<number>,
-    near: number,
-    far: number,
-    width: number,
-    height: number,
-    cones: ArrayLike<number> | null,
-  ): boolean {
+  readonly replace: (...inputs: Required<Parameters<LightGrid['update']>>) => boolean = (
+    count,
+    spheres,
+    projection,
+    near,
+    far,
+    width,
+    height,
+    cones,
+  ) => {
     const { view } = this;
     let differs = count !== this.count || (cones !== null) !== this.hasCones;
     differs = replaceOne(view, 16, near) || differs;
@@ -35,7 +37,7 @@ export class GridInputs {
     if (cones === null) return differs;
     if (this.cones.length < count * 4) this.cones = new Float64Array(count * 8);
     return replaceAll(this.cones, cones, count * 4) || differs;
-  }
+  };
 }
 
 function replaceOne(kept: Float64Array, at: number, value: number): boolean {

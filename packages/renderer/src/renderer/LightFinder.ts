@@ -1,5 +1,5 @@
 import type { Camera, Object3D, WebGLRenderer } from 'three';
-import { collectLights, type FoundLights } from './collectLights';
+import { collectLights, FoundLights } from './collectLights';
 import { areaCode, shadowCode } from './lazyCode';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { threeChunks } from '../three/ThreeChunks';
@@ -19,17 +19,7 @@ type AreaCode = typeof import('../lighting/area-lights');
 
 /** Finds the lights of a frame, and fetches the code of shadow maps when one casts a shadow or throws a cookie. */
 export class LightFinder {
-  readonly found: FoundLights = {
-    all: [],
-    count: 0,
-    places: [],
-    nested: [],
-    rest: [],
-    seeksMasks: true,
-    masks: 0,
-    left: 0,
-    hasArea: false,
-  };
+  readonly found = new FoundLights();
   /** Kinds of lights that three still lights: with shadows, with cookies, area lights, or all. */
   readonly left = { shadows: false, cookies: true, areas: true, all: false };
   /** Area lights; null until a scene has one and their code is loaded. */

@@ -1,16 +1,11 @@
 import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 'three';
 import { describe, expect, it } from 'vitest';
-import { collectLights, type FoundLights } from './collectLights';
+import { collectLights, FoundLights } from './collectLights';
 
 const nothingLeft = { shadows: false, cookies: false, areas: false, all: false };
 
-function nothingFound(): FoundLights {
-  const places: number[] = [];
-  return { all: [], count: 0, places, nested: [], rest: [], seeksMasks: true, masks: 0, left: 0, hasArea: false };
-}
-
 function collect(root: Object3D): FoundLights {
-  const found = nothingFound();
+  const found = new FoundLights();
   collectLights(root, new Camera(), nothingLeft, found);
   return found;
 }
@@ -48,7 +43,7 @@ describe('collectLights', () => {
   it('leaves area lights to three until their code is there, and says that there are some', () => {
     const scene = new Scene().add(named(new RectAreaLight(), 'rectangle'));
     expect(names(collect(scene).all)).toEqual(['rectangle']);
-    const found = nothingFound();
+    const found = new FoundLights();
     collectLights(scene, new Camera(), { ...nothingLeft, areas: true }, found);
     expect([names(found.all), names(found.rest), found.hasArea]).toEqual([[], ['rectangle'], true]);
   });
@@ -114,7 +109,7 @@ describe('collectLights', () => {
         seed = before;
         if (round > 3) move(twin);
         else for (const child of twin.children) move(child);
-        const found = nothingFound();
+        const found = new FoundLights();
         collectLights(root, new Camera(), nothingLeft, found, true);
         twin.updateMatrixWorld();
         const expected: Object3D[] = [];
@@ -138,7 +133,7 @@ describe('collectLights', () => {
   it('counts the lights of each frame anew', () => {
     const root = new Scene().add(new PointLight(), new RectAreaLight());
     const byThree = { ...nothingLeft, all: true, areas: true };
-    const found = nothingFound();
+    const found = new FoundLights();
     for (let frame = 0; frame < 2; frame++) {
       collectLights(root, new Camera(), byThree, found);
       expect({ count: found.count, left: found.left, hasArea: found.hasArea }).toEqual({

@@ -3,26 +3,26 @@ import { fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
-export interface FoundLights {
+export class FoundLights {
   /** All managed lights of the frame, the first `count`; the rest is left from earlier frames. */
-  readonly all: Light[];
+  readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
-  count: number;
+  count = 0;
   /** World positions (m) of these lights, three numbers each; longer where earlier frames had more. */
-  readonly places: number[];
+  readonly places: number[] = [];
   /**
    * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
    */
-  readonly nested: Light[];
+  readonly nested: Light[] = [];
   /** Children of a Scene as root, without managed lights that have no children; for another root, that root. */
-  readonly rest: Object3D[];
+  readonly rest: Object3D[] = [];
   /** Whether `masks` counts the lights that cast a shadow, throw an image or have a profile. */
-  seeksMasks: boolean;
-  masks: number;
+  seeksMasks = true;
+  masks = 0;
   /** Number of lights left to three. */
-  left: number;
+  left = 0;
   /** Whether a light left to three is an area light. */
-  hasArea: boolean;
+  hasArea = false;
 }
 
 const { updateMatrixWorld } = Object3D.prototype;

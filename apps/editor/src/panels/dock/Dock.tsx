@@ -1,4 +1,13 @@
-import { type CSSProperties, type ReactNode, useLayoutEffect, useRef, useState, useSyncExternalStore } from 'react';
+import {
+  type CSSProperties,
+  lazy,
+  type ReactNode,
+  Suspense,
+  useLayoutEffect,
+  useRef,
+  useState,
+  useSyncExternalStore,
+} from 'react';
 import { groupWith, MAIN_PANEL } from '../../layout/LayoutNode';
 import { placeLayout, type Rectangle } from '../../layout/placeLayout';
 import { isSmallWindow, placeSheet } from '../../layout/smallWindow';
@@ -7,10 +16,9 @@ import './dock.css';
 import { DockEdge } from './DockEdge';
 import { DockGroup } from './DockGroup';
 import { DockPanel } from './DockPanel';
-import { SheetEdge } from './SheetEdge';
-import { SheetTabs } from './SheetTabs';
 import { TAB_HEIGHT } from './tabHeight';
-import { type TabDrag, useTabDrag } from './useTabDrag';
+
+const SmallWindow = lazy(async () => ({ default: (await import('./SmallWindow')).SmallWindow }));
 
 /** CSS position and size of a rectangle of the dock. */
 export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, number> => ({
@@ -27,6 +35,7 @@ export const styleOf = ({ x, y, width, height }: Rectangle): Record<string, numb
 export function Dock({ children }: { children?: ReactNode }): ReactNode {
   const { panels, layout: panelLayout } = useEditor();
   const place = useRef<HTMLElement>(null);
+  const [mark, setMark] = useState<Rectangle | null>(null);
   const [size, setSize] = useState<readonly [number, number] | null>(null);
   useLayoutEffect(() => {
     const element = place.current!;
@@ -71,13 +80,18 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
         }));
       });
   const picture = shown.find(({ id, isInFront }) => id === 'viewport' && isInFront)?.rectangle ?? null;
-  const drag = useTabDrag(place, placed.groups);
   return (
     <main ref={place} className="dock" style={pictureStyle(picture, height)}>
       {size !== null && (
         <>
           {placed.groups.map(({ group, rectangle }) => (
-            <DockGroup key={group.id} group={group} rectangle={rectangle} groups={placed.groups} onDrag={drag.begin} />
+            <DockGroup
+              key={group.id}
+              group={group}
+              rectangle={rectangle}
+              groups={placed.groups}
+              place={{ dock: place, onMark: setMark }}
+            />
           ))}
           {shown.map((panel) => (
             <DockPanel key={panel.id} {...panel} />
@@ -85,9 +99,12 @@ export function Dock({ children }: { children?: ReactNode }): ReactNode {
           {placed.edges.map((edge) => (
             <DockEdge key={`${edge.path.join('.')}/${edge.index}`} edge={edge} layout={layout} />
           ))}
-          {small && <SheetEdge placed={small} share={share} width={width} height={height} />}
-          {small && <SheetTabs rectangle={small.tabs} sheet={sheet} />}
-          <DropMark drag={drag.current} />
+          {small && (
+            <Suspense fallback={null}>
+              <SmallWindow placed={small} sheet={sheet} share={share} width={width} height={height} />
+            </Suspense>
+          )}
+          {mark && <div className="drop-mark" style={styleOf(mark)} />}
         </>
       )}
       {children}
@@ -111,9 +128,3 @@ const belowTabs = ({ x, y, width, height }: Rectangle): Rectangle => ({
   width,
   height: Math.max(0, height - TAB_HEIGHT),
 });
-
-/** Marks where a dragged tab would be dropped. */
-function DropMark({ drag }: { drag: TabDrag | null }): ReactNode {
-  if (!drag?.mark) return null;
-  return <div className="drop-mark" style={styleOf(drag.mark)} />;
-}

@@ -6,7 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 /** Step of an arrow key, as a share of the dock. */
 const STEP = 0.05;
 
-interface SheetEdgeProps {
+export interface SheetEdgeProps {
   readonly placed: PlacedSheet;
   /** Share of the dock that the panel takes, 0 to 1. */
   readonly share: number;

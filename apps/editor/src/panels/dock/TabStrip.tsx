@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
-import { type KeyboardEvent, type PointerEvent, type ReactNode, useSyncExternalStore } from 'react';
+import { type KeyboardEvent, type ReactNode, useSyncExternalStore } from 'react';
 import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
@@ -8,6 +8,7 @@ import { Icon } from '../../ui/Icon';
 import { LateItems } from '../../ui/MenuButton';
 import { dropTowards } from './dropTowards';
 import { tabEntries } from './tabEntries';
+import { type DragPlace, useTabDrag } from './useTabDrag';
 
 const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
   ArrowLeft: 'left',
@@ -19,7 +20,7 @@ const towards: Readonly<Record<string, Exclude<DropSide, 'centre'>>> = {
 interface TabStripProps {
   readonly group: PanelGroup;
   readonly groups: readonly PlacedGroup[];
-  onDrag(panel: string, event: PointerEvent): void;
+  readonly place: DragPlace;
 }
 
 /** Focuses a moved tab, once it is rendered at its new place. */
@@ -31,10 +32,11 @@ function focusTab(panel: string): void {
  * The tabs of a group. Arrow keys go to the next one, Alt+Shift and an arrow key moves the panel, Delete closes it; the
  * context menu offers these too.
  */
-export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
+export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
   const editor = useEditor();
   const { panels, layout } = editor;
   const { panels: ids, active } = group;
+  const beginDrag = useTabDrag(groups, place);
   const maximised = useSyncExternalStore(layout.subscribe, layout.maximised);
   const keyDown = (event: KeyboardEvent, panel: string): void => {
     const side = towards[event.key];
@@ -77,7 +79,7 @@ export function TabStrip({ group, groups, onDrag }: TabStripProps): ReactNode {
                 tabIndex={isActive ? 0 : -1}
                 data-panel={id}
                 title={t('{title}: drag it elsewhere; right button: menu', { title: t(panel.title) })}
-                onPointerDown={(event) => onDrag(id, event)}
+                onPointerDown={(event) => beginDrag(id, event)}
                 onClick={() => layout.open(id)}
                 onDoubleClick={() => layout.maximise(maximised === null ? id : null)}
                 onAuxClick={(event) => event.button === 1 && layout.close(id)}

@@ -1,4 +1,4 @@
-import { type PointerEvent, type RefObject, useEffect, useRef, useState } from 'react';
+import { type PointerEvent, type RefObject, useEffect, useRef } from 'react';
 import type { PanelDrop } from '../../layout/editLayout';
 import type { PlacedGroup, Rectangle } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
@@ -7,20 +7,19 @@ import { dropAt } from './dropAt';
 /** Distance (CSS pixels) from which a press is a drag. */
 const REACH = 6;
 
-export interface TabDrag {
-  readonly panel: string;
-  readonly drop: PanelDrop | null;
-  /** Rectangle that the panel would get; null where it cannot be dropped. */
-  readonly mark: Rectangle | null;
+/** The dock in which tabs are dragged. */
+export interface DragPlace {
+  readonly dock: RefObject<HTMLElement | null>;
+  /** Marks the rectangle that a dragged panel would get; null where it cannot be dropped. */
+  onMark(mark: Rectangle | null): void;
 }
 
-/** Drags tabs by mouse, finger or pen. Escape cancels. */
+/** Drags tabs by mouse, finger or pen. Escape cancels. @returns begins a drag, as a tab is pressed */
 export function useTabDrag(
-  place: RefObject<HTMLElement | null>,
   groups: readonly PlacedGroup[],
-): { current: TabDrag | null; begin(panel: string, event: PointerEvent): void } {
+  { dock, onMark }: DragPlace,
+): (panel: string, event: PointerEvent) => void {
   const { layout } = useEditor();
-  const [current, setCurrent] = useState<TabDrag | null>(null);
   const end = useRef<() => void>(() => {});
   const latest = useRef(groups);
   useEffect(() => {
@@ -28,27 +27,28 @@ export function useTabDrag(
   });
   useEffect(() => () => end.current(), []);
 
-  const begin = (panel: string, down: PointerEvent): void => {
+  return (panel, down) => {
     if (down.button !== 0 || !down.isPrimary) return;
     end.current();
-    let drag: TabDrag | null = null;
+    let isDragged = false;
+    let drop: PanelDrop | null = null;
     const move = (event: globalThis.PointerEvent): void => {
       if (event.pointerId !== down.pointerId) return;
-      if (!drag && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < REACH) return;
-      const { left, top } = place.current!.getBoundingClientRect();
-      const found = dropAt(latest.current, panel, event.clientX - left, event.clientY - top, place.current!);
-      drag = { panel, drop: found?.drop ?? null, mark: found?.mark ?? null };
-      setCurrent(drag);
+      if (!isDragged && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < REACH) return;
+      isDragged = true;
+      const { left, top } = dock.current!.getBoundingClientRect();
+      const found = dropAt(latest.current, panel, event.clientX - left, event.clientY - top, dock.current!);
+      drop = found?.drop ?? null;
+      onMark(found?.mark ?? null);
       event.preventDefault();
     };
     const finish = (event: globalThis.PointerEvent): void => {
       if (event.pointerId !== down.pointerId) return;
-      const done = drag;
       end.current();
-      if (done?.drop) layout.move(panel, done.drop);
+      if (drop) layout.move(panel, drop);
     };
     const key = (event: KeyboardEvent): void => {
-      if (event.key !== 'Escape' || !drag) return;
+      if (event.key !== 'Escape' || !isDragged) return;
       event.stopPropagation();
       end.current();
     };
@@ -63,8 +63,7 @@ export function useTabDrag(
       window.removeEventListener('pointerup', finish);
       window.removeEventListener('pointercancel', cancel);
       window.removeEventListener('keydown', key, true);
-      setCurrent(null);
+      onMark(null);
     };
   };
-  return { current, begin };
 }

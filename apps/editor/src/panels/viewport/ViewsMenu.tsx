@@ -1,13 +1,40 @@
 import { t } from '@farol/editing';
 import type { ReactNode } from 'react';
-import { forgetView, freePlace, keepView, nameOfView, renameView, showViews } from '../../actions/bookmarks';
+import { keepView, nameOfView, places, showViews } from '../../actions/bookmarks';
 import { cameraActions } from '../../actions/cameras';
 import { lookFrom, toggleOrthographic } from '../../actions/viewpoint';
 import { nextView, resetViews } from '../../actions/display';
 import type { EditorApi } from '../../api/EditorApi';
 import { actionEntry, type MenuEntry } from '../../api/MenuEntry';
+import { SetView } from '../../model/commands/SetView';
 import { useEditor } from '../../ui/EditorContext';
 import { MenuButton } from '../../ui/MenuButton';
+
+function forgetView({ commands, document }: EditorApi, place: number): void {
+  const view = document.scene.views.get(place);
+  if (!view) return;
+  const label = t('Forget {name}', { name: nameOfView(place, view) });
+  commands.run(new SetView(label, document.scene, place, null));
+}
+
+/** Asks for a name of a stored view. */
+function renameView({ commands, dialogs, document }: EditorApi, place: number): void {
+  const { scene } = document;
+  const view = scene.views.get(place);
+  if (!view) return;
+  void dialogs.show({
+    kind: 'text',
+    title: t('Name of the view'),
+    label: t('Name'),
+    value: nameOfView(place, view),
+    action: t('Rename'),
+    accept: (name) => commands.run(new SetView(t('Rename {name}', { name }), scene, place, { ...view, name })),
+  });
+}
+
+/** The first number without a stored view; 9 when all are taken. */
+const freePlace = ({ document }: EditorApi): number =>
+  places.find((place) => document.scene.views.get(place) === null) ?? places.length;
 
 function entriesOf(editor: EditorApi): readonly MenuEntry[] {
   const { document, viewport } = editor;

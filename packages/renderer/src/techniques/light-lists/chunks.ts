@@ -1,12 +1,4 @@
 // The microshaders of this folder, by name: fetched with the techniques that have light lists.
 export { default as addOther } from './addOther.glsl?raw';
-export { default as addPoint } from './addPoint.glsl?raw';
 export { default as lightLoopClustered } from './lightLoopClustered.glsl?raw';
-export { default as lightLoopTiled } from './lightLoopTiled.glsl?raw';
-export { default as lightTileLists } from './lightTileLists.glsl?raw';
-export { default as lightTiles } from './lightTiles.glsl?raw';
-export { default as tileDepth } from './tileDepth.glsl?raw';
-export { default as tileDepthBlocks } from './tileDepthBlocks.glsl?raw';
-export { default as tileMask } from './tileMask.glsl?raw';
-export { default as tileSummary } from './tileSummary.glsl?raw';
-export { default as tiledOutput } from './tiledOutput.glsl?raw';
+export * from './tiledChunks';

@@ -2,17 +2,7 @@ import { DepthPrepass } from '../../passes/forward/DepthPrepass';
 import type { Pass } from '../../frame/Pass';
 import { GBufferPass } from '../../passes/gbuffer/GBufferPass';
 import { addBuiltinMicroShaders } from '../../microshaders/builtinRegistry';
-import {
-  addPoint,
-  lightLoopTiled,
-  lightTileLists,
-  lightTiles,
-  tileDepth,
-  tileDepthBlocks,
-  tileMask,
-  tileSummary,
-  tiledOutput,
-} from './chunks';
+import * as tiledChunks from './tiledChunks';
 import { LightTilesPass } from './LightTilesPass';
 import { TiledOutputPass } from './TiledOutputPass';
 import { fetchLightsAhead } from './fetchLights';
@@ -21,19 +11,7 @@ import { forwardTail } from '../forwardTail';
 export { rankByDepth } from './rankByDepth';
 
 fetchLightsAhead();
-addBuiltinMicroShaders({
-  ...{
-    addPoint,
-    lightLoopTiled,
-    lightTileLists,
-    lightTiles,
-    tileDepth,
-    tileDepthBlocks,
-    tileMask,
-    tileSummary,
-    tiledOutput,
-  },
-});
+addBuiltinMicroShaders(tiledChunks);
 
 /** The passes of 'tiled-forward'. */
 export function tiledForwardPasses(): Pass[] {

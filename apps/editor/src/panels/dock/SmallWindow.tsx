@@ -4,6 +4,7 @@ import { MAIN_PANEL } from '../../layout/LayoutNode';
 import type { Rectangle } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { SheetEdge, type SheetEdgeProps } from './SheetEdge';
 
 interface SheetTabsProps {
   readonly rectangle: Rectangle;
@@ -11,10 +12,16 @@ interface SheetTabsProps {
   readonly sheet: string | null;
 }
 
-/**
- * Tabs in a small window, where the viewport has at most one panel beside it. Pressing the open tab closes the panel.
- */
-export function SheetTabs({ rectangle, sheet }: SheetTabsProps): ReactNode {
+/** Divider and tabs of a small window, where the viewport has at most one panel beside it. */
+export const SmallWindow = ({ sheet, ...edge }: SheetEdgeProps & Pick<SheetTabsProps, 'sheet'>): ReactNode => (
+  <>
+    <SheetEdge {...edge} />
+    <SheetTabs rectangle={edge.placed.tabs} sheet={sheet} />
+  </>
+);
+
+/** Pressing the open tab closes its panel. */
+function SheetTabs({ rectangle, sheet }: SheetTabsProps): ReactNode {
   const { panels, layout } = useEditor();
   const { x, y, width, height } = rectangle;
   const active = sheet ?? MAIN_PANEL;
