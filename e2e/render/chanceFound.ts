@@ -17,4 +17,12 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
     lights: [{ kind: 'ambient' }],
     things: [{ as: 'levels' }],
   },
+  'an image thrown at alphaHash, whose holes leave no neighbours in a G-buffer': {
+    view: { position: [1.3, 2.5, 6.4] },
+    lights: [{ kind: 'spot', map: 'checker', position: [1, 2.5, 3] }],
+    things: [
+      { position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [40, 40, 1] },
+      { material: { alphaHash: true, opacity: 0.5 } },
+    ],
+  },
 };

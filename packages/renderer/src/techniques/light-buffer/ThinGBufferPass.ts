@@ -4,6 +4,7 @@ import * as chunks from './chunks';
 import type { ThinGBuffer } from '../../frame/ThinGBuffer';
 import type { Frame } from '../../frame/Frame';
 import { thinGBufferLayout } from './thinGBufferLayout';
+import type { SharpLights } from '../../gbuffer/exceedsGBuffer';
 import { hasAreaLights } from './hasAreaLights';
 import { isLightBufferMaterial } from './isLightBufferMaterial';
 import { resetObject, setObject } from './objectAttribute';
@@ -36,7 +37,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   readonly items: RenderItem[] = [];
   private made: WebGLRenderTarget | null = null;
   private knowsAreas = false;
-  private hasAreas = false;
+  private lights?: SharpLights;
   private readonly scaleUniform = { value: 1 };
   private readonly twins: ThinGBufferTwins;
 
@@ -60,7 +61,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   render(frame: Frame): void {
     this.prepareTarget(frame);
     this.knowsAreas = hasAreaLights(frame);
-    this.hasAreas = frame.lights.hasAreas;
+    this.lights = frame.lights;
     const { items } = this;
     items.length = 0;
     try {
@@ -93,7 +94,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
 
   /** Whether the light buffer lights an item's material. */
   private isLit({ material }: RenderItem): boolean {
-    return isLightBufferMaterial(material, this.knowsAreas, this.hasAreas);
+    return isLightBufferMaterial(material, this.knowsAreas, this.lights);
   }
 
   dispose(): void {
