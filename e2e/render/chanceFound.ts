@@ -25,4 +25,24 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
       { material: { alphaHash: true, opacity: 0.5 } },
     ],
   },
+  'a bias along the normals of vertices where a map changes normals, and on back faces': {
+    lights: [{ kind: 'point', shadow: { normalBias: 0.1 }, position: [-1, 2, 1.5], intensity: 20 }],
+    things: [
+      {
+        shape: 'bowl',
+        material: { type: 'MeshLambertMaterial', normalMap: 'normal', side: 2 },
+        castShadow: true,
+        receiveShadow: true,
+        rotation: [1.2, -1.9, 0.7],
+      },
+      {
+        shape: 'sheet',
+        material: { type: 'MeshPhongMaterial', side: 2 },
+        castShadow: true,
+        receiveShadow: true,
+        position: [1.5, 0, 0],
+        rotation: [0.4, 2.6, 0],
+      },
+    ],
+  },
 };

@@ -41,6 +41,8 @@ export class VisibleLights {
   hasAreas = false;
   /** Whether lights throw images. */
   hasImages = false;
+  /** Whether shadow maps of `light.shadow` are looked up some way off along the normal. */
+  hasNormalBias = false;
   /** Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere ones included). */
   total = 0;
   visible = 0;
@@ -106,7 +108,7 @@ export class VisibleLights {
   private clear(lights: readonly Light[]): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
     this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
-    this.hasAreas = this.hasImages = false;
+    this.hasAreas = this.hasImages = this.hasNormalBias = false;
     this.ambient.fill(0);
     this.total = this.singles = lights.length;
     if (this.spheres.length >= lights.length * 4) return;
@@ -118,6 +120,7 @@ export class VisibleLights {
   private addMasked(light: Light): void {
     this.masked.push(light);
     this.hasImages ||= hasCookie(light);
+    this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
   }
 
   private addField(light: LightFieldData): void {
