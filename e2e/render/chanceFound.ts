@@ -17,4 +17,32 @@ export const chanceFound: Readonly<Record<string, SceneFacts>> = {
     lights: [{ kind: 'ambient' }],
     things: [{ as: 'levels' }],
   },
+  'an image thrown at alphaHash, whose holes leave no neighbours in a G-buffer': {
+    view: { position: [1.3, 2.5, 6.4] },
+    lights: [{ kind: 'spot', map: 'checker', position: [1, 2.5, 3] }],
+    things: [
+      { position: [0, -1.3, 0], rotation: [-1.5708, 0, 0], scale: [40, 40, 1] },
+      { material: { alphaHash: true, opacity: 0.5 } },
+    ],
+  },
+  'a bias along the normals of vertices where a map changes normals, and on back faces': {
+    lights: [{ kind: 'point', shadow: { normalBias: 0.1 }, position: [-1, 2, 1.5], intensity: 20 }],
+    things: [
+      {
+        shape: 'bowl',
+        material: { type: 'MeshLambertMaterial', normalMap: 'normal', side: 2 },
+        castShadow: true,
+        receiveShadow: true,
+        rotation: [1.2, -1.9, 0.7],
+      },
+      {
+        shape: 'sheet',
+        material: { type: 'MeshPhongMaterial', side: 2 },
+        castShadow: true,
+        receiveShadow: true,
+        position: [1.5, 0, 0],
+        rotation: [0.4, 2.6, 0],
+      },
+    ],
+  },
 };

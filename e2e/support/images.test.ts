@@ -32,6 +32,15 @@ describe('compareImages', () => {
     expect(compareImages(grey(base, base), grey(decode(101 / 255), decode(103 / 255)), 2).share).toBe(0.5);
   });
 
+  it('counts no byte that is two steps off, kept as linear floats of 32 bits', () => {
+    const decode = (byte: number) => (byte <= 10 ? byte / 3294.6 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+    const bytes = (first: number) => ({
+      ...grey(...Array.from({ length: 253 }, () => 0)),
+      data: Float32Array.from({ length: 253 * 4 }, (_, i) => (i % 4 === 3 ? 1 : decode((i >> 2) + first))),
+    });
+    expect([2, 3].map((off) => compareImages(bytes(0), bytes(off)).share)).toEqual([0, 1]);
+  });
+
   it('takes NaN for the largest error there is', () => {
     expect(compareImages(grey(0.5), grey(Number.NaN))).toMatchObject({ largest: Infinity, share: 1 });
   });

@@ -6,6 +6,9 @@ export interface FloatImage {
   data: ArrayLike<number>;
 }
 
+/** Error of a byte that was kept as a linear float of 32 bits (1/255): two whole steps are no more than two. */
+const ROUNDING = 1e-4;
+
 /** How far two images are apart. */
 export interface Difference {
   /** Largest absolute difference of a linear channel. Infinity where one alone is infinite, or one is not a number. */
@@ -57,7 +60,7 @@ export function compareImages(a: FloatImage, b: FloatImage, steps = 2): Differen
     }
     const difference = distance(a.data[pixel + 3], b.data[pixel + 3]);
     alpha = Math.max(alpha, difference);
-    if (Math.max(worst, difference) > (steps + 1e-6) / 255) off++;
+    if (Math.max(worst, difference) > (steps + ROUNDING) / 255) off++;
   }
   const pixels = a.data.length / 4;
   const psnr = squares === 0 ? Infinity : -10 * Math.log10(squares / (pixels * 3));

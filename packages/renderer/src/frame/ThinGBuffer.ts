@@ -15,7 +15,10 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
 
 /** Surfaces with no more than lights need to know of them. */
 export interface ThinGBuffer {
-  /** Attachment 0: normal, specular lobe and object; 1, where depth is too coarse for positions: distances. */
+  /**
+   * Attachment 0: normal, specular lobe and object; 1, where depth is too coarse for positions, or shadow maps are looked
+   * up along another normal: distances, and the vertices' normals.
+   */
   readonly target: WebGLRenderTarget;
   /** Texels for each pixel of the picture, along a side. */
   readonly scale: number;

@@ -32,6 +32,8 @@ it('surfaceFlags.glsl is made from the tables of flags', async () => {
 //? farol_hasFog(13) == true
 //? farol_receivesShadows(13) == false
 ${models.join('')}const int FAROL_RECEIVES_SHADOWS = ${surfaceFlags.receivesShadows};
+const int FAROL_HAS_VERTEX_NORMAL = ${surfaceFlags.hasVertexNormal};
+const int FAROL_IS_REVERSED = ${surfaceFlags.isReversed};
 int farol_shadingModel(const in int flags) { return flags & 3; }
 float farol_packFlags(const in int flags) { return float(flags) / 255.0; }
 int farol_unpackFlags(const in float stored) { return int(stored * 255.0 + 0.5); }

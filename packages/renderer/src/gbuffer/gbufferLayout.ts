@@ -16,7 +16,7 @@ export interface GBufferAttachment {
  * gbufferWrite.glsl and gbufferRead.glsl.
  */
 export const gbufferLayout = [
-  // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess
+  // rgb: emissive, ambient, environment, light maps (linear); a: Phong shininess, or the vertices' normal, see halfNormal.glsl
   { name: 'accumulation', format: RGBAFormat, type: HalfFloatType, bytes: 8 },
   // rg: view-space normal, octahedral; ba, only where depth is too coarse: distance, see storedDistance.glsl
   { name: 'normal', format: RGFormat, type: HalfFloatType, bytes: 4 },

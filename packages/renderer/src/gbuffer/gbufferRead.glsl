@@ -1,6 +1,7 @@
 // Reads a pixel of the G-buffer; layout in gbuffer/gbufferLayout.ts.
 // Farol
 #include "gbufferTextures"
+#include "halfNormal"
 #include "octahedralNormal"
 #include "readPixel"
 #include "storedDistance"
@@ -10,6 +11,13 @@
 uniform highp ivec2 farol_gStored;
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
+
+// normal along which the surface in farol_readPixel looks shadow maps up: the vertices'
+#define FAROL_SHADOW_NORMAL_OF(s) farol_vertexNormal(s.flags, s.normalVS)
+vec3 farol_vertexNormal(const in int flags, const in vec3 normalVS) {
+  if (farol_hasVertexNormal(flags)) return farol_unpackNormal(farol_gAccumulationAt(farol_readPixel).a);
+  return farol_isReversed(flags) ? -normalVS : normalVS;
+}
 
 struct FarolSurface {
   vec3 positionVS; // m

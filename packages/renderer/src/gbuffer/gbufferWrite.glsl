@@ -1,5 +1,6 @@
 // Writes a lit material of three into the G-buffer; layout in gbuffer/gbufferLayout.ts.
 // Valient, Deferred Rendering in Killzone 2, 2007; Cigolle et al. 2014 (normals)
+#include "halfNormal"
 #include "octahedralNormal"
 #include "roundToHalf"
 #include "storedDistance"
@@ -13,9 +14,22 @@
 #else
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;
 #endif
+// normal of the vertices, along which shadow maps are looked up, where a map or the other side has changed it
+#if ( defined( USE_NORMALMAP ) || defined( USE_BUMPMAP ) ) && defined( FAROL_VERTEX_NORMAL ) \
+  && ! defined( FLAT_SHADED ) && ! defined( PHONG )
+  #define FAROL_NORMAL_FLAG FAROL_HAS_VERTEX_NORMAL
+  #define FAROL_WRITE_VERTEX_NORMAL if (receiveShadow) gl_FragColor.a = farol_packNormal(vNormal);
+#elif defined( DOUBLE_SIDED )
+  #define FAROL_NORMAL_FLAG (gl_FrontFacing ? 0 : FAROL_IS_REVERSED)
+#else
+  #define FAROL_NORMAL_FLAG 0
+#endif
+#ifndef FAROL_WRITE_VERTEX_NORMAL
+  #define FAROL_WRITE_VERTEX_NORMAL
+#endif
 #define FAROL_WRITE_GBUFFER \
   farol_outNormal = \
     vec4(farol_roundToHalf(farol_encodeNormal(normal)), farol_packDistance(vViewPosition.z, isOrthographic)); \
   farol_outAlbedo = vec4(sqrt(material.diffuseColor), \
-    farol_packFlags(FAROL_FLAGS + (receiveShadow ? FAROL_RECEIVES_SHADOWS : 0))); \
-  FAROL_WRITE_MATERIAL
+    farol_packFlags(FAROL_FLAGS + (receiveShadow ? FAROL_RECEIVES_SHADOWS + FAROL_NORMAL_FLAG : 0))); \
+  FAROL_WRITE_MATERIAL FAROL_WRITE_VERTEX_NORMAL

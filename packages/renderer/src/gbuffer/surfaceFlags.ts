@@ -5,6 +5,16 @@ export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as 
 export type ShadingModel = keyof typeof shadingModels;
 
 /**
- * Flag bits above the shading model. The shader adds `receivesShadows`, by the object; the others follow the material.
+ * Flag bits above the shading model. The shader adds the first, by the object, and the last two, by which
+ * shadow maps are looked up along the vertices' normal; the others follow the material.
  */
-export const surfaceFlags = { hasFog: 4, isToneMapped: 8, receivesShadows: 16, isDithered: 32 } as const;
+export const surfaceFlags = {
+  receivesShadows: 16,
+  hasFog: 4,
+  isToneMapped: 8,
+  isDithered: 32,
+  /** The G-buffer stores the vertices' normal too: it is not the shaded one. */
+  hasVertexNormal: 64,
+  /** The shaded normal is turned round: a back face's. */
+  isReversed: 128,
+} as const;

@@ -7,7 +7,7 @@ import {
   type PointLight,
   Vector3,
 } from 'three';
-import { isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
+import { hasCookie, isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
 import { fetching } from './fetching';
 import { fieldCount, type LightFieldData, rangeOf } from './lightData';
 import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
@@ -39,6 +39,10 @@ export class VisibleLights {
   areas = 0;
   /** Whether there are area lights, with a range or without. */
   hasAreas = false;
+  /** Whether lights throw images. */
+  hasImages = false;
+  /** Whether shadow maps of `light.shadow` are looked up some way off along the normal. */
+  hasNormalBias = false;
   /** Number of managed lights in the scene, and of those kept for this frame (ambient and hemisphere ones included). */
   total = 0;
   visible = 0;
@@ -87,13 +91,13 @@ export class VisibleLights {
         const at = this.kept * 4;
         if (!this.addBounded(light, facts.range)) continue;
         this.emissions[at + 3] = -1;
-        if (facts.isMasked) this.masked.push(light);
+        if (facts.isMasked) this.addMasked(light);
         if (kind === 'area') this.areas++;
       } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
       else if (kind === 'field') this.addField(light as LightFieldData);
       else {
         (kind === 'directional' ? this.directionals : this.unboundeds).push(light as DirectionalLight);
-        if (facts.isMasked) this.masked.push(light);
+        if (facts.isMasked) this.addMasked(light);
       }
       if (kind === 'area') this.hasAreas = true;
       this.visible++;
@@ -104,13 +108,19 @@ export class VisibleLights {
   private clear(lights: readonly Light[]): void {
     this.directionals.length = this.unboundeds.length = this.masked.length = this.fields.length = 0;
     this.kept = this.sphereCount = this.coneCount = this.areas = this.visible = this.coverage = 0;
-    this.hasAreas = false;
+    this.hasAreas = this.hasImages = this.hasNormalBias = false;
     this.ambient.fill(0);
     this.total = this.singles = lights.length;
     if (this.spheres.length >= lights.length * 4) return;
     this.spheres = new Float64Array(lights.length * 8);
     this.cones = new Float64Array(lights.length * 8);
     this.emissions = new Float64Array(lights.length * 8);
+  }
+
+  private addMasked(light: Light): void {
+    this.masked.push(light);
+    this.hasImages ||= hasCookie(light);
+    this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
   }
 
   private addField(light: LightFieldData): void {

@@ -17,7 +17,7 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
     vec4 material = farol_gMaterialAt(pixel);
     farol_setPhysical(s, max(material.r, 0.045), material.b * material.b, material.a);
   } else {
-    s.alphaSquared = farol_gAccumulationAt(pixel).a;
+    s.alphaSquared = farol_hasVertexNormal(s.flags) ? 1.0 : farol_gAccumulationAt(pixel).a;
     s.lambdaV = 0.0;
     s.diffuse0 = 1.0;
     s.diffuse90 = 0.0;

@@ -41,6 +41,8 @@
 // normal along which shadow lookups are offset: the geometry's, from vertices as in three
 #if defined( FAROL_VERTEX_NORMAL ) && !defined( FLAT_SHADED )
   #define FAROL_SHADOW_NORMAL vNormal
+#elif defined( FLAT_SHADED )
+  #define FAROL_SHADOW_NORMAL (gl_FrontFacing ? geometryNormal : -geometryNormal)
 #else
   #define FAROL_SHADOW_NORMAL geometryNormal
 #endif

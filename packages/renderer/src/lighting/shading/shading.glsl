@@ -27,7 +27,7 @@ struct FarolShading {
 
 #ifdef FAROL_VERTEX_NORMAL
   #define FAROL_SHADOW_NORMAL_OF(s) s.shadowNormalVS
-#else
+#elif ! defined( FAROL_SHADOW_NORMAL_OF ) // gbufferRead has its own
   #define FAROL_SHADOW_NORMAL_OF(s) s.normalVS
 #endif
 #define FAROL_LOOKUP_OF(s) s.positionVS, FAROL_SHADOW_NORMAL_OF(s), farol_receivesShadows(s.flags)

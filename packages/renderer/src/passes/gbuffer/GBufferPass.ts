@@ -1,6 +1,6 @@
 import type { Frame } from '../../frame/Frame';
 import { fitsGBuffer, GBufferTarget } from './GBufferTarget';
-import { isPolished } from '../../gbuffer/isPolished';
+import { exceedsGBuffer } from '../../gbuffer/exceedsGBuffer';
 import { gbufferTwin } from './gbufferTwins';
 import type { Pass } from '../../frame/Pass';
 
@@ -21,7 +21,7 @@ export class GBufferPass implements Pass {
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
     for (const item of frame.queue.opaque) {
-      if (!fitsGBuffer(item) || (frame.lights.hasAreas && isPolished(item.material))) continue;
+      if (!fitsGBuffer(item) || exceedsGBuffer(item.material, frame.lights)) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }

@@ -107,7 +107,7 @@ vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const i
     vec3 right = farol_changeAlong(ivec2(1, 0), positionVS, isPerspective, limit, bend);
     vec3 up = farol_changeAlong(ivec2(0, 1), positionVS, isPerspective, limit, bend);
     farol_planeVS = normalize(cross(right, up));
-    if (bend > limit && dot(farol_planeVS, normalVS) > 0.985) farol_planeVS = normalVS;
+    if (bend > limit && abs(dot(farol_planeVS, normalVS)) > 0.985) farol_planeVS = normalVS;
   }
   float size = length(farol_planeVS);
   return size > 0.0 ? farol_planeVS / size : normalVS;

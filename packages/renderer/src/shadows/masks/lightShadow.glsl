@@ -284,9 +284,10 @@ vec2 farol_spiral(const in int i, const in vec2 turn) {
 // in a direction is found by halving the distance to the surface.
 // Fernando 2005, Percentage-Closer Soft Shadows
 // fromLight: to the surface (m, world axes)
-float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const in vec3 normal) {
+float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const in vec3 vertexNormal) {
   float away = length(fromLight);
   vec3 forward = fromLight / away;
+  vec3 normal = faceforward(vertexNormal, forward, vertexNormal); // back faces are lit too
   vec3 right = normalize(cross(forward, abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
   vec3 up = cross(right, forward);
   float facing = min(dot(normal, forward), -0.05);

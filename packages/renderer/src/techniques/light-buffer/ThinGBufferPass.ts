@@ -1,9 +1,21 @@
-import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, RGFormat, Vector4, WebGLRenderTarget } from 'three';
+import {
+  DepthTexture,
+  DoubleSide,
+  FloatType,
+  LessEqualDepth,
+  type MeshStandardMaterial,
+  NearestFilter,
+  RGBAFormat,
+  RGFormat,
+  Vector4,
+  WebGLRenderTarget,
+} from 'three';
 import { targetBytes } from '../../gpu/targetBytes';
 import * as chunks from './chunks';
 import type { ThinGBuffer } from '../../frame/ThinGBuffer';
 import type { Frame } from '../../frame/Frame';
 import { thinGBufferLayout } from './thinGBufferLayout';
+import type { SharpLights } from '../../gbuffer/exceedsGBuffer';
 import { hasAreaLights } from './hasAreaLights';
 import { isLightBufferMaterial } from './isLightBufferMaterial';
 import { resetObject, setObject } from './objectAttribute';
@@ -36,7 +48,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   readonly items: RenderItem[] = [];
   private made: WebGLRenderTarget | null = null;
   private knowsAreas = false;
-  private hasAreas = false;
+  private lights?: SharpLights;
   private readonly scaleUniform = { value: 1 };
   private readonly twins: ThinGBufferTwins;
 
@@ -60,7 +72,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   render(frame: Frame): void {
     this.prepareTarget(frame);
     this.knowsAreas = hasAreaLights(frame);
-    this.hasAreas = frame.lights.hasAreas;
+    this.lights = frame.lights;
     const { items } = this;
     items.length = 0;
     try {
@@ -93,7 +105,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
 
   /** Whether the light buffer lights an item's material. */
   private isLit({ material }: RenderItem): boolean {
-    return isLightBufferMaterial(material, this.knowsAreas, this.hasAreas);
+    return isLightBufferMaterial(material, this.knowsAreas, this.lights);
   }
 
   dispose(): void {
@@ -109,9 +121,12 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const height = gridTexels(frame.height, scale);
     this.scaleUniform.value = scale;
     gridFit(frame.width, frame.height, scale, this.fit);
-    // a buffer that stores distances keeps them: cameras may take turns
-    if (frame.storesDistance && this.made?.textures.length === 1) this.dispose();
-    const target = (this.made ??= makeTarget(frame.storesDistance));
+    // a buffer that stores distances or normals keeps them: cameras may take turns
+    const before = this.made?.textures[1]?.format;
+    const normals = before === RGBAFormat || needsVertexNormals(frame);
+    const format = normals ? RGBAFormat : frame.storesDistance ? RGFormat : undefined;
+    if (format !== undefined && format !== before) this.dispose();
+    const target = (this.made ??= makeTarget(format));
     if (target.width !== width || target.height !== height) target.setSize(width, height);
     frame.bind(target);
     frame.clear(1, true);
@@ -125,16 +140,26 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
   }
 }
 
-/** @param storesDistance - whether an attachment holds the distance of each texel, see storedDistance.glsl */
-function makeTarget(storesDistance: boolean): WebGLRenderTarget {
+/** Whether shadow maps are looked up along normals of vertices where other normals are shaded. */
+function needsVertexNormals({ lights, queue }: Frame): boolean {
+  return lights.hasNormalBias && queue.opaque.some(shadesOtherNormals);
+}
+
+function shadesOtherNormals({ material }: RenderItem): boolean {
+  const { normalMap, bumpMap, side } = material as MeshStandardMaterial;
+  return Boolean(normalMap || bumpMap) || side === DoubleSide;
+}
+
+/** @param second - format of an attachment with distances (storedDistance.glsl); RGBA: and with the vertices' normals */
+function makeTarget(second?: typeof RGFormat | typeof RGBAFormat): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, {
-    count: storesDistance ? 2 : 1,
+    count: second === undefined ? 1 : 2,
     format: thinGBufferLayout.format,
     type: thinGBufferLayout.type,
     minFilter: NearestFilter,
     magFilter: NearestFilter,
     depthTexture: new DepthTexture(1, 1, FloatType),
   });
-  if (storesDistance) target.textures[1].format = RGFormat;
+  if (second !== undefined) target.textures[1].format = second;
   return target;
 }

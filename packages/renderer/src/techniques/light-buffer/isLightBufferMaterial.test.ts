@@ -40,9 +40,13 @@ describe('isLightBufferMaterial', () => {
     expect(isLightBufferMaterial(notLit[name])).toBe(false),
   );
 
+  const all = { hasAreas: true, hasImages: true };
+
   it('leaves what mirrors area lights sharply to the forward draws, where there are any', () => {
     const polished = new MeshStandardMaterial({ roughness: 0.1 });
-    expect([false, true].map((hasAreas) => isLightBufferMaterial(polished, true, hasAreas))).toEqual([true, false]);
-    expect(isLightBufferMaterial(new MeshStandardMaterial({ roughness: 0.5 }), true, true)).toBe(true);
+    expect(
+      [false, true].map((hasAreas) => isLightBufferMaterial(polished, true, { hasAreas, hasImages: false })),
+    ).toEqual([true, false]);
+    expect(isLightBufferMaterial(new MeshStandardMaterial({ roughness: 0.5 }), true, all)).toBe(true);
   });
 });

@@ -1,5 +1,5 @@
 import type { Material, MeshPhysicalMaterial } from 'three';
-import { isPolished } from '../../gbuffer/isPolished';
+import { exceedsGBuffer, type SharpLights } from '../../gbuffer/exceedsGBuffer';
 
 type AnyMaterial = Material &
   Partial<Pick<MeshPhysicalMaterial, 'specularIntensity' | 'specularIntensityMap'>> & {
@@ -14,16 +14,16 @@ type Lobes = MeshPhysicalMaterial & { retroreflectivity?: number; diffuseRoughne
  * True for materials that the sums of the light buffer light without loss: Lambert, Blinn-Phong, standard, and physical
  * with iridescence, any index of refraction and any specular colour. A second lobe (clearcoat, sheen, retroreflection),
  * an anisotropic one, rough diffuse reflection and toon shading need each light by itself; so does a specular intensity
- * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what mirrors
- * those of the frame sharply.
+ * below 1 where shaders know area lights, since the sum that holds their diffuse light is in use then, and what shows
+ * lights of the frame too sharply.
  * @param knowsAreas - whether shaders have code for area lights. Default false
- * @param hasAreas - whether the frame has area lights. Default false
+ * @param lights - kinds of lights in the frame. Default none
  */
-export function isLightBufferMaterial(material: Material, knowsAreas = false, hasAreas = false): boolean {
+export function isLightBufferMaterial(material: Material, knowsAreas = false, lights?: SharpLights): boolean {
   const m = material as AnyMaterial;
+  if (lights && exceedsGBuffer(m, lights)) return false;
   if (m.isMeshLambertMaterial || m.isMeshPhongMaterial) return true;
   if (!m.isMeshStandardMaterial) return false;
-  if (hasAreas && isPolished(m)) return false;
   if (!m.isMeshPhysicalMaterial) return true;
   if (knowsAreas && (m.specularIntensity !== 1 || m.specularIntensityMap)) return false;
   const { clearcoat, sheen, anisotropy, transmission, retroreflectivity, diffuseRoughness } = m as Lobes;

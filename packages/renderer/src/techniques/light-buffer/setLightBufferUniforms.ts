@@ -1,4 +1,4 @@
-import type { Texture } from 'three';
+import { RGBAFormat, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { gridShift } from './gridFit';
 import type { LightBufferUniforms } from '../../frame/LightBuffer';
@@ -12,7 +12,8 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   uniforms.farol_thinSurface.value = target.texture;
   const distances = target.textures[1];
   uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
-  uniforms.farol_thinStored.value = distances === undefined ? 0 : storedKind(frame.camera);
+  uniforms.farol_thinStored.value =
+    distances === undefined ? 0 : storedKind(frame.camera) + (distances.format === RGBAFormat ? 4 : 0);
   uniforms.farol_size.value.set(target.width, target.height);
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   const { x, y, z, w } = source.fit;

@@ -53,7 +53,7 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
     FarolArea area = farol_areaAt(-light.extension, toLight, lobe.normalVS);
     if (area.window <= 0.0) return;
     vec3 arriving = area.window
-      * farol_masked(light.color, light.mask, toLight, positionVS, lobe.normalVS, lobe.receivesShadows);
+      * farol_masked(light.color, light.mask, toLight, positionVS, FAROL_SHADOW_NORMAL_OF(lobe), lobe.receivesShadows);
     area = farol_toTangentSpace(area, farol_areaLobe(lobe.normalVS, lobe.viewDirVS, lobe.ltc).tangents);
     sums.rest += 3.1415926536 * farol_areaDiffuse(area) * arriving;
     sums.area += farol_areaSpecular(area, lobe.ltc) * arriving;
@@ -72,8 +72,8 @@ void farol_sumLight(inout FarolLightSums sums, const in FarolLobe lobe, const in
   }
   float dotNLRaw = dot(lobe.normalVS, light.direction);
   if (!(dotNLRaw > 0.0)) return;
-  vec3 color = farol_masked(light.color, light.mask, light.direction * light.distance, positionVS, lobe.normalVS,
-    lobe.receivesShadows);
+  vec3 color = farol_masked(light.color, light.mask, light.direction * light.distance, positionVS,
+    FAROL_SHADOW_NORMAL_OF(lobe), lobe.receivesShadows);
   diffuseColor *= color;
   specularColor *= color;
   float dotNL = min(dotNLRaw, 1.0);

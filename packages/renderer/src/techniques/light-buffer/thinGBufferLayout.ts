@@ -3,7 +3,7 @@ import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
 
 /**
  * The thin G-buffer: 8 bytes a texel and 32-bit float depth. Position is rebuilt from depth, or from an
- * attachment of distances where that is too coarse. The encoding is
+ * attachment of distances where that is too coarse, which has the vertices' normals too where shadow maps need them. The encoding is
  * thinGBufferWrite.glsl, sumLight.glsl and lightBufferFilter.glsl.
  */
 export const thinGBufferLayout = {

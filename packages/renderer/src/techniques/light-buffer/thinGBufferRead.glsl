@@ -6,7 +6,7 @@
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
 uniform highp sampler2D farol_thinDepth; // depths, or distances if farol_thinStored is not 0
-uniform highp int farol_thinStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
+uniform highp int farol_thinStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic; 4 more: normals
 
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)
@@ -14,6 +14,12 @@ uniform highp int farol_thinStored; // 0: no distances are stored; 1: they are, 
 // texel of a buffer of the given size
 vec3 farol_thinPosition(const in ivec2 texel, const in vec2 size) {
   vec2 depth = texelFetch(farol_thinDepth, texel, 0).rg;
-  float z = farol_thinStored == 0 ? farol_viewZ(depth.r) : -farol_unpackDistance(depth, farol_thinStored == 2);
+  float z = farol_thinStored == 0 ? farol_viewZ(depth.r) : -farol_unpackDistance(depth, (farol_thinStored & 3) == 2);
   return farol_unprojectAt((vec2(texel) + 0.5) / size, z);
+}
+
+// normal along which the surface in farol_readPixel looks shadow maps up: the vertices', where it is stored
+#define FAROL_SHADOW_NORMAL_OF(s) farol_thinVertexNormal(s.normalVS)
+vec3 farol_thinVertexNormal(const in vec3 normalVS) {
+  return farol_thinStored < 4 ? normalVS : farol_decodeNormal(texelFetch(farol_thinDepth, farol_readPixel, 0).zw);
 }

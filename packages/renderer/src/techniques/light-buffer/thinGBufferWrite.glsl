@@ -3,7 +3,13 @@
 #include "octahedralNormal"
 #include "roundToHalf"
 #include "storedDistance"
-layout(location = 1) out highp vec2 farol_outDistance;
+layout(location = 1) out highp vec4 farol_outDistance;
+// normal along which shadow maps are looked up: the vertices'
+#if defined( FAROL_VERTEX_NORMAL ) && ! defined( FLAT_SHADED )
+  #define FAROL_THIN_NORMAL vNormal
+#else
+  #define FAROL_THIN_NORMAL (gl_FrontFacing ? normal : -normal)
+#endif
 varying highp vec2 farol_object; // x: number of the object; y: corner of the stipple that it takes, 0: all
 #if defined( STANDARD )
   #define FAROL_LOBE (material.specularF90 < 1.0 ? 2.0 + material.roughness : material.roughness)
@@ -12,7 +18,8 @@ varying highp vec2 farol_object; // x: number of the object; y: corner of the st
 #else
   #define FAROL_LOBE 0.0
 #endif
-#define FAROL_WRITE_THIN farol_outDistance = farol_packDistance(vViewPosition.z, isOrthographic); \
+#define FAROL_WRITE_THIN farol_outDistance = vec4(farol_packDistance(vViewPosition.z, isOrthographic), \
+  farol_roundToHalf(farol_encodeNormal(FAROL_THIN_NORMAL))); \
   gl_FragColor = vec4(farol_roundToHalf(farol_encodeNormal(normal)), FAROL_LOBE, \
   floor(farol_object.x + 0.5) * (receiveShadow ? 1.0 : -1.0));
 // a transparent layer writes one texel of each two by two, and none where it is not seen
