@@ -1,8 +1,9 @@
+import { pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import type { Scene } from 'three';
 import { expect, test } from '../support/test';
-import { openEditor } from './editor';
+import { fieldOf, openEditor, pointOf } from './editor';
 import { type Fingers, makeFingers } from './fingers';
 import './player';
 
@@ -67,26 +68,30 @@ function stepsScene(): object {
   };
 }
 
-/** Place of the walker in the page that plays the scene. */
-const walkerPlace = (page: Page): Promise<number[]> =>
-  page.evaluate(() =>
-    window.seen
-      .map((scene) => scene.getObjectByName('walker'))
-      .find(Boolean)!
-      .position.toArray(),
+/** Keeps the scenes that three tells its tools of. This function runs in the pages, before their scripts. */
+function seeScenes(): void {
+  const tools = new EventTarget();
+  const seen: Scene[] = [];
+  tools.addEventListener('observe', (event) => {
+    const { detail } = event as CustomEvent<Scene>;
+    if (detail.isScene) seen.push(detail);
+  });
+  Object.assign(window, { __THREE_DEVTOOLS__: tools, seen });
+}
+
+/** Place (m) of the object that walks in a page that plays a scene, by its name. */
+const walkerPlace = (page: Page, name = 'walker'): Promise<number[]> =>
+  page.evaluate(
+    (name) =>
+      window.seen
+        .map((scene) => scene.getObjectByName(name))
+        .find(Boolean)!
+        .position.toArray(),
+    name,
   );
 
 test('in a page that plays a scene a finger walks up steps, and a button jumps @verify', async ({ page }) => {
-  await page.addInitScript(() => {
-    const tools = new EventTarget();
-    const seen: Scene[] = [];
-    // three tells its tools of each scene
-    tools.addEventListener('observe', (event) => {
-      const { detail } = event as CustomEvent<Scene>;
-      if (detail.isScene) seen.push(detail);
-    });
-    Object.assign(window, { __THREE_DEVTOOLS__: tools, seen });
-  });
+  await page.addInitScript(seeScenes);
   await page.goto(`./player.html#scene=${deflateRawSync(JSON.stringify(stepsScene())).toString('base64url')}`);
   await expect(page.locator('canvas')).toHaveAttribute('aria-label', 'Steps');
   await page.evaluate(() => window.FarolPlayer.ready);
@@ -109,4 +114,62 @@ test('in a page that plays a scene a finger walks up steps, and a button jumps @
   });
   await page.getByRole('button', { name: 'Jump' }).tap();
   await expect.poll(() => page.evaluate(() => window.highest)).toBeGreaterThan(ground + 0.7);
+});
+
+test('fingers place a lamp, move it and colour it', async ({ page }) => {
+  await openEditor(page, 'empty');
+  await page.getByRole('button', { name: 'Add', exact: true }).tap();
+  await page.getByRole('menuitem', { name: 'Light', exact: true }).tap();
+  await page.getByRole('menuitem', { name: 'Point light' }).tap();
+  await expect(page.getByText('1 selected')).toBeVisible();
+  await page.getByRole('tab', { name: 'Inspector' }).tap();
+  // the last field that is seen: help that came beneath it used to push it away from under the finger
+  await page.getByRole('button', { name: 'Colour', exact: true }).tap({ timeout: 20_000 });
+  const picker = page.getByRole('dialog', { name: 'Colour' });
+  await picker.getByRole('slider', { name: 'Hue' }).tap();
+  await picker.getByRole('slider', { name: 'Color' }).tap();
+  // #408080: the middle of all hues, half as bright and half as strong
+  await expect
+    .poll(() => fieldOf(page, 'Point light', 'Light', 'diffuse'))
+    .toEqual([expect.closeTo(0.05, 2), expect.closeTo(0.22, 2), expect.closeTo(0.22, 2)]);
+  // what is outside closes the picker
+  await page.getByRole('textbox', { name: 'Name' }).tap();
+  await expect(picker).toBeHidden();
+  const place = (await fieldOf(page, 'Point light', 'Transform', 'position')) as number[];
+  const fingers = await makeFingers(page);
+  // the red arrow of the handles points to the right here
+  const { x, y } = await pointOf(page, 'Point light');
+  await fingers.press([x + 50, y]);
+  await fingers.move([x + 110, y]);
+  await fingers.lift();
+  const moved = (await fieldOf(page, 'Point light', 'Transform', 'position')) as number[];
+  expect(moved[0]).toBeGreaterThan(place[0] + 0.5);
+});
+
+test.describe('in half as many pixels', () => {
+  test.use({ deviceScaleFactor: 0.5 });
+
+  test('a finger walks up the steps of the temple in an exported page @verify', async ({ page, context }, info) => {
+    test.setTimeout(300_000);
+    await openEditor(page, 'empty');
+    await page.evaluate(async () => {
+      window.editor.viewport.renderNow = () => {};
+      await window.editor.openSample('night-in-the-temple');
+    });
+    await page.keyboard.press('Control+Shift+E');
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Web page…' }).tap();
+    const html = info.outputPath('temple.html');
+    await (await download).saveAs(html);
+    const played = await context.newPage();
+    await played.addInitScript(seeScenes);
+    await played.goto(pathToFileURL(html).href);
+    await expect(played.locator('canvas')).toHaveAttribute('aria-label', 'Night in the temple');
+    await played.evaluate(() => window.FarolPlayer.ready);
+    const fingers = await makeFingers(played);
+    await pushStick(fingers, played);
+    // two of the steps; the ground outside lies at 0
+    await expect.poll(async () => (await walkerPlace(played, 'Player'))[1], { timeout: 200_000 }).toBeGreaterThan(0.35);
+    await fingers.lift();
+  });
 });
