@@ -21,7 +21,7 @@ import { Bench } from './Bench';
 import { boundsScene } from './boundsScene';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { devices } from './devices';
-import { drawDevice } from './drawDevice';
+import { drawDevice, drawQuality } from './drawDevice';
 import { countGpuObjects } from './gpuObjects';
 import { loseContexts } from './loseContexts';
 import { checkedMap } from './checkedMap';
@@ -37,7 +37,7 @@ import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
-import { runSheet } from './matrix/runSheet';
+import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
 import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
@@ -94,6 +94,7 @@ export interface TestPage {
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
   runSheet: typeof runSheet;
+  compareQualities: typeof compareQualities;
   runSettings: typeof runSettings;
   settingNames: readonly string[];
   drawn: typeof drawn;
@@ -102,6 +103,7 @@ export interface TestPage {
   Bench: typeof Bench;
   devices: typeof devices;
   drawDevice: typeof drawDevice;
+  drawQuality: typeof drawQuality;
   readTexels: typeof readTexels;
   countGpuObjects: typeof countGpuObjects;
   loseContexts: typeof loseContexts;
@@ -156,6 +158,7 @@ window.testPage = {
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   runSheet,
+  compareQualities,
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
@@ -164,6 +167,7 @@ window.testPage = {
   Bench,
   devices,
   drawDevice,
+  drawQuality,
   readTexels,
   countGpuObjects,
   loseContexts,

@@ -4,11 +4,15 @@
 #include "roundToHalf"
 #include "storedDistance"
 #include "surfaceFlags"
+uniform bool farol_lite; // whether the layout is that of the quality 'lite'
 #if defined( STANDARD )
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, \
     sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
 #elif defined( PHONG )
-  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(sqrt(material.specularColor), material.specularStrength); \
+  #define FAROL_WRITE_MATERIAL farol_outMaterial = farol_lite \
+    ? vec4(sqrt(material.specularColor.r * material.specularStrength), \
+      log2(1.0 + material.specularShininess) / 13.0, 0.0, 0.0) \
+    : vec4(sqrt(material.specularColor), material.specularStrength); \
     gl_FragColor.a = material.specularShininess;
 #else
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;

@@ -21,7 +21,7 @@ export class GBufferPass implements Pass {
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
     for (const item of frame.queue.opaque) {
-      if (!fitsGBuffer(item) || (frame.lights.hasAreas && isPolished(item.material))) continue;
+      if (!fitsGBuffer(item, frame.isLite) || (frame.lights.hasAreas && isPolished(item.material))) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }
