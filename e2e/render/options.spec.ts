@@ -112,7 +112,7 @@ test('shadowAtlasSize may change while frames are drawn: the picture is that of 
       live.shadowAtlasSize = shadowAtlasSize;
       const fresh = new farol.FarolRenderer(bench.webgl, { technique: 'deferred', shadowAtlasSize });
       const [a, b] = [drawnBy(live), drawnBy(fresh)];
-      const bytes = [live.info.targetBytes, fresh.info.targetBytes];
+      const bytes = [live.info.shadows.bytes, fresh.info.shadows.bytes];
       fresh.dispose();
       return { flat: isFlat(a), largest: compareImages(a, b).largest, bytes };
     });
