@@ -104,7 +104,7 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
     webgl.setRenderTarget(null);
     return image;
   };
-  const farol = new FarolRenderer(webgl);
+  const farol = new FarolRenderer(webgl, { quality: 'full' });
   const stock = draw(() => webgl.render(scene, camera));
   const results: DeviceResult[] = [];
   const run = (technique: TechniqueName, effect: EffectName | null): void => {
@@ -132,6 +132,40 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
   for (const name of names) run(name, null);
   for (const name of effectNames) for (const technique of ['deferred', 'forward-plus'] as const) run(technique, name);
   return { results, beyond: [...beyond], stockPSNR: compareImages(reference, stock).psnr };
+}
+
+/** Picture of a device by the quality that 'auto' is there, against 'full'. */
+export interface DeviceQuality extends Difference {
+  readonly quality: string;
+  readonly gbufferPixel: number;
+  /** GL errors. */
+  readonly errors: number;
+  /** Calls beyond the device's limits. */
+  readonly beyond: string[];
+}
+
+/** Draws a scene of lights and shadows by a technique and the quality 'auto' on a device that lacks something. */
+export function drawQuality(device: DeviceName, technique: TechniqueName): DeviceQuality {
+  const beyond = subtract(devices[device]);
+  const webgl = new THREE.WebGLRenderer({ antialias: false });
+  webgl.setSize(WIDTH, HEIGHT, false);
+  webgl.shadowMap.enabled = true;
+  const target = makeTarget(webgl);
+  const { scene, camera } = makeScene(true);
+  const farol = new FarolRenderer(webgl, { technique });
+  const draw = (): PageImage => {
+    webgl.setRenderTarget(target);
+    farol.render(scene, camera);
+    return read(webgl, target);
+  };
+  const own = draw();
+  const { quality, memory } = farol.info;
+  const { gbufferPixel } = memory;
+  farol.quality = 'full';
+  const full = draw();
+  let errors = 0;
+  while (webgl.getContext().getError() !== 0) errors++;
+  return { ...compareImages(full, own), quality, gbufferPixel, errors, beyond: [...beyond] };
 }
 
 function makeScene(whole: boolean): TestScene {

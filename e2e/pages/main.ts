@@ -21,7 +21,7 @@ import { Bench } from './Bench';
 import { boundsScene } from './boundsScene';
 import { breakFrames, brokenScene, faultsOf, messageOf } from './brokenFrames';
 import { devices } from './devices';
-import { drawDevice } from './drawDevice';
+import { drawDevice, drawQuality } from './drawDevice';
 import { countGpuObjects } from './gpuObjects';
 import { loseContexts } from './loseContexts';
 import { checkedMap } from './checkedMap';
@@ -39,7 +39,7 @@ import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
-import { runSheet } from './matrix/runSheet';
+import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
 import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
@@ -98,6 +98,7 @@ export interface TestPage {
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
   runSheet: typeof runSheet;
+  compareQualities: typeof compareQualities;
   runSettings: typeof runSettings;
   settingNames: readonly string[];
   drawn: typeof drawn;
@@ -106,6 +107,7 @@ export interface TestPage {
   Bench: typeof Bench;
   devices: typeof devices;
   drawDevice: typeof drawDevice;
+  drawQuality: typeof drawQuality;
   readTexels: typeof readTexels;
   countGpuObjects: typeof countGpuObjects;
   loseContexts: typeof loseContexts;
@@ -162,6 +164,7 @@ window.testPage = {
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   runSheet,
+  compareQualities,
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
@@ -170,6 +173,7 @@ window.testPage = {
   Bench,
   devices,
   drawDevice,
+  drawQuality,
   readTexels,
   countGpuObjects,
   loseContexts,

@@ -41,3 +41,47 @@ test('targets take no more a pixel than each technique may, are told truly, and 
     expect(left, `${technique}: bytes left after dispose`).toBe(0);
   }
 });
+
+test('info tells the bytes of everything: their sum is that of all textures and renderbuffers that WebGL was asked for', async ({
+  page,
+}) => {
+  const measured = await page.evaluate(async () => {
+    const { perf, testPage } = window;
+    const { three, farol: package_, shadowScene } = testPage;
+    await package_.FarolRenderer.preload();
+    const [width, height] = [160, 90];
+    const webgl = new three.WebGLRenderer({ antialias: false });
+    webgl.setSize(width, height, false);
+    webgl.shadowMap.enabled = true;
+    const { scene, camera, lights } = shadowScene(width, height, { caster: 'mixed', settings: { mapSize: 256 } });
+    const stock = new package_.FarolRenderer(webgl, { technique: 'forward-single-pass' });
+    scene.traverse((object) => (object.castShadow = false));
+    stock.render(scene, camera); // what three itself makes once
+    stock.dispose();
+    for (const light of lights) light.castShadow = true;
+    return perf.techniques.flatMap((technique) =>
+      (['full', 'lite'] as const).map((quality) => {
+        const before = perf.textureBytes();
+        const farol = new package_.FarolRenderer(webgl, { technique, quality });
+        // light data may take turns between textures: lights that move bring all of them out
+        for (let i = 0; i < 4; i++) {
+          for (const light of lights) light.position.x += 0.01;
+          farol.render(scene, camera);
+        }
+        const counted = perf.textureBytes() - before;
+        const { memory, quality: drawn, targetBytes: total } = farol.info;
+        const told = { ...memory };
+        farol.dispose();
+        return { technique, quality, drawn, counted, told, total };
+      }),
+    );
+  });
+  for (const { technique, quality, drawn, counted, told, total } of measured) {
+    const said = `${technique}, ${quality}: ${JSON.stringify(told)}`;
+    const { gbufferPixel, ...parts } = told;
+    expect.soft(drawn).toBe(quality);
+    expect.soft(total, said).toBe(counted);
+    expect.soft(total, said).toBe(Object.values(parts).reduce((sum, bytes) => sum + bytes));
+    if (told.gbuffer > 0) expect.soft(gbufferPixel, said).toBe(quality === 'lite' ? 14 : 20);
+  }
+});

@@ -98,6 +98,27 @@ for (const [name, few] of Object.entries(LACKS) as [DeviceName, Few | null][]) {
   });
 }
 
+/** Devices on which the quality 'auto' is 'lite', each drawn by a technique that it can run. */
+const LITE = [
+  ['float colour buffers', 'forward-single-pass'],
+  ['a fifth draw buffer', 'tiled-deferred'],
+  ['textures above 4096', 'clustered-deferred'],
+  ['highp in fragments', 'tiled-deferred'],
+] as const satisfies [DeviceName, TechniqueName][];
+
+for (const [name, technique] of LITE) {
+  test(`a device without ${name} is drawn by the quality lite, as by full`, async ({ benchPage: page, watch }) => {
+    const { quality, gbufferPixel, psnr, errors, beyond } = await page.evaluate(
+      ([name, technique]) => window.testPage.drawQuality(name, technique),
+      [name, technique] as const,
+    );
+    watch.forgive(/THREE.WebGLRenderer: .* not supported/);
+    expect([quality, gbufferPixel]).toEqual(['lite', technique === 'forward-single-pass' ? 0 : 14]);
+    expect(psnr).toBeGreaterThanOrEqual(45);
+    expect([errors, beyond]).toEqual([0, []]);
+  });
+}
+
 const isMediump = (name: DeviceName): boolean =>
   name === 'highp in fragments' || name === 'anything but WebGL 2 itself';
 const beyondFour = (name: DeviceName): boolean =>

@@ -10,6 +10,7 @@ test('every option is a property, of the same default and values; one that does 
     const values: Required<import('@farol/renderer').FarolOptions> = {
       technique: 'deferred',
       view: 'albedo',
+      quality: 'lite',
       timing: true,
       effects: [smaa],
       shadowAtlasSize: 1024,
@@ -48,11 +49,20 @@ test('every option is a property, of the same default and values; one that does 
       unknown: messageOf({ resolutionOfEverything: 1 }),
       undefinedValue: messageOf({ technique: undefined, inferredScale: undefined }),
       value: messageOf({ inferredScale: 2 }),
+      quality: messageOf({ quality: 'lit' }),
     };
   });
   expect(seen.wrong).toEqual([]);
   expect(seen.defaults).toEqual({
-    ...{ technique: 'auto', view: 'final', timing: false, effects: 0, shadowAtlasSize: null, shadowCascades: 1 },
+    ...{
+      technique: 'auto',
+      view: 'final',
+      quality: 'auto',
+      timing: false,
+      effects: 0,
+      shadowAtlasSize: null,
+      shadowCascades: 1,
+    },
     ...{ lightLayers: false, antialias: true, areaLightThreshold: 0.0002, inferredScale: 0.5, heatMapMaximum: 32 },
   });
   expect(seen.misspelt).toMatch(
@@ -60,6 +70,7 @@ test('every option is a property, of the same default and values; one that does 
   );
   expect(seen.unknown).toMatch(/unknown option "resolutionOfEverything"; use one of: technique, [^?]*\.$/);
   expect(seen.undefinedValue).toBe('[object Object]');
+  expect(seen.quality).toMatch(/unknown quality "lit"; use one of: auto, full, lite\. Is "lite" meant\?/);
   expect(seen.value).toMatch(/inferredScale is 2; give a number above 0 and at most 1/);
 });
 
@@ -101,7 +112,7 @@ test('shadowAtlasSize may change while frames are drawn: the picture is that of 
       live.shadowAtlasSize = shadowAtlasSize;
       const fresh = new farol.FarolRenderer(bench.webgl, { technique: 'deferred', shadowAtlasSize });
       const [a, b] = [drawnBy(live), drawnBy(fresh)];
-      const bytes = [live.info.targetBytes, fresh.info.targetBytes];
+      const bytes = [live.info.shadows.bytes, fresh.info.shadows.bytes];
       fresh.dispose();
       return { flat: isFlat(a), largest: compareImages(a, b).largest, bytes };
     });

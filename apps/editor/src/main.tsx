@@ -7,7 +7,6 @@ import { Editor } from './Editor';
 import { fetchAhead } from './fetchAhead';
 import { isLink } from './files/share/isLink';
 import { welcomeUser } from './files/welcomeUser';
-import { watchDrops } from './files/watchDrops';
 import { showLanguage } from './language/shownLanguage';
 import { storedLanguage } from './language/storedLanguage';
 import { Layout } from './panels/Layout';
@@ -42,7 +41,7 @@ function start(problem: Error | null): void {
   });
   window.editor = editor;
   if (problem) editor.notices.show('warning', problem.message);
-  watchDrops(editor);
+  editor.attempt(async () => (await import('./files/watchDrops')).watchDrops(editor));
   // a URL that names a scene suppresses the welcome page, unless it has ?welcome=yes
   const saysScene = isLink(location.hash) || parameters.has('scene');
   const welcomeChoice =

@@ -10,7 +10,7 @@ import {
 import type { FieldValue } from '@farol/engine/fields';
 import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
-import { FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
+import { type FarolOptions, FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
 import { buildScene } from './buildScene';
 import { setDemoDecals } from './demoDecals';
@@ -69,6 +69,7 @@ export class Viewer {
     this.effects = new ViewerEffects(this.farol);
     this.chooseTechnique(state.technique, 'auto');
     this.chooseView(state.view, 'final');
+    this.setQuality(state.quality);
     this.resize();
     new ResizeObserver(() => this.resize()).observe(parent);
     watchPixelRatio(() => this.resize());
@@ -135,6 +136,12 @@ export class Viewer {
   setView(name: string): void {
     this.farol.view = name as View;
     this.changed({ view: name });
+  }
+
+  /** @throws Error naming the known ones when there is no such quality */
+  setQuality(name: string): void {
+    this.farol.quality = name as Required<FarolOptions>['quality'];
+    this.changed({ quality: name });
   }
 
   /**

@@ -1,4 +1,4 @@
-import type { TechniqueName } from '@farol/renderer';
+import type { FarolOptions, TechniqueName } from '@farol/renderer';
 import { Group } from 'three';
 import { atRelease, Bench } from '../Bench';
 import type { Difference } from '../../support/images';
@@ -46,16 +46,21 @@ function makeBench(): Bench {
   return made;
 }
 
-/** Draws all cases of a sheet by stock three and by each technique. */
-export async function runSheet(name: keyof typeof sheets, techniques: readonly TechniqueName[]): Promise<SheetResult> {
+/** A sheet of cases, and the bench that all sheets share, sized for it. */
+async function openSheet(name: keyof typeof sheets) {
   const listed: Cases | (() => Promise<Cases>) = sheets[name];
   const cases = typeof listed === 'function' ? await listed() : listed;
   const { width, height } = sheetSize(cases);
   const bench = (sharedBench ??= makeBench());
   bench.setSize(width, height);
   const kit = { environment: bench.environment() };
+  return { bench, cases, kit, sheet: new Sheet(cases, kit) };
+}
+
+/** Draws all cases of a sheet by stock three and by each technique. */
+export async function runSheet(name: keyof typeof sheets, techniques: readonly TechniqueName[]): Promise<SheetResult> {
+  const { bench, cases, kit, sheet } = await openSheet(name);
   const empty = new Sheet(Object.fromEntries(Object.keys(cases).map((key) => [key, () => new Group()])), kit);
-  const sheet = new Sheet(cases, kit);
   const nothing = bench.stock(empty.scene, empty.camera);
   const stock = bench.stock(sheet.scene, sheet.camera);
   const unseen = sheet.compare(nothing, stock).filter(({ largest }) => largest === 0);
@@ -65,4 +70,17 @@ export async function runSheet(name: keyof typeof sheets, techniques: readonly T
       .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference })),
   );
   return { results, unseen: unseen.map(({ name: key }) => key) };
+}
+
+/** Draws all cases of a sheet by a technique with the quality 'lite', against 'full'. */
+export async function compareQualities(name: keyof typeof sheets, technique: TechniqueName): Promise<CaseResult[]> {
+  const { bench, sheet } = await openSheet(name);
+  const [full, lite] = (['full', 'lite'] satisfies FarolOptions['quality'][]).map((quality) => {
+    bench.farol.quality = quality;
+    return bench.byTechnique(technique, sheet.scene, sheet.camera);
+  });
+  bench.farol.quality = 'auto';
+  return sheet
+    .compare(full, lite)
+    .map(({ name: key, ...difference }) => ({ sheet: name, case: key, technique, ...difference }));
 }

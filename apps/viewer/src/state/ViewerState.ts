@@ -7,6 +7,8 @@ export interface ViewerState {
   /** Name of the technique that draws: a key of the renderer's `techniques`, or 'auto'. */
   technique: string;
   view: string;
+  /** Quality of the renderer: 'auto', 'full' or 'lite'. */
+  quality: string;
   /** Values of scene parameters, such as lights, n, m and seed; those of other scenes are kept unused. */
   parameters: Record<string, FieldValue>;
   /** Resolution of the Stanford dragon in scenes that have one. */
@@ -36,6 +38,7 @@ export interface KnownNames {
   scenes: Readonly<Record<string, { readonly parameters: FieldTable }>>;
   techniques: readonly string[];
   views: readonly string[];
+  qualities: readonly string[];
   dragons: readonly string[];
   antialiasing: readonly string[];
   /** Switches and numbers of the other effects, by their names in addresses. */

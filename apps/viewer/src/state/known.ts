@@ -9,12 +9,13 @@ export const known: KnownNames = {
   scenes,
   techniques: Object.keys(techniques),
   views,
+  qualities: ['auto', 'full', 'lite'],
   dragons: Object.keys(dragonUrls),
   antialiasing: antialiasingNames,
   effects: effectParameters,
   defaults: {
     ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, dragon: 'medium', aa: 'none' },
-    ...{ effects: {}, decals: false, particles: 0, rectangles: 0 },
+    ...{ effects: {}, quality: 'auto', decals: false, particles: 0, rectangles: 0 },
     ...{ time: null, width: null, height: null, dpr: null, gui: true },
   },
 };

@@ -25,6 +25,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     scene: (text) => void (state.scene = oneOf(text, Object.keys(known.scenes))),
     technique: (text) => void (state.technique = oneOf(text, known.techniques)),
     view: (text) => void (state.view = oneOf(text, known.views)),
+    quality: (text) => void (state.quality = oneOf(text, known.qualities)),
     dragon: (text) => void (state.dragon = oneOf(text, known.dragons)),
     aa: (text) => void (state.aa = oneOf(text, known.antialiasing)),
     decals: (text) => void (state.decals = boolean(text)),

@@ -25,6 +25,7 @@ const known: KnownNames = {
   },
   techniques: ['auto', 'forward', 'deferred'],
   views: ['final', 'albedo'],
+  qualities: ['auto', 'full', 'lite'],
   dragons: ['low', 'high'],
   antialiasing: ['none', 'smaa', 'edges', 'taa'],
   effects: {
@@ -37,6 +38,7 @@ const known: KnownNames = {
       scene: 'temple',
       technique: 'deferred',
       view: 'final',
+      quality: 'auto',
       parameters: {},
       dragon: 'low',
       aa: 'none',
@@ -56,12 +58,13 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&quality=lite&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
       ...{ scene: 'planes', technique: 'auto', view: 'albedo', parameters: { n: 7, mesh: 'dragon' }, dragon: 'high' },
       ...{
+        quality: 'lite',
         aa: 'taa',
         effects: { ao: true, reach: 2, oit: true },
         decals: true,
@@ -151,7 +154,7 @@ describe('readState', () => {
 
 describe('writeState', () => {
   const state: ViewerState = {
-    ...{ scene: 'planes', technique: 'forward', view: 'albedo', dragon: 'high', aa: 'smaa' },
+    ...{ scene: 'planes', technique: 'forward', view: 'albedo', quality: 'full', dragon: 'high', aa: 'smaa' },
     effects: { ao: true, reach: 0.25, oit: true },
     ...{ decals: true, particles: 500, rectangles: 30, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
     ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },

@@ -60,6 +60,7 @@ export function addressHelp({
   scenes,
   techniques,
   views,
+  qualities,
   dragons,
   antialiasing,
   effects,
@@ -76,6 +77,7 @@ export function addressHelp({
     ['scene', Object.keys(scenes).join(', ')],
     ['technique', techniques.join(', ')],
     ['view', views.join(', ')],
+    ['quality', `Bytes of surfaces and shadows: ${qualities.join(', ')}; auto is lite on phones and weak devices.`],
     ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
       return [name, `${help} ${range}(${of.join(', ')})`];
     }),

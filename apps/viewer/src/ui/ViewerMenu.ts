@@ -27,6 +27,7 @@ export class ViewerMenu {
   private readonly values: {
     technique: string;
     view: string;
+    quality: string;
     aa: string;
     decals: boolean;
     particles: number;
@@ -42,8 +43,8 @@ export class ViewerMenu {
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, aa, decals, particles, rectangles, dragon, time } = viewer.state;
-    this.values = { technique, view, aa, decals, particles, rectangles, dragon, stopped: time !== null };
+    const { technique, view, quality, aa, decals, particles, rectangles, dragon, time } = viewer.state;
+    this.values = { technique, view, quality, aa, decals, particles, rectangles, dragon, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
@@ -53,6 +54,10 @@ export class ViewerMenu {
       .add(this.values, 'view', [...known.views])
       .name('View')
       .onChange((name: string) => viewer.chooseView(name));
+    gui
+      .add(this.values, 'quality', [...known.qualities])
+      .name('Quality')
+      .onChange((name: string) => viewer.setQuality(name));
     gui
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
       .name('Anti-aliasing')
@@ -120,6 +125,7 @@ export class ViewerMenu {
     const { state, modelName } = this.viewer;
     this.values.technique = state.technique;
     this.values.view = state.view;
+    this.values.quality = state.quality;
     this.values.aa = state.aa;
     this.values.decals = state.decals;
     this.values.particles = state.particles;

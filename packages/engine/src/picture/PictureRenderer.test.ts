@@ -44,6 +44,7 @@ function makeFarol(technique: TechniqueName) {
     view: 'final',
     shadowCascades: 1,
     technique: 'auto',
+    quality: 'auto',
     effects: [] as FarolEffect[],
     techniques,
     info: { technique },
@@ -204,9 +205,9 @@ test('a technique that cannot occlude goes without, and effects of plugins come 
   expect(dispose).toHaveBeenCalledTimes(1);
 });
 
-test('kind, cascades and softness of shadows are those of the scene, also after it was saved and opened again', async () => {
+test('kind, cascades and softness of shadows, and quality are those of the scene, also after it was saved and opened again', async () => {
   const scene = new Scene();
-  Object.assign(scene.settings, { shadowKind: 'variance', shadowCascades: 3, shadowSoftness: 2 });
+  Object.assign(scene.settings, { shadowKind: 'variance', shadowCascades: 3, shadowSoftness: 2, quality: 'lite' });
   const lamp = new GameObject('Lamp');
   lamp.addComponent(Light, { castShadow: true, shadowRadius: 1.5 });
   scene.add(lamp);
@@ -216,9 +217,9 @@ test('kind, cascades and softness of shadows are those of the scene, also after 
   const picture = new PictureRenderer(farol, { failed });
   const look = (of: Scene): unknown[] => {
     picture.render(of, {} as never);
-    return [shadowMap.enabled, shadowMap.type, farol.shadowCascades];
+    return [shadowMap.enabled, shadowMap.type, farol.shadowCascades, farol.quality];
   };
-  expect(look(again)).toEqual([true, VSMShadowMap, 3]);
+  expect(look(again)).toEqual([true, VSMShadowMap, 3, 'lite']);
   const [light] = again.componentsOf(Light);
   const radius = (): number | undefined => (light.three as { shadow?: { radius: number } }).shadow?.radius;
   expect(radius()).toBe(3);
@@ -228,7 +229,7 @@ test('kind, cascades and softness of shadows are those of the scene, also after 
   expect(radius()).toBe(2);
   again.settings.shadowKind = 'none';
   expect(look(again)[0]).toBe(false);
-  expect(look(new Scene())).toEqual([true, PCFShadowMap, 1]);
+  expect(look(new Scene())).toEqual([true, PCFShadowMap, 1, 'auto']);
 });
 
 test('a camera has the focus of the scene, none, or its own', () => {

@@ -50,6 +50,7 @@ export class PictureRenderer {
   private readonly viewport = new Vector4();
   private tones = 0;
   private technique = 'auto';
+  private quality: Scene['settings']['quality'] = 'auto';
   private isFetching = false;
   private chain: PictureChain | null = null;
   private waitsFor: Promise<void> | null = null;
@@ -139,6 +140,7 @@ export class PictureRenderer {
     }
     if (!this.followsRendering) return;
     if (settings.technique !== this.technique) this.take(settings.technique);
+    if (settings.quality !== this.quality) farol.quality = this.quality = settings.quality;
     this.shadows.follow(settings);
     this.effects.update(settings);
   }

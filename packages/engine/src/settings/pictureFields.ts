@@ -281,6 +281,10 @@ export const shadowFields = {
 
 export const renderingFields = {
   technique: custom(techniqueType, 'auto', { help: 'By what the scene is drawn; "Automatic" picks what is fastest.' }),
+  quality: choice('auto', ['auto', 'full', 'lite'], {
+    help: 'Lite holds less memory for surfaces and shadows. Automatic takes it on phones and weak devices.',
+    optionLabels: { auto: 'Automatic', full: 'Full', lite: 'Lite' },
+  }),
   antialiasing: choice('auto', ['auto', 'none', ...antialiasingEffects], {
     help: 'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.',
     label: 'Anti-aliasing',

@@ -19,6 +19,7 @@ import type { GBuffer } from '../gbuffer/GBuffer';
 import { warnOfNaN } from './warnOfNaN';
 import { farthestTold, isPlainProjection, needsStoredDistance } from '../gbuffer/depthLimits';
 import { gbufferLayout, type GBufferAttachment } from '../gbuffer/gbufferLayout';
+import { isWeakDevice, type Quality } from '../gpu/isWeakDevice';
 import type { FieldDraws } from './FieldDraws';
 import { FrameTarget } from './FrameTarget';
 import type { LightTable } from '../lighting/LightTable';
@@ -112,11 +113,17 @@ export class Frame extends FrameTarget {
   reactive: ReactiveMask<Frame> | null = null;
   /** Bytes that passes have sent in this frame; each adds its own. */
   uploadedBytes = 0;
+  /** Bytes of a pixel of the frame's G-buffer, depth left out; 0 for none. */
+  gbufferPixel = 0;
   /** Something of a node material was to be drawn, whose code is not there; set by `drawNodes`. */
   lacksNodes = false;
 
   /** Texels of the lighting buffers of the technique 'inferred' a pixel, along a side: above 0, at most 1. Set by FarolRenderer. */
   inferredScale = 1;
+  /** Quality asked for. Set by FarolRenderer. */
+  quality: Quality = 'auto';
+  /** Whether the device is weak; null until a frame asks, since a lost context does not tell. */
+  private isWeak: boolean | null = null;
   private nodes: NodeDraws | null = null;
   /** Draws one object with one material, inside three's `render`. */
   readonly draw: DirectDraw;
@@ -151,6 +158,11 @@ export class Frame extends FrameTarget {
     return index < 0 ? -1 : gbufferLayout.length + index;
   }
 
+  /** Whether the quality is 'lite': smaller G-buffers and shadow maps. */
+  get isLite(): boolean {
+    return this.quality === 'lite' || (this.quality === 'auto' && (this.isWeak ??= isWeakDevice(this.webgl)));
+  }
+
   /** Whether surfaces store their distance, since depth is too coarse or shifted to rebuild positions from. */
   get storesDistance(): boolean {
     return this.isDepthCoarse || this.queue.farthest === -Infinity;
@@ -166,7 +178,7 @@ export class Frame extends FrameTarget {
     this.camera = camera;
     this.seenBy = seenBy;
     this.view = view;
-    this.uploadedBytes = 0;
+    this.uploadedBytes = this.gbufferPixel = 0;
     this.reactive = null;
     this.resources.begin();
     this.nodes?.begin();

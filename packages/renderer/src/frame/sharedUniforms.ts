@@ -11,6 +11,7 @@ export type SharedUniforms = ReturnType<typeof sharedUniforms>;
 export function sharedUniforms(ambient: Float32Array) {
   return {
     farol_heatScale: { value: 1 / 32 },
+    farol_lite: { value: false },
     /** Colour that three would clear to, in the target's encoding; alpha -1 where three has cleared. */
     farol_background: { value: new Vector4(0, 0, 0, -1) },
     ...lightUniforms(ambient),

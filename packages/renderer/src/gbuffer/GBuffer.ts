@@ -2,7 +2,7 @@ import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type Texture, type 
 import { drawBuffersOf } from '../gpu/checkDevice';
 import { attachmentIndex } from './gbufferNames';
 import { targetBytes } from '../gpu/targetBytes';
-import { gbufferLayout, type GBufferAttachment } from './gbufferLayout';
+import { formatOf, gbufferLayout, type GBufferAttachment } from './gbufferLayout';
 import { WebGLMultipleRenderTargets } from '../three/WebGLMultipleRenderTargets';
 
 /** Geometry buffer: the attachments of `gbufferLayout`, those that effects ask for, and a depth texture. */
@@ -15,12 +15,14 @@ export class GBuffer {
   /**
    * @param extras - attachments after those of `gbufferLayout`
    * @param storesDistance - whether distances are stored beside normals, and give positions in place of depth
+   * @param isLite - whether it has the smaller formats of the quality 'lite'
    * @throws Error when the device has fewer draw buffers than the layout has attachments
    */
   constructor(
     webgl: WebGLRenderer,
     readonly extras: readonly GBufferAttachment[] = [],
     readonly storesDistance = false,
+    readonly isLite = false,
   ) {
     const layout = (this.layout = [...gbufferLayout, ...extras]);
     const gl = webgl.getContext() as WebGL2RenderingContext;
@@ -35,7 +37,9 @@ export class GBuffer {
       magFilter: NearestFilter,
       depthTexture: new DepthTexture(1, 1, FloatType),
     });
-    layout.forEach(({ name, format, type }, i) => {
+    layout.forEach((row, i) => {
+      const { name } = row;
+      const { format, type } = formatOf(row, isLite);
       const texture = this.target.textures[i];
       texture.name = `G-buffer ${name}`;
       texture.format = name === 'normal' && storesDistance ? RGBAFormat : format;

@@ -7,8 +7,9 @@
 #include "storedDistance"
 #include "surfaceFlags"
 #include "unproject"
-// x: 0 no distances are stored, 1 they are, perspective, 2 orthographic; y: 1 if flags, not depth, tell empty pixels
-uniform highp ivec2 farol_gStored;
+// x: 0 no distances are stored, 1 they are, perspective, 2 orthographic; y: 1 if flags, not depth, tell empty pixels;
+// z: 1 if the layout is that of the quality 'lite'
+uniform highp ivec3 farol_gStored;
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_surfacePosition(pixel, farol_gDepthAt(pixel), farol_readSize)
 
@@ -28,6 +29,18 @@ struct FarolSurface {
   int flags; // see surfaceFlags.glsl
 };
 
+// as the layout of the quality 'full' stores it
+vec4 farol_materialAt(const in ivec2 pixel, const in int flags) {
+  vec4 material = farol_gMaterialAt(pixel);
+  if (farol_gStored.z == 0) return material;
+  return farol_shadingModel(flags) == FAROL_PHONG ? material.rrra : vec4(material.rg, 0.2, 1.0);
+}
+
+// of a Phong surface
+float farol_shininessAt(const in ivec2 pixel) {
+  return farol_gStored.z == 0 ? farol_gAccumulationAt(pixel).a : exp2(13.0 * farol_gMaterialAt(pixel).g) - 1.0;
+}
+
 bool farol_isEmptyPixel(const in ivec2 pixel, const in float depth) {
   return farol_isEmpty(depth) && (farol_gStored.y == 0 || farol_gAlbedoAt(pixel).a == 0.0);
 }
@@ -46,8 +59,8 @@ FarolSurface farol_readSurface(const in ivec2 pixel, const in float depth, const
   surface.flags = farol_unpackFlags(albedo.a);
   surface.albedo = albedo.rgb * albedo.rgb;
   surface.normalVS = farol_decodeNormal(farol_gNormalAt(pixel).xy);
-  surface.material = farol_gMaterialAt(pixel);
-  surface.accumulation = farol_gAccumulationAt(pixel);
+  surface.material = farol_materialAt(pixel, surface.flags);
+  surface.accumulation = vec4(farol_gAccumulationAt(pixel).rgb, farol_shininessAt(pixel));
   surface.positionVS = farol_surfacePosition(pixel, depth, size);
   return surface;
 }

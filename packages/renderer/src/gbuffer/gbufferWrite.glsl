@@ -5,19 +5,24 @@
 #include "roundToHalf"
 #include "storedDistance"
 #include "surfaceFlags"
+uniform bool farol_lite; // whether the layout is that of the quality 'lite'
 #if defined( STANDARD )
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(material.roughness, material.metalness, \
     sqrt(material.specularColor.r), material.specularF90); gl_FragColor.a = 1.0;
 #elif defined( PHONG )
-  #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(sqrt(material.specularColor), material.specularStrength); \
+  #define FAROL_WRITE_MATERIAL farol_outMaterial = farol_lite \
+    ? vec4(sqrt(material.specularColor.r * material.specularStrength), \
+      log2(1.0 + material.specularShininess) / 13.0, 0.0, 0.0) \
+    : vec4(sqrt(material.specularColor), material.specularStrength); \
     gl_FragColor.a = material.specularShininess;
 #else
   #define FAROL_WRITE_MATERIAL farol_outMaterial = vec4(1.0, 0.0, 0.0, 0.0); gl_FragColor.a = 1.0;
 #endif
-// normal of the vertices, along which shadow maps are looked up, where a map or the other side has changed it
+// normal of the vertices, along which shadow maps are looked up, where a map or the other side has changed it;
+// the layout of 'lite' has no room for it
 #if ( defined( USE_NORMALMAP ) || defined( USE_BUMPMAP ) ) && defined( FAROL_VERTEX_NORMAL ) \
   && ! defined( FLAT_SHADED ) && ! defined( PHONG )
-  #define FAROL_NORMAL_FLAG FAROL_HAS_VERTEX_NORMAL
+  #define FAROL_NORMAL_FLAG (farol_lite ? 0 : FAROL_HAS_VERTEX_NORMAL)
   #define FAROL_WRITE_VERTEX_NORMAL if (receiveShadow) gl_FragColor.a = farol_packNormal(vNormal);
 #elif defined( DOUBLE_SIDED )
   #define FAROL_NORMAL_FLAG (gl_FrontFacing ? 0 : FAROL_IS_REVERSED)

@@ -28,6 +28,16 @@ export function shadingModelOf(material: Material): ShadingModel | null {
   return null;
 }
 
+/**
+ * Whether a material that a G-buffer holds is not held by that of the quality 'lite': one whose reflectance at normal
+ * incidence may differ from 0.04, or whose specular is coloured.
+ */
+export function exceedsLite(material: Material): boolean {
+  const { specular, isMeshPhysicalMaterial } = material as AnyMaterial & Partial<MeshPhongMaterial>;
+  if (specular) return specular.r !== specular.g || specular.g !== specular.b;
+  return isMeshPhysicalMaterial === true;
+}
+
 /** The flags of a material, 0 to 47, as the G-buffer keeps them. */
 export function flagsOf(material: Material, model: ShadingModel): number {
   return (

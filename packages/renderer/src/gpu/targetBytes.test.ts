@@ -1,4 +1,14 @@
-import { DepthTexture, FloatType, HalfFloatType, RedFormat, RGFormat, UnsignedIntType, WebGLRenderTarget } from 'three';
+import {
+  DepthTexture,
+  FloatType,
+  HalfFloatType,
+  RedFormat,
+  RGBFormat,
+  RGFormat,
+  UnsignedInt101111Type,
+  UnsignedIntType,
+  WebGLRenderTarget,
+} from 'three';
 import { expect, it, vi } from 'vitest';
 import { PassTarget } from './PassTarget';
 import { targetBytes } from './targetBytes';
@@ -7,6 +17,7 @@ it.each([
   ['colours of 8 bits, depth', {}, 4 + 4],
   ['one channel, no depth', { format: RedFormat, depthBuffer: false }, 1],
   ['two half floats', { format: RGFormat, type: HalfFloatType, depthBuffer: false }, 4],
+  ['floats of 11, 11 and 10 bits', { format: RGBFormat, type: UnsignedInt101111Type, depthBuffer: false }, 4],
   ['words', { type: UnsignedIntType, depthBuffer: false }, 16],
   ['three textures', { type: HalfFloatType, count: 3, depthBuffer: false }, 24],
   ['floats, depth and stencil as a texture', { type: FloatType, stencilBuffer: true, depthTexture: depth() }, 16 + 8],

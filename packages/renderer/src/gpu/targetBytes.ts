@@ -7,6 +7,7 @@ import {
   RGIntegerFormat,
   ShortType,
   UnsignedByteType,
+  UnsignedInt101111Type,
   UnsignedShortType,
   type Texture,
   type WebGLRenderTarget,
@@ -19,6 +20,7 @@ const TWO_BYTES: readonly number[] = [HalfFloatType, UnsignedShortType, ShortTyp
 
 /** Bytes of a texel of a colour texture, by its format and type. */
 function texelBytes({ format, type }: Texture): number {
+  if (type === UnsignedInt101111Type) return 4;
   const channels = ONE_CHANNEL.includes(format) ? 1 : TWO_CHANNELS.includes(format) ? 2 : 4;
   return channels * (ONE_BYTE.includes(type) ? 1 : TWO_BYTES.includes(type) ? 2 : 4);
 }

@@ -9,6 +9,24 @@ export interface PassInfo {
   gpuMs: number | null;
 }
 
+/** Bytes that Farol holds on the GPU, by their use; three's own and the host's textures are not counted. */
+export interface MemoryInfo {
+  /** G-buffers, depth included. */
+  gbuffer: number;
+  /** Bytes of a pixel of the frame's G-buffer, depth (4 bytes) left out; 0 for none. */
+  gbufferPixel: number;
+  /** Other targets of techniques and views. */
+  targets: number;
+  /** Lists of lights by tile or cluster. */
+  lists: number;
+  /** Atlases of shadow maps, cookies and profiles, and what is known of their depths. */
+  shadows: number;
+  /** Light tables, and the tables of area lights and light fields. */
+  lights: number;
+  /** Effects, anti-aliasing by the option `antialias` included. */
+  effects: number;
+}
+
 /** Figures of the last frame. The same object and the same pass objects every frame: read, do not keep. */
 export interface FarolInfo {
   /** Key of the technique that drew. */
@@ -40,7 +58,11 @@ export interface FarolInfo {
   shadows: { drawn: number; texels: number; kept: number; bounded: number; bytes: number };
   /** Programs alive in the WebGLRenderer. */
   programs: number;
-  /** Bytes of render targets and light data that Farol holds on the GPU. */
+  /** Quality of the frame: 'lite' or 'full'. */
+  quality: 'full' | 'lite';
+  /** Bytes that Farol holds on the GPU, by their use. */
+  readonly memory: MemoryInfo;
+  /** Sum of `memory`. */
   targetBytes: number;
   /** Bytes of light data uploaded in this frame. */
   uploadBytes: number;

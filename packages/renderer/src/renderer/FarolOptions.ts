@@ -1,5 +1,6 @@
 import { unknownName } from './errors';
 import type { View } from '../frame/views';
+import type { Quality } from '../gpu/isWeakDevice';
 import type { FarolEffect } from '../frame/FarolEffect';
 import type { TechniqueName } from '../techniques';
 
@@ -9,6 +10,14 @@ export interface FarolOptions {
   technique?: TechniqueName;
   /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
+  /**
+   * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, with materials that these do not hold drawn forward, and
+   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no float colour buffers
+   * or fewer than 8 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or at most
+   * 2 GB of memory, and on one that is touched and has no finer pointer (phones, tablets, headsets); else 'full'. Default
+   * 'auto'.
+   */
+  quality?: Quality;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
@@ -59,6 +68,7 @@ export interface FarolOptions {
 export const defaultOptions: Required<FarolOptions> = {
   technique: 'auto',
   view: 'final',
+  quality: 'auto',
   timing: false,
   effects: [],
   shadowAtlasSize: null,

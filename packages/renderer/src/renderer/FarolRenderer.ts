@@ -1,6 +1,7 @@
 import { type ArrayCamera, type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
 import { checkDevice } from '../gpu/checkDevice';
+import { qualities, type Quality } from '../gpu/isWeakDevice';
 import { type View, views } from '../frame/views';
 import { unknownName } from './errors';
 import { NO_EFFECTS } from '../frame/ActiveEffects';
@@ -21,6 +22,7 @@ import type { LightOrder } from '../lighting/LightTable';
 import { resetLayers } from '../materials/layersAttribute';
 import { TwinCache } from '../materials/TwinCache';
 import type { MicroShaderRegistry } from '../microshaders';
+import { countMemory } from './countMemory';
 import { createRegistry } from './createRegistry';
 import { refuseXR } from '../three/refuseXR';
 import { renderArray } from '../three/renderArray';
@@ -164,6 +166,16 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.views.available(name); // begins to fetch the view's code
   }
 
+  /** @throws Error when unknown */
+  get quality(): Quality {
+    return this.frame.quality;
+  }
+
+  set quality(name: Quality) {
+    if (!qualities.includes(name)) throw unknownName('quality', name, qualities);
+    this.frame.quality = name;
+  }
+
   /** @throws RangeError unless above 0 and at most 1 */
   get inferredScale(): number {
     return this.frame.inferredScale;
@@ -270,7 +282,8 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     // lets the GPU begin while the host continues; a call to another process, not worth it for a small frame
     const lights = frame.lights.total + (frame.fields?.count ?? 0);
     if (Math.max(this.info.drawCalls, lights) > FEW) frame.gl.flush();
-    this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes, this.targetBytes());
+    countMemory(this.info, frame, this.set, finder, draws, this.views, this.effects);
+    this.recorder.end(picker.active, picker.reason, frame.lights, shadows, frame.uploadedBytes);
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
     // a shader that has no place for the loop was met: once more, by three's lights
@@ -383,17 +396,5 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       this.sceneViews.set(scene, view);
     }
     return view;
-  }
-
-  private targetBytes(): number {
-    let bytes =
-      this.lights.table.bytes +
-      (this.finder.shadows?.bytes ?? 0) +
-      (this.frame.fields?.bytes ?? 0) +
-      this.views.bytes +
-      (this.draws.edges?.bytes ?? 0) +
-      this.set.bytes;
-    for (const effect of this.effects) bytes += effect.bytes;
-    return bytes;
   }
 }

@@ -73,6 +73,7 @@ export class FrameLights {
       shadows.areas = finder.areas;
       shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
       shadows.atlasSize = settings.shadowAtlasSize;
+      shadows.isLite = frame.isLite;
       shadows.seenBy = frame.seenBy;
       shadows.update(scene, frame.camera, table.masked, frame);
     }

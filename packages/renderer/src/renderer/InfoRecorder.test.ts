@@ -29,14 +29,14 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
     recorder.begin(false);
     draw('g-buffer', 4, 240);
     draw('lighting', 1, 1);
-    recorder.end('deferred', 'asked for', lights, null, 28, 4096);
+    recorder.end('deferred', 'asked for', lights, null, 28);
     expect(info.passes.map(({ name, drawCalls, triangles }) => [name, drawCalls, triangles])).toEqual([
       ['g-buffer', 4, 240],
       ['lighting', 1, 1],
     ]);
     expect([info.drawCalls, info.triangles]).toEqual([5, 241]);
   }
-  expect([info.technique, info.reason, info.programs, info.targetBytes]).toEqual(['deferred', 'asked for', 2, 4096]);
+  expect([info.technique, info.reason, info.programs]).toEqual(['deferred', 'asked for', 2]);
   expect([info.lights.total, info.lights.visible, info.uploadBytes]).toEqual([7, 3, 128]);
   expect(info.gpuMs).toBe(null);
   recorder.dispose();
@@ -51,7 +51,7 @@ it('hints at LightField from 2,000 lights on that are objects of their own, and 
   const hintOf = (all: (PointLight | LightField)[]): string | null => {
     table.collect(all, camera, { shadows: 'none', layers: null });
     recorder.begin(false);
-    recorder.end('deferred', 'asked for', table, null, 0, 0);
+    recorder.end('deferred', 'asked for', table, null, 0);
     return recorder.info.hint;
   };
   expect(recorder.info.hint).toBe(null);

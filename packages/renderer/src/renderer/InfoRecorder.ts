@@ -39,6 +39,10 @@ export class InfoRecorder {
       lights: { total: 0, visible: 0 },
       shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
       programs: 0,
+      quality: 'full',
+      memory: {
+        ...{ gbuffer: 0, gbufferPixel: 0, targets: 0, lists: 0, shadows: 0, lights: 0, effects: 0 },
+      },
       targetBytes: 0,
       uploadBytes: 0,
     };
@@ -92,14 +96,7 @@ export class InfoRecorder {
     this.pass = null;
   }
 
-  end(
-    technique: string,
-    reason: string,
-    lights: LightTable,
-    shadows: ShadowMaps | null,
-    uploadedBytes: number,
-    targetBytes: number,
-  ): void {
+  end(technique: string, reason: string, lights: LightTable, shadows: ShadowMaps | null, uploadedBytes: number): void {
     const { info } = this;
     info.technique = technique;
     info.reason = reason;
@@ -113,7 +110,6 @@ export class InfoRecorder {
     info.shadows.bounded = shadows?.tiles.bounded ?? 0;
     info.shadows.bytes = shadows?.atlasBytes ?? 0;
     info.programs = this.webgl.info.programs?.length ?? 0;
-    info.targetBytes = targetBytes;
     info.uploadBytes = lights.uploadedBytes + uploadedBytes;
     info.cpuMs = performance.now() - this.started;
   }

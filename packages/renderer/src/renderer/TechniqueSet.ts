@@ -4,6 +4,7 @@ import { gridCode, tileCode } from '../techniques/techniqueCode';
 import type { Pass } from '../frame/Pass';
 import { validatePasses } from '../frame/validatePasses';
 import { techniques } from '../techniques';
+import type { MemoryInfo } from './FarolInfo';
 import type { MicroShaderRegistry } from '../microshaders';
 import { addMicroShaders } from '../microshaders/addMicroShaders';
 import type { Technique } from '../frame/Technique';
@@ -65,11 +66,13 @@ export class TechniqueSet {
     return this.passesOf(name).some(({ reads }) => reads.includes('overdraw'));
   }
 
-  /** Bytes of the targets of all passes. */
-  get bytes(): number {
-    let bytes = 0;
-    for (const passes of this.lists.values()) for (const pass of passes) bytes += pass.bytes;
-    return bytes;
+  /** Counts the bytes of all passes by what they write. */
+  count(memory: MemoryInfo): void {
+    memory.gbuffer = memory.lists = memory.targets = 0;
+    for (const passes of this.lists.values()) {
+      for (const { writes, bytes } of passes)
+        memory[writes.includes('gbuffer') ? 'gbuffer' : writes.includes('light-lists') ? 'lists' : 'targets'] += bytes;
+    }
   }
 
   dispose(): void {

@@ -25,7 +25,7 @@ import { MaskShaders } from './masks/MaskShaders';
 import { type ShadowBounds, ShadowTiles } from './screen-tiles';
 import type { AreaLightTable } from '../lighting/area-lights/AreaLightTable';
 import { AreaShadowLight, softSizeOf } from './slots/AreaShadowLight';
-import { atlasLimit } from './slots/atlasLimit';
+import { atlasLimit, liteAtlasBytes } from './slots/atlasLimit';
 import { chooseDetail } from './slots/chooseDetail';
 import type { CookieSlot } from './slots/CookieSlot';
 import { ImageSamplers, imageSamplersOf } from './slots/ImageSamplers';
@@ -49,11 +49,13 @@ export class ShadowMaps implements LightMasks, TileShadows {
   readonly layers = new LightLayers();
   /** Maps of each directional light, 1 to 4. */
   cascades = 1;
-  /**
-   * Greatest side of the atlas of shadow-map depths (texels); null: chosen by the size of pictures, see `atlasLimit`.
-   */
+  /** Greatest side of the atlas of shadow-map depths (texels); null: by the size of pictures, see `atlasLimit`. */
   atlasSize: number | null = null;
   private knownAtlasSize: number | null = null;
+  /** Whether bytes bound the atlases, for the quality 'lite'. */
+  isLite = false;
+  /** Bytes of a texel of depths by which the atlases are bounded; 0 while they are not. */
+  private knownTexel = 0;
   /** Area lights, asked for the range of those that cast shadows; null while no scene has had an area light. */
   areas: AreaLightTable | null = null;
   /** Frame's camera, or the array of cameras that has it: levels of detail, and layers of casters of most shadows. */
@@ -126,7 +128,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   }
 
   get bytes(): number {
-    return this.atlasBytes + this.bounds.bytes + this.tiles.bytes;
+    return this.atlasBytes + this.hostMaps.bytes + this.bounds.bytes + this.tiles.bytes;
   }
 
   /** Whether the frame has shadow maps, cookies or depth bounds of maps to draw. */
@@ -249,9 +251,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
     this.isVariance = type === VSMShadowMap;
   }
 
-  /**
-   * Adds a light of the frame to those with shadow map or cookie; a light that is only limited to layers needs neither.
-   */
+  /** Adds a light of the frame to those with shadow map or cookie; one that is only limited to layers needs neither. */
   private collect(light: Light, root: Object3D, camera: Camera): void {
     if (isAreaLight(light)) {
       if (!hasShadowMap(light, shadowedLights(this.webgl))) this.masks.addLayered(light);
@@ -312,18 +312,19 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   /** Finds how large the maps and their atlas are to be. */
   private chooseSizes(camera: Camera, picture: PictureSize): void {
-    const { shadowMap, capabilities } = this.webgl;
-    const { lit } = this.slots;
-    const { depths } = this.atlases;
-    const asked = this.atlasSize === null ? atlasLimit(picture, lit) : Math.max(SMALLEST_ATLAS, this.atlasSize);
-    if (this.atlasSize !== this.knownAtlasSize) {
-      this.knownAtlasSize = this.atlasSize;
-      if (!this.isVariance) for (const slot of this.slots.all()) this.releaseMap(slot);
-      depths.clear();
+    const { atlases, atlasSize } = this;
+    const { lit, copies } = this.slots;
+    const texel = this.isLite ? atlases.depths.bytesPerTexel() : 0;
+    if (atlasSize !== this.knownAtlasSize || texel !== this.knownTexel) {
+      this.knownAtlasSize = atlasSize;
+      this.knownTexel = texel;
+      for (const slot of this.slots.all()) this.releaseMap(slot);
+      for (const cookies of copies) for (const one of cookies.values()) atlases.colours.release(one);
+      atlases.clear();
     }
-    // the limit only grows: cameras may take turns, and the largest picture decides
-    depths.raiseLimit(Math.min(asked, capabilities.maxTextureSize));
-    chooseDetail(lit, camera, picture, shadowMap, depths.reduced);
+    const asked = atlasSize === null ? atlasLimit(picture, lit) : Math.max(SMALLEST_ATLAS, atlasSize);
+    atlases.raiseLimits(asked, this.isLite ? liteAtlasBytes(picture) : Infinity);
+    chooseDetail(lit, camera, picture, this.webgl.shadowMap, atlases.depths.reduced);
   }
 
   /** Gives each shadow map and cookie of the frame its atlas region; releases regions of lights not lit for long. */

@@ -74,6 +74,11 @@ export const picture: Texts = {
   'How far it reaches into the picture.': 'Hasta dónde entra en la imagen.',
   'By what the scene is drawn; "Automatic" picks what is fastest.':
     'Con qué se dibuja la escena; «Automático» elige lo más rápido.',
+  Quality: 'Calidad',
+  Full: 'Completa',
+  Lite: 'Ligera',
+  'Lite holds less memory for surfaces and shadows. Automatic takes it on phones and weak devices.':
+    '«Ligera» ocupa menos memoria para superficies y sombras. «Automático» lo elige en teléfonos y equipos modestos.',
   'Occlusion radius': 'Radio de la oclusión',
   'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
   'Occlusion strength': 'Fuerza de la oclusión',

@@ -57,6 +57,11 @@ export class AreaLightTable implements AreaRadii {
     table.set4(at + AREA.up, axis.x, axis.y, axis.z, this.reachOf(light) || ENDLESS);
   }
 
+  /** Bytes of the tables of linearly transformed cosines. */
+  get bytes(): number {
+    return (this.transforms.image.data as Uint16Array).byteLength;
+  }
+
   dispose(): void {
     this.transforms.dispose();
     this.uniform.value = null;

@@ -14,10 +14,10 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
   s.viewDirVS = farol_perspective == 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-s.positionVS);
   s.dotNV = dot(s.normalVS, s.viewDirVS);
   if (farol_isPhysical(s)) {
-    vec4 material = farol_gMaterialAt(pixel);
+    vec4 material = farol_materialAt(pixel, s.flags);
     farol_setPhysical(s, max(material.r, 0.045), material.b * material.b, material.a);
   } else {
-    s.alphaSquared = farol_hasVertexNormal(s.flags) ? 1.0 : farol_gAccumulationAt(pixel).a;
+    s.alphaSquared = farol_hasVertexNormal(s.flags) ? 1.0 : farol_shininessAt(pixel);
     s.lambdaV = 0.0;
     s.diffuse0 = 1.0;
     s.diffuse90 = 0.0;
@@ -30,7 +30,7 @@ FarolShading farol_beginShading(const in ivec2 pixel, const in float depth, cons
 vec3 farol_endShading(const in FarolShading s, const in ivec2 pixel) {
   vec3 albedo = farol_gAlbedoAt(pixel).rgb;
   albedo *= albedo;
-  vec4 material = farol_gMaterialAt(pixel);
+  vec4 material = farol_materialAt(pixel, s.flags);
   if (farol_isPhysical(s)) {
     vec3 f0 = mix(vec3(material.b * material.b), albedo, material.g);
     vec2 dfg = texture(dfgLUT, vec2(material.r, clamp(s.dotNV, 0.0, 1.0))).rg;

@@ -21,7 +21,7 @@ export class GBufferPass implements Pass {
   render(frame: Frame): void {
     const gbuffer = this.target.begin(frame);
     for (const item of frame.queue.opaque) {
-      if (!fitsGBuffer(item) || exceedsGBuffer(item.material, frame.lights)) continue;
+      if (!fitsGBuffer(item, frame.isLite) || exceedsGBuffer(item.material, frame.lights)) continue;
       frame.drawTwin(item, gbufferTwin);
       item.drawn = true;
     }

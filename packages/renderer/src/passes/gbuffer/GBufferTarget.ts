@@ -2,11 +2,15 @@ import type { Frame } from '../../frame/Frame';
 import type { RenderItem } from '../../frame/RenderItem';
 import { GBuffer } from '../../gbuffer/GBuffer';
 import { attachmentIndex } from '../../gbuffer/gbufferNames';
-import { shadingModelOf } from '../../gbuffer/shadingModel';
+import { exceedsLite, shadingModelOf } from '../../gbuffer/shadingModel';
 
-/** True for an item that the G-buffer holds without visible loss; others are left to forward passes. */
-export function fitsGBuffer(item: RenderItem): boolean {
-  return item.route === 'split' && !item.layered && shadingModelOf(item.material) !== null;
+/**
+ * True for an item that the G-buffer holds without visible loss; others are left to forward passes.
+ * @param isLite - whether the G-buffer is that of the quality 'lite' (`Frame.isLite`). Default false
+ */
+export function fitsGBuffer(item: RenderItem, isLite = false): boolean {
+  const { route, layered, material } = item;
+  return route === 'split' && !layered && shadingModelOf(material) !== null && !(isLite && exceedsLite(material));
 }
 
 /** Makes the G-buffer of a pass for the needs of a frame, and makes it anew when these change. */
@@ -25,9 +29,11 @@ export class GBufferTarget {
     // a G-buffer that stores distances keeps them: cameras may take turns
     const stores = this.keepsDistance && (frame.storesDistance || this.made?.storesDistance === true);
     if (this.made !== null && !this.fits(this.made, frame, stores)) this.dispose();
-    const gbuffer = (this.made ??= new GBuffer(frame.webgl, frame.gbufferExtras, stores));
+    const gbuffer = (this.made ??= new GBuffer(frame.webgl, frame.gbufferExtras, stores, frame.isLite));
     gbuffer.setSize(frame.width, frame.height);
     gbuffer.accumulation = gbuffer.emissive;
+    frame.uniforms.farol_lite.value = gbuffer.isLite;
+    frame.gbufferPixel = gbuffer.bytes / (frame.width * frame.height) - 4;
     frame.bind(gbuffer.target);
     // depth 1 says that nothing is drawn there: other attachments need no clear, which costs as much as a draw
     frame.clear(0, true);
@@ -41,8 +47,9 @@ export class GBufferTarget {
     this.made = null;
   }
 
-  private fits({ extras, storesDistance }: GBuffer, { gbufferExtras }: Frame, stores: boolean): boolean {
-    if (storesDistance !== stores || extras.length !== gbufferExtras.length) return false;
+  private fits({ extras, storesDistance, isLite }: GBuffer, frame: Frame, stores: boolean): boolean {
+    const { gbufferExtras } = frame;
+    if (isLite !== frame.isLite || storesDistance !== stores || extras.length !== gbufferExtras.length) return false;
     for (let i = 0; i < extras.length; i++) if (extras[i] !== gbufferExtras[i]) return false;
     return true;
   }

@@ -15,7 +15,7 @@ export interface GBufferUniforms extends GBufferTextureUniforms, UnprojectUnifor
 export function gbufferUniforms(): GBufferUniforms {
   return {
     ...gbufferTextureUniforms(),
-    farol_gStored: { value: [0, 0] },
+    farol_gStored: { value: [0, 0, 0] },
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
     farol_offset: { value: new Vector2() },
@@ -35,6 +35,7 @@ export function setGBufferUniforms(uniforms: GBufferUniforms, gbuffer: GBuffer, 
   const stored = uniforms.farol_gStored.value;
   stored[0] = gbuffer.storesDistance ? storedKind(frame.camera) : 0;
   stored[1] = frame.queue.reachesFar ? 1 : 0;
+  stored[2] = gbuffer.isLite ? 1 : 0;
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   uniforms.farol_size.value.set(frame.width, frame.height);
   uniforms.farol_offset.value.set(frame.viewport.x, frame.viewport.y);

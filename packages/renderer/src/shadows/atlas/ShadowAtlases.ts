@@ -7,6 +7,8 @@ import { textureHandle } from '../../three/handles';
 
 /** Greatest side of the atlas of cookies and variance shadow maps (texels). */
 const LARGEST_COLOURS = 4096;
+/** Step of the side of an atlas that bytes bound (texels). */
+const STEP = 256;
 
 /** The two atlases: depths of shadow maps; colours of cookies, with the moments of variance shadow maps. */
 export class ShadowAtlases {
@@ -22,7 +24,7 @@ export class ShadowAtlases {
       (size) => depthTarget(size, this.fine),
     );
     this.colours = new TextureAtlas(
-      Math.min(LARGEST_COLOURS, webgl.capabilities.maxTextureSize),
+      0,
       () => (floats() ? 8 : 4),
       (size) => colourTarget(size, floats()),
     );
@@ -41,6 +43,27 @@ export class ShadowAtlases {
   refine(): void {
     this.fine = true;
     this.depths.remake();
+  }
+
+  /**
+   * Raises the greatest sides of the atlases; they never fall: cameras may take turns, and the largest picture decides.
+   * @param depths - side asked for shadow maps (texels)
+   * @param bytes - most bytes of each atlas
+   */
+  raiseLimits(depths: number, bytes: number): void {
+    this.raise(this.depths, depths, bytes);
+    this.raise(this.colours, LARGEST_COLOURS, bytes);
+  }
+
+  private raise(atlas: TextureAtlas, side: number, bytes: number): void {
+    const most = Math.floor(Math.sqrt(bytes / atlas.bytesPerTexel()) / STEP) * STEP;
+    atlas.raiseLimit(Math.min(side, most, this.webgl.capabilities.maxTextureSize));
+  }
+
+  /** Drops both targets and limits. All regions must have been released. */
+  clear(): void {
+    this.depths.clear();
+    this.colours.clear();
   }
 
   /** Whether a texture of the atlases is not on the GPU: nothing was drawn yet, or the context was lost. */

@@ -60,12 +60,12 @@ export class TextureAtlas {
 
   /**
    * @param limit - texels a side at most
-   * @param bytesPerTexel - of the target
    * @param make - makes a target of so many texels a side
    */
   constructor(
     private limit: number,
-    private readonly bytesPerTexel: () => number,
+    /** Bytes of a texel of the target. */
+    readonly bytesPerTexel: () => number,
     private readonly make: (size: number) => WebGLRenderTarget,
   ) {}
 

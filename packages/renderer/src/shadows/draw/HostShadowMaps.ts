@@ -126,6 +126,13 @@ export class HostShadowMaps {
     private readonly drawer: RegionDrawer,
   ) {}
 
+  /** Bytes of the maps that it has made: colours or moments, and depths. */
+  get bytes(): number {
+    let texels = 0;
+    for (const { shadow } of this.slots) if (shadow.map !== null) texels += shadow.map.width * shadow.map.height;
+    return 8 * texels;
+  }
+
   /**
    * Whether a light's map is to be copied in this frame.
    * @param isDrawn - whether the frame draws the map

@@ -37,7 +37,7 @@ export class ShadowTiles {
   private isCompiled = false;
 
   get bytes(): number {
-    return (this.planes.width * this.planes.height + this.marks.width * this.marks.height) * 16;
+    return !this.isCompiled ? 0 : (this.planes.width * this.planes.height + this.marks.width * this.marks.height) * 16;
   }
 
   /**

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { atlasLimit } from './atlasLimit';
+import { atlasLimit, liteAtlasBytes } from './atlasLimit';
 
 const slot = (range: number, wanted: number, isCube = false, side = 1) => ({
   range,
@@ -38,4 +38,9 @@ describe('atlasLimit', () => {
     const cascades = { ...slot(Infinity, 16, false, 2), wantedHeight: 3900 };
     expect(atlasLimit({ width: 1, height: 1 }, [cascades])).toBe(7936);
   });
+});
+
+it('with the quality lite it is bounded by bytes: 10 a pixel of the picture, which counts as 1280 × 720 at least', () => {
+  expect(liteAtlasBytes({ width: 1920, height: 1080 })).toBe(20_736_000);
+  expect(liteAtlasBytes({ width: 64, height: 64 })).toBe(9_216_000);
 });

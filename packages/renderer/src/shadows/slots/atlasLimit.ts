@@ -13,6 +13,9 @@ const LARGEST = 8192;
 /** Step in which the side of the atlas grows (texels). */
 const STEP = 256;
 
+/** Most bytes of an atlas for each pixel of the picture, with the quality 'lite'. */
+const LITE_BYTES_PER_PIXEL = 10;
+
 type Asking = Pick<ShadowSlot, 'range' | 'isCube' | 'side' | 'wantedWidth' | 'wantedHeight'>;
 
 /**
@@ -28,4 +31,9 @@ export function atlasLimit({ width, height }: PictureSize, slots: readonly Askin
     widest = Math.max(widest, wantedWidth * side, wantedHeight * side);
   }
   return Math.min(LARGEST, Math.ceil(Math.max(Math.sqrt(texels), widest) / STEP) * STEP);
+}
+
+/** Most bytes of an atlas with the quality 'lite', whatever the lights ask for. */
+export function liteAtlasBytes({ width, height }: PictureSize): number {
+  return LITE_BYTES_PER_PIXEL * Math.max(LEAST_PIXELS, width * height);
 }
