@@ -37,6 +37,7 @@ import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
+import { enlargeSheet } from './matrix/enlargeSheet';
 import { runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
 import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
@@ -93,6 +94,7 @@ export interface TestPage {
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
+  enlargeSheet: typeof enlargeSheet;
   runSheet: typeof runSheet;
   runSettings: typeof runSettings;
   settingNames: readonly string[];
@@ -155,6 +157,7 @@ window.testPage = {
   chance: () => import('./chance/runScenes'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
+  enlargeSheet,
   runSheet,
   runSettings,
   settingNames: Object.keys(settings),

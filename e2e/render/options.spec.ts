@@ -10,6 +10,7 @@ test('every option is a property, of the same default and values; one that does 
     const values: Required<import('@farol/renderer').FarolOptions> = {
       technique: 'deferred',
       view: 'albedo',
+      budget: { frame: 8, min: 0.25, max: 0.75, sharpness: 0 },
       timing: true,
       effects: [smaa],
       shadowAtlasSize: 1024,
@@ -48,11 +49,20 @@ test('every option is a property, of the same default and values; one that does 
       unknown: messageOf({ resolutionOfEverything: 1 }),
       undefinedValue: messageOf({ technique: undefined, inferredScale: undefined }),
       value: messageOf({ inferredScale: 2 }),
+      budget: messageOf({ budget: { frame: NaN } }),
     };
   });
   expect(seen.wrong).toEqual([]);
   expect(seen.defaults).toEqual({
-    ...{ technique: 'auto', view: 'final', timing: false, effects: 0, shadowAtlasSize: null, shadowCascades: 1 },
+    ...{
+      technique: 'auto',
+      view: 'final',
+      budget: null,
+      timing: false,
+      effects: 0,
+      shadowAtlasSize: null,
+      shadowCascades: 1,
+    },
     ...{ lightLayers: false, antialias: true, areaLightThreshold: 0.0002, inferredScale: 0.5, heatMapMaximum: 32 },
   });
   expect(seen.misspelt).toMatch(
@@ -60,6 +70,7 @@ test('every option is a property, of the same default and values; one that does 
   );
   expect(seen.unknown).toMatch(/unknown option "resolutionOfEverything"; use one of: technique, [^?]*\.$/);
   expect(seen.undefinedValue).toBe('[object Object]');
+  expect(seen.budget).toMatch(/budget is { frame: NaN, .* }; frame is to be milliseconds above 0/);
   expect(seen.value).toMatch(/inferredScale is 2; give a number above 0 and at most 1/);
 });
 

@@ -1,4 +1,5 @@
 import { unknownName } from './errors';
+import type { FrameBudget } from './FrameBudget';
 import type { View } from '../frame/views';
 import type { FarolEffect } from '../frame/FarolEffect';
 import type { TechniqueName } from '../techniques';
@@ -9,6 +10,13 @@ export interface FarolOptions {
   technique?: TechniqueName;
   /** The finished picture ('final'), or a view of how it is made. Default 'final'. */
   view?: View;
+  /**
+   * Holds the time of a frame by the scale that the scene is drawn at, enlarged to the target's size:
+   * `{ frame: 16.7, min: 0.5, max: 1 }` in milliseconds a frame and pixels a pixel, along a side. `FarolInfo.budget` says what it
+   * does. Times are the GPU's, else those from frame to frame, which mean something only where frames are drawn one after the
+   * other. Default null: the scene is drawn at the size of its target.
+   */
+  budget?: FrameBudget | null;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
@@ -59,6 +67,7 @@ export interface FarolOptions {
 export const defaultOptions: Required<FarolOptions> = {
   technique: 'auto',
   view: 'final',
+  budget: null,
   timing: false,
   effects: [],
   shadowAtlasSize: null,

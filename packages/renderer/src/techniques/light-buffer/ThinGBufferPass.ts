@@ -1,4 +1,5 @@
 import { DepthTexture, FloatType, LessEqualDepth, NearestFilter, RGFormat, Vector4, WebGLRenderTarget } from 'three';
+import { fitTarget } from '../../gpu/fitTarget';
 import { targetBytes } from '../../gpu/targetBytes';
 import * as chunks from './chunks';
 import type { ThinGBuffer } from '../../frame/ThinGBuffer';
@@ -112,7 +113,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     // a buffer that stores distances keeps them: cameras may take turns
     if (frame.storesDistance && this.made?.textures.length === 1) this.dispose();
     const target = (this.made ??= makeTarget(frame.storesDistance));
-    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    fitTarget(target, width, height);
     frame.bind(target);
     frame.clear(1, true);
   }

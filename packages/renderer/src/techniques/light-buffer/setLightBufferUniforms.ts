@@ -13,7 +13,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   const distances = target.textures[1];
   uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
   uniforms.farol_thinStored.value = distances === undefined ? 0 : storedKind(frame.camera);
-  uniforms.farol_size.value.set(target.width, target.height);
+  uniforms.farol_size.value.set(target.viewport.z, target.viewport.w);
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   const { x, y, z, w } = source.fit;
   uniforms.farol_fit.value.set(x, y, z, w);
