@@ -117,7 +117,8 @@ else if (farol_hasPast) {
   bool resized = farol_sizeBefore != size;
   bool still = !resized && all(lessThan(abs(way.xy * size), vec2(1e-3)));
   if (uv == clamp(uv, 0.0, 1.0)) {
-    vec4 past = still ? texelFetch(farol_history, cell, 0) : max(farol_lanczosCross(farol_history, uv, farol_sizeBefore * float(farol_cells)), 0.0);
+    vec4 past = still ? texelFetch(farol_history, cell, 0)
+      : max(farol_lanczosCross(farol_history, uv, farol_sizeBefore * float(farol_cells)), 0.0);
     // history is believed if the nearest surface was nearest there too, or if nothing moves
     float before = texelFetch(farol_reachBefore, min(ivec2(uv * farol_sizeBefore), ivec2(farol_sizeBefore) - 1), 0).x;
     float expected = nearest * way.z / shownDistance;
@@ -130,7 +131,8 @@ else if (farol_hasPast) {
     if (!believed || farol_belief < 2)
       past = farol_likeNow(past, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float reactive = farol_isReactive.x > 0 ? farol_reactiveAt(farol_reactive, own) : 0.0;
-    if (farol_isReactive.y > 0) reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * farol_sizeBefore)));
+    if (farol_isReactive.y > 0)
+      reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * farol_sizeBefore)));
     float share = weight * (still ? farol_share.y : farol_share.x);
     // doubted history: samples farther from the cell count more
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));

@@ -27,7 +27,7 @@ const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
 
 export const REASONS = {
   unknown: 'the time of a frame is not known yet',
-  held: 'frames take their time at this scale',
+  held: 'frames take the time of the budget at this scale',
   slow: 'frames took longer than the budget',
   fast: 'frames took less than the budget',
   least: 'frames take longer than the budget at the least scale',

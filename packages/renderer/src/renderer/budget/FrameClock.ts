@@ -20,7 +20,11 @@ export class FrameClock {
   private controller: BudgetController | null = null;
   private lead: WeakRef<Camera> | null = null;
   private others = 0;
+  /** Time at which the frame began (ms); -1 before the first. */
   private started = -1;
+  private refreshes = 0;
+  /** Whether `count` is to be called with the next refresh. */
+  private counts = false;
   private silent = 0;
   private frame = 0;
   private readonly scales = new Float64Array(FRAMES);
@@ -70,11 +74,26 @@ export class FrameClock {
   private beginFrame(controller: BudgetController): void {
     const now = performance.now();
     const isTimed = this.timer?.available === true && this.silent++ < SILENT;
-    if (!isTimed && this.started >= 0) controller.add(this.scales[this.frame], now - this.started, 'interval');
+    // a host that draws on demand has let refreshes of the display pass
+    const isInterval = !isTimed && this.started >= 0 && this.refreshes < 2;
+    if (isInterval) controller.add(this.scales[this.frame], now - this.started, 'interval');
     this.started = now;
+    this.refreshes = 0;
+    if (!this.counts) this.count();
     this.frame = (this.frame + 1) % FRAMES;
     this.scales[this.frame] = controller.advance();
   }
+
+  /** Counts refreshes of the display since the frame began, up to two. */
+  private readonly count = (): void => {
+    this.counts = this.refreshes < 2 && this.started >= 0 && globalThis.requestAnimationFrame !== undefined;
+    if (this.counts) requestAnimationFrame(this.refreshed);
+  };
+
+  private readonly refreshed = (): void => {
+    this.refreshes++;
+    this.count();
+  };
 
   /** Adds up the times of a frame; they come in order. */
   private readonly take = (frame: number, ms: number): void => {

@@ -1,4 +1,4 @@
-// Enlarges a picture along its edges: twelve pixels round a place, weighted by a kernel that is stretched along the edge.
+// Enlarges a picture along its edges: twelve pixels round a place, weighted by a kernel that an edge stretches.
 // FidelityFX Super Resolution 1.0, EASU: https://github.com/GPUOpen-Effects/FidelityFX-FSR; written anew after it.
 // Copyright (c) 2021 Advanced Micro Devices, Inc. All rights reserved. MIT: see licences.md of @farol/renderer.
 #include "frameSize"

@@ -1,4 +1,4 @@
-// Writes a picture of more texels than pixels to the host's target: the mean of the texels in each pixel, by area, with depth.
+// Writes a picture of more texels than pixels, with depth, to the host's target: the mean of each pixel's texels.
 // Yang et al. 2009, Amortized Supersampling
 #include "displayTransfer"
 #include "frameSize"
