@@ -11,10 +11,11 @@ export const known: KnownNames = {
   views,
   dragons: Object.keys(dragonUrls),
   antialiasing: antialiasingNames,
+  budgets: ['auto', 'on', 'off'],
   effects: effectParameters,
   defaults: {
     ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, dragon: 'medium', aa: 'none' },
     ...{ effects: {}, decals: false, particles: 0, rectangles: 0 },
-    ...{ time: null, width: null, height: null, dpr: null, gui: true },
+    ...{ time: null, width: null, height: null, dpr: null, budget: 'auto', gui: true },
   },
 };

@@ -19,7 +19,7 @@ export function writeState(state: ViewerState, { scenes, effects, defaults }: Kn
     const value = state.parameters[name];
     if (value !== undefined && String(value) !== String(field.default)) entries.push([name, value]);
   }
-  for (const name of ['dragon', 'aa', 'particles', 'rectangles', 'time', 'width', 'height', 'dpr'] as const) {
+  for (const name of ['dragon', 'aa', 'particles', 'rectangles', 'time', 'width', 'height', 'dpr', 'budget'] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }
   for (const [name, field] of Object.entries(effects)) {

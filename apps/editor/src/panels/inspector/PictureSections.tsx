@@ -22,7 +22,7 @@ const sky = [
   ...['environmentIntensity', 'backgroundIntensity', 'backgroundRotation', 'backgroundBlur'],
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
-const picture = ['technique', 'antialiasing', 'toneMapping', 'exposure', ...Object.keys(effectFields)];
+const picture = ['technique', 'antialiasing', 'frameBudget', 'toneMapping', 'exposure', ...Object.keys(effectFields)];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
 const effects = [
   ...['bloom', 'bloomIntensity', 'bloomThreshold', 'bloomRadius'],
