@@ -59,6 +59,7 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
     return { scene, camera };
   },
   views: bySetting((farol) => (farol.view = 'normal')),
+  budget: bySetting((farol) => (farol.budget = { frame: 1000, min: 0.5, max: 0.5 })),
   'light-buffer': bySetting((farol) => (farol.technique = 'light-prepass')),
   multipass: bySetting((farol) => (farol.technique = 'forward')),
   'light-grid': bySetting((farol) => (farol.technique = 'clustered-forward')),

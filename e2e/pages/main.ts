@@ -39,6 +39,7 @@ import { supersampled } from './supersampled';
 import { SURFACE, surfaceScene } from './surfaceScene';
 import { shadowScene } from './shadowScene';
 import { runSettings } from './matrix/runSettings';
+import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
 import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
@@ -97,6 +98,7 @@ export interface TestPage {
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
   LateCase: typeof LateCase;
+  enlargeSheet: typeof enlargeSheet;
   runSheet: typeof runSheet;
   compareQualities: typeof compareQualities;
   runSettings: typeof runSettings;
@@ -163,6 +165,7 @@ window.testPage = {
   chance: () => import('./chance/runScenes'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
+  enlargeSheet,
   runSheet,
   compareQualities,
   runSettings,

@@ -11,6 +11,7 @@ test('every option is a property, of the same default and values; one that does 
       technique: 'deferred',
       view: 'albedo',
       quality: 'lite',
+      budget: { frame: 8, min: 0.25, max: 0.75, sharpness: 0 },
       timing: true,
       effects: [smaa],
       shadowAtlasSize: 1024,
@@ -50,6 +51,7 @@ test('every option is a property, of the same default and values; one that does 
       undefinedValue: messageOf({ technique: undefined, inferredScale: undefined }),
       value: messageOf({ inferredScale: 2 }),
       quality: messageOf({ quality: 'lit' }),
+      budget: messageOf({ budget: { frame: NaN } }),
     };
   });
   expect(seen.wrong).toEqual([]);
@@ -58,6 +60,7 @@ test('every option is a property, of the same default and values; one that does 
       technique: 'auto',
       view: 'final',
       quality: 'auto',
+      budget: null,
       timing: false,
       effects: 0,
       shadowAtlasSize: null,
@@ -71,6 +74,7 @@ test('every option is a property, of the same default and values; one that does 
   expect(seen.unknown).toMatch(/unknown option "resolutionOfEverything"; use one of: technique, [^?]*\.$/);
   expect(seen.undefinedValue).toBe('[object Object]');
   expect(seen.quality).toMatch(/unknown quality "lit"; use one of: auto, full, lite\. Is "lite" meant\?/);
+  expect(seen.budget).toMatch(/budget is { frame: NaN, .* }; frame is to be milliseconds above 0/);
   expect(seen.value).toMatch(/inferredScale is 2; give a number above 0 and at most 1/);
 });
 

@@ -369,6 +369,7 @@ export class Viewer {
     setDemoDecals(this.app.scene, this.state.decals);
     setDemoParticles(this.app.scene, this.state.particles);
     setDemoRectangles(this.app.scene, this.state.rectangles);
+    this.app.scene.settings.frameBudget = this.state.budget as 'auto';
     this.effects.update(this.state);
     // timer queries cannot be nested: without the menu nobody reads them here, and a benchmark may use its own
     this.farol.timing = this.state.gui;

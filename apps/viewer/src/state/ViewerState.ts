@@ -30,6 +30,8 @@ export interface ViewerState {
   height: number | null;
   /** Device pixels per CSS pixel; null for the screen's ratio, 2 at most. */
   dpr: number | null;
+  /** Frame budget ('auto', 'on', 'off'), as the engine's scene setting `frameBudget`. */
+  budget: string;
   /** Whether the menu is shown. */
   gui: boolean;
 }
@@ -41,6 +43,7 @@ export interface KnownNames {
   qualities: readonly string[];
   dragons: readonly string[];
   antialiasing: readonly string[];
+  budgets: readonly string[];
   /** Switches and numbers of the other effects, by their names in addresses. */
   effects: FieldTable;
   /** State of a URL without parameters. */

@@ -12,10 +12,11 @@ export const known: KnownNames = {
   qualities: ['auto', 'full', 'lite'],
   dragons: Object.keys(dragonUrls),
   antialiasing: antialiasingNames,
+  budgets: ['auto', 'on', 'off'],
   effects: effectParameters,
   defaults: {
     ...{ scene: 'temple', technique: 'auto', view: 'final', parameters: {}, dragon: 'medium', aa: 'none' },
     ...{ effects: {}, quality: 'auto', decals: false, particles: 0, rectangles: 0 },
-    ...{ time: null, width: null, height: null, dpr: null, gui: true },
+    ...{ time: null, width: null, height: null, dpr: null, budget: 'auto', gui: true },
   },
 };

@@ -35,6 +35,7 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
     width: (text) => void (state.width = number(text, { min: 1, max: 8192, integer: true })),
     height: (text) => void (state.height = number(text, { min: 1, max: 8192, integer: true })),
     dpr: (text) => void (state.dpr = number(text, { min: 0.1, max: 8 })),
+    budget: (text) => void (state.budget = oneOf(text, known.budgets)),
     gui: (text) => void (state.gui = boolean(text)),
   };
   const attempt = (name: string, text: string, read: (text: string) => void) => {

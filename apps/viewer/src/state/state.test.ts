@@ -28,6 +28,7 @@ const known: KnownNames = {
   qualities: ['auto', 'full', 'lite'],
   dragons: ['low', 'high'],
   antialiasing: ['none', 'smaa', 'edges', 'taa'],
+  budgets: ['auto', 'on', 'off'],
   effects: {
     ao: { kind: 'boolean', default: false, help },
     reach: { kind: 'number', default: 0.5, min: 0, max: 4, help },
@@ -47,7 +48,7 @@ const known: KnownNames = {
       particles: 0,
       rectangles: 0,
     },
-    ...{ time: null, width: null, height: null, dpr: null, gui: true },
+    ...{ time: null, width: null, height: null, dpr: null, budget: 'auto', gui: true },
   },
 };
 
@@ -58,7 +59,7 @@ describe('readState', () => {
 
   it('reads every parameter', () => {
     const query =
-      '?scene=planes&technique=auto&view=albedo&quality=lite&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&gui=0';
+      '?scene=planes&technique=auto&view=albedo&quality=lite&n=7&mesh=dragon&dragon=high&aa=taa&ao=1&reach=2&oit=1&decals=1&particles=20000&rectangles=1000&time=2.5&width=160&height=90&dpr=1&budget=on&gui=0';
     const { state, problems } = readState(query, known);
     expect(problems).toEqual([]);
     expect(state).toEqual({
@@ -74,6 +75,7 @@ describe('readState', () => {
         width: 160,
         height: 90,
         dpr: 1,
+        budget: 'on',
         gui: false,
       },
     });
@@ -157,7 +159,7 @@ describe('writeState', () => {
     ...{ scene: 'planes', technique: 'forward', view: 'albedo', quality: 'full', dragon: 'high', aa: 'smaa' },
     effects: { ao: true, reach: 0.25, oit: true },
     ...{ decals: true, particles: 500, rectangles: 30, parameters: { n: 12, mesh: 'dragon', centre: [0, 1.5, -2] } },
-    ...{ time: 0, width: 320, height: 180, dpr: 1.5, gui: false },
+    ...{ time: 0, width: 320, height: 180, dpr: 1.5, budget: 'off', gui: false },
   };
 
   it('is read back as it was', () => {

@@ -29,6 +29,7 @@ export function writeState(state: ViewerState, { scenes, effects, defaults }: Kn
     'width',
     'height',
     'dpr',
+    'budget',
   ] as const) {
     if (state[name] !== defaults[name]) entries.push([name, state[name]]);
   }

@@ -93,6 +93,7 @@ export function addressHelp({
     ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
     ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
     ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],
+    ['budget', 'Whether slow frames are drawn smaller and enlarged: auto (on touch screens), on or off.'],
     ['gui', '0 hides the menu.'],
   ];
 }

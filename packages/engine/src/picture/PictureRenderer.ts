@@ -14,6 +14,12 @@ import { techniqueAbilities } from './techniqueAbilities';
 
 const late = new LateCode(() => needsPackage('postprocessing', "Effects of a scene's picture need", import('./chain')));
 
+/** Frame budget of scenes: 60 frames a second. */
+const BUDGET = { frame: 16.7, min: 0.5 };
+
+/** Whether fingers are the device's first means of pointing. */
+const isTouchScreen = (): boolean => globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+
 const takesPicture = (effect: FarolEffect): boolean => effect.takesPicture === true;
 
 /** Renderer of a three scene: a FarolRenderer, or several side by side. */
@@ -51,6 +57,7 @@ export class PictureRenderer {
   private tones = 0;
   private technique = 'auto';
   private quality: Scene['settings']['quality'] = 'auto';
+  private frameBudget = 'off';
   private isFetching = false;
   private chain: PictureChain | null = null;
   private waitsFor: Promise<void> | null = null;
@@ -141,6 +148,11 @@ export class PictureRenderer {
     if (!this.followsRendering) return;
     if (settings.technique !== this.technique) this.take(settings.technique);
     if (settings.quality !== this.quality) farol.quality = this.quality = settings.quality;
+    if (settings.frameBudget !== this.frameBudget) {
+      this.frameBudget = settings.frameBudget;
+      const on = this.frameBudget === 'on' || (this.frameBudget === 'auto' && isTouchScreen());
+      farol.budget = on ? BUDGET : null;
+    }
     this.shadows.follow(settings);
     this.effects.update(settings);
   }

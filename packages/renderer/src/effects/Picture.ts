@@ -21,12 +21,13 @@ import {
   type ColorSpace,
   type Texture,
 } from 'three';
+import { fitTarget } from '../gpu/fitTarget';
 import type { Frame } from '../frame/Frame';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { targetBytes } from '../gpu/targetBytes';
 import picturePresent from './picturePresent.glsl?raw';
-import displayTransfer from './displayTransfer.glsl?raw';
-import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
+import displayTransfer from '../frame/displayTransfer.glsl?raw';
+import { isDrawnAsCanvas, setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
 /** Picture of each renderer, by the renderer's twin cache. */
 const pictures = new WeakMap<Frame['twins'], Picture>();
@@ -94,11 +95,9 @@ export class Picture {
     this.hostLevel = frame.level;
     this.hostViewport.copy(frame.viewport);
     this.target = this.targetFor(frame);
-    if (this.target.width !== frame.width || this.target.height !== frame.height) {
-      this.target.setSize(frame.width, frame.height);
-    }
+    fitTarget(this.target, frame.width, frame.height);
     this.texture = this.target.texture;
-    this.toDisplay = this.hostTarget === null && ColorManagement.getTransfer(webgl.outputColorSpace) === SRGBTransfer;
+    this.toDisplay = ColorManagement.getTransfer(this.target.texture.colorSpace as ColorSpace) === SRGBTransfer;
     this.encoded = this.toDisplay;
     frame.target = this.target;
     frame.face = frame.level = 0;
@@ -115,6 +114,11 @@ export class Picture {
    */
   get isAlone(): boolean {
     return this.users === 1 && this.hostViewport.x === 0 && this.hostViewport.y === 0;
+  }
+
+  /** Whether a single effect uses the picture at this point: its result is the finished one. */
+  get isLast(): boolean {
+    return this.users === 1;
   }
 
   /**
@@ -165,7 +169,9 @@ export class Picture {
   private targetFor(frame: Frame): WebGLRenderTarget {
     const { webgl, target: host } = frame;
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;
-    const colorSpace = host === null ? (webgl.outputColorSpace as ColorSpace) : NoColorSpace;
+    const asCanvas = host === null || isDrawnAsCanvas(host);
+    const space = host === null ? webgl.outputColorSpace : asCanvas ? host.texture.colorSpace : NoColorSpace;
+    const colorSpace = space as ColorSpace;
     const stencil = host === null ? frame.gl.getContextAttributes()!.stencil! : host.stencilBuffer;
     let target: WebGLRenderTarget | undefined;
     for (const one of this.targets) {
@@ -194,7 +200,7 @@ export class Picture {
         ),
       });
       target.texture.name = 'Farol picture';
-      if (host === null) setDrawnAsCanvas(target, true);
+      if (asCanvas) setDrawnAsCanvas(target, true);
       this.targets.push(target);
     }
     return target;

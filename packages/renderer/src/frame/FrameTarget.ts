@@ -39,6 +39,13 @@ export class FrameTarget {
   height = 1;
   /** Samples a pixel of the host's target, whatever an effect has the frame drawn to. */
   hostSamples = 0;
+  /** Whether the viewport is all of the target that is used, whatever its size: a frame budget's. */
+  ownsPart = false;
+  /**
+   * Finished picture with more texels than the frame has pixels (linear light), left by an effect in its `end` for a frame that
+   * is enlarged afterwards; null for none.
+   */
+  finer: WebGLRenderTarget | null = null;
   /** Whether the host's target has several textures; then no effect replaces the target. */
   several = false;
   /** Whether the canvas has depth, and no stencil. */
@@ -104,6 +111,7 @@ export class FrameTarget {
       size.set(target.width, target.height);
       if (!target.depthBuffer || target.stencilBuffer || target.scissorTest || target.textures.length > 1) return false;
     }
+    if (this.ownsPart) return true;
     return viewport.x === 0 && viewport.y === 0 && viewport.z === size.x && viewport.w === size.y;
   }
 
@@ -174,7 +182,7 @@ export class FrameTarget {
   /** @param x - first pixel of what is copied, of `from`, with y */
   private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
     const { gl, webgl } = this;
-    const { width, height } = to;
+    const { z: width, w: height } = to.viewport;
     const written = framebufferHandle(webgl, to)!;
     bindFramebuffer(webgl, gl.READ_FRAMEBUFFER, from);
     bindFramebuffer(webgl, gl.DRAW_FRAMEBUFFER, written);

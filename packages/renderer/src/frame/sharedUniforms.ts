@@ -1,4 +1,4 @@
-import { Vector4 } from 'three';
+import { Vector2, Vector4 } from 'three';
 import { lightUniforms } from '../lighting/lightUniforms';
 import { gridUniforms } from '../lighting/lists/gridUniforms';
 import { tileUniforms } from '../lighting/lists/tileUniforms';
@@ -14,6 +14,8 @@ export function sharedUniforms(ambient: Float32Array) {
     farol_lite: { value: false },
     /** Colour that three would clear to, in the target's encoding; alpha -1 where three has cleared. */
     farol_background: { value: new Vector4(0, 0, 0, -1) },
+    /** Size of the picture (pixels), for frameSize.glsl. */
+    farol_frameSize: { value: new Vector2(1, 1) },
     ...lightUniforms(ambient),
     ...maskUniforms(),
     ...tileUniforms(),

@@ -1,4 +1,5 @@
 import { DepthTexture, FloatType, NearestFilter, RGBAFormat, type Texture, type WebGLRenderer } from 'three';
+import { fitTarget } from '../gpu/fitTarget';
 import { drawBuffersOf } from '../gpu/checkDevice';
 import { attachmentIndex } from './gbufferNames';
 import { targetBytes } from '../gpu/targetBytes';
@@ -72,7 +73,7 @@ export class GBuffer {
 
   /** @param width - pixels @param height - pixels */
   setSize(width: number, height: number): void {
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    fitTarget(this.target, width, height);
   }
 
   dispose(): void {

@@ -1,4 +1,5 @@
 import { DepthTexture, FloatType, NearestFilter, WebGLRenderTarget, type RenderTargetOptions } from 'three';
+import { fitTarget } from './fitTarget';
 import { targetBytes } from './targetBytes';
 
 export interface PassTargetOptions extends Omit<RenderTargetOptions, 'depthTexture'> {
@@ -25,7 +26,7 @@ export class PassTarget {
   /** The target, with this size (texels). */
   of(width: number, height: number): WebGLRenderTarget {
     const target = (this.made ??= this.make());
-    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    fitTarget(target, width, height);
     return target;
   }
 

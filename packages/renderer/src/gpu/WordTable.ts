@@ -6,6 +6,7 @@ import {
   UnsignedIntType,
   type WebGLRenderer,
 } from 'three';
+import { withRoom } from './fitTarget';
 import { unpackAsIs } from '../three/unpackAsIs';
 import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
@@ -38,9 +39,11 @@ export class WordTable {
    * @param version - number of at least 0 that differs from that of the last upload if a word may differ
    */
   upload(webgl: WebGLRenderer, words: Uint32Array, width: number, rows: number, version: number): void {
-    if (this.texture.image.width !== width || this.texture.image.height < rows) {
+    const { image } = this.texture;
+    const made = withRoom(image.width, width);
+    if (image.width !== made || image.height < rows) {
       this.texture.dispose();
-      this.texture = this.make(width, Math.ceil(rows * 1.25) + 1);
+      this.texture = this.make(made, withRoom(0, Math.ceil(rows * 1.25) + 1));
     }
     // three knows no new texture, and forgets its textures when a lost context is restored
     if (textureHandle(webgl, this.texture) === undefined) {

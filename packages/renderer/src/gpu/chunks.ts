@@ -2,6 +2,7 @@
 export { default as depthMode } from './depthMode.glsl?raw';
 export { default as depthOnly } from './depthOnly.glsl?raw';
 export { default as farthest } from './farthest.glsl?raw';
+export { default as frameSize } from './frameSize.glsl?raw';
 export { default as fullscreen } from './fullscreen.glsl?raw';
 export { default as targetPixel } from './targetPixel.glsl?raw';
 export { default as unproject } from './unproject.glsl?raw';

@@ -9,6 +9,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { Frame } from '../frame/Frame';
+import { fitTarget } from '../gpu/fitTarget';
 import { FullscreenPass } from '../gpu/FullscreenPass';
 import { setUnprojectUniforms, unprojectUniforms } from '../gpu/unprojectUniforms';
 import { wordTarget } from '../gpu/wordTarget';
@@ -116,9 +117,9 @@ export class FieldLists {
     fit(this.boxes.target, 4, quads);
     draw(frame, this.boxes);
     if (this.use !== 'none') {
-      this.depthBlocks.target.setSize(Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
+      fitTarget(this.depthBlocks.target, Math.ceil(frame.width / BLOCK), Math.ceil(frame.height / BLOCK));
       draw(frame, this.depthBlocks);
-      this.depths.target.setSize(x, y);
+      fitTarget(this.depths.target, x, y);
       draw(frame, this.depths);
     }
     fitGrids(this.blocks.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);

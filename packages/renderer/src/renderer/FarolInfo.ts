@@ -1,3 +1,5 @@
+import type { BudgetInfo } from './FrameBudget';
+
 /** Work of one pass in the last frame. */
 export interface PassInfo {
   readonly name: string;
@@ -47,6 +49,8 @@ export interface FarolInfo {
   cpuMs: number;
   /** Sum of the passes (ms), or null. */
   gpuMs: number | null;
+  /** Scale of the picture and why, by `FarolOptions.budget`; null without one. */
+  budget: Readonly<BudgetInfo> | null;
   /**
    * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.
    */

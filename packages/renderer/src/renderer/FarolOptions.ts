@@ -1,4 +1,5 @@
 import { unknownName } from './errors';
+import type { FrameBudget } from './FrameBudget';
 import type { View } from '../frame/views';
 import type { Quality } from '../gpu/isWeakDevice';
 import type { FarolEffect } from '../frame/FarolEffect';
@@ -18,6 +19,13 @@ export interface FarolOptions {
    * 'auto'.
    */
   quality?: Quality;
+  /**
+   * Holds the time of a frame by the scale that the scene is drawn at, enlarged to the target's size:
+   * `{ frame: 16.7, min: 0.5, max: 1 }` in milliseconds a frame and pixels a pixel, along a side. `FarolInfo.budget` says what it
+   * does. Times are the GPU's, else those from frame to frame, which mean something only where frames are drawn one after the
+   * other. Default null: the scene is drawn at the size of its target.
+   */
+  budget?: FrameBudget | null;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
@@ -69,6 +77,7 @@ export const defaultOptions: Required<FarolOptions> = {
   technique: 'auto',
   view: 'final',
   quality: 'auto',
+  budget: null,
   timing: false,
   effects: [],
   shadowAtlasSize: null,

@@ -17,6 +17,7 @@ import { lateDraws } from './lateDraws';
 import { lazyCode, type LazyPart, warmUpCode } from './lazyCode';
 import { LazyViews } from './LazyViews';
 import { LightFinder } from './LightFinder';
+import type { FrameBudget } from './FrameBudget';
 import { FrameLights } from './FrameLights';
 import type { LightOrder } from '../lighting/LightTable';
 import { resetLayers } from '../materials/layersAttribute';
@@ -73,7 +74,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private isDrawing = false;
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
-  private readonly pick = () => this.pickTechnique();
   private readonly begun = () => this.frame.takeOutputBuffer();
 
   /**
@@ -176,16 +176,23 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.frame.quality = name;
   }
 
+  /** @throws RangeError for a value that a budget cannot have */
+  get budget(): FrameBudget | null {
+    return this.draws.budget;
+  }
+
+  set budget(budget: FrameBudget | null) {
+    this.draws.budget = budget;
+  }
+
   /** @throws RangeError unless above 0 and at most 1 */
   get inferredScale(): number {
     return this.frame.inferredScale;
   }
 
   set inferredScale(scale: number) {
-    if (!(scale > 0 && scale <= 1)) {
-      throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
-    }
-    this.frame.inferredScale = scale;
+    if (scale > 0 && scale <= 1) this.frame.inferredScale = scale;
+    else throw new RangeError(`FarolRenderer: inferredScale is ${scale}; give a number above 0 and at most 1.`);
   }
 
   /**
@@ -247,9 +254,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { draws, finder, frame, picker, webgl } = this;
-    const { shadows } = finder;
     frame.begin(scene, camera, seenBy, this.views.available(this.viewName));
     if (frame.view === 'grid') frame.quarter();
+    const { shadows } = finder;
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
@@ -258,8 +265,9 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects, this.antialias);
     try {
+      this.info.budget = draws.scale();
       for (const effect of effects.all) effect.begin?.(frame);
-      this.lights.update(scene, frame, finder, this, effects.all.length > 0, this.pick);
+      this.lights.update(scene, frame, finder, this, effects.all.length > 0, this.pickTechnique);
       const { fills = 'behind' } = this.set.known[picker.active];
       sceneView.render(
         frame.camera,
@@ -273,6 +281,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       shadows?.end();
       done = true;
     } finally {
+      draws.scaled?.end(frame);
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
       // three takes tone mapping off while it draws to its output buffer
       if (!done) webgl.toneMapping = toneMapping;
@@ -310,7 +319,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * itself, more go without, and layers are not looked at), area lights (three draws them as rectangles), light fields (they
    * light nothing), anti-aliasing of techniques with a G-buffer (edges are not smooth), node materials (three draws the scene),
    * the views of surfaces and overdraw (the final picture is shown), techniques but 'deferred' and 'forward-single-pass' (the
-   * one that drew the scene last draws, or one of these two), GPU times, warming programs up ('auto' changes unprepared).
+   * one that drew the scene last draws, or one of these two), GPU times, frame budgets, warming programs up ('auto' changes unprepared).
    * @param parts - names of `FarolRenderer.parts`. Default all
    * @throws Error when there is no such part, or the code cannot be fetched
    */
@@ -370,7 +379,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.last.isDrawn = false;
     this.set.dispose();
     if (!this.disposed) this.effectList.dispose();
-    this.draws.edges?.dispose();
+    this.draws.dispose();
     this.views.dispose();
     this.twins.dispose();
     this.lights.dispose(this.frame);
@@ -378,7 +387,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   };
 
   /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */
-  private pickTechnique(): LightOrder {
+  private readonly pickTechnique = (): LightOrder => {
     const { draws, frame, picker } = this;
     picker.pick(draws.sceneView.chooser, frame, frame.lights, draws.effects);
     const technique = this.set.known[picker.active];
@@ -387,14 +396,11 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     for (const effect of all) effect.picked?.(frame, technique);
     frame.readsFew = technique.readsFew === true && all.length === 0 && frame.view === 'final';
     return technique.lightOrder;
-  }
+  };
 
   private viewOf(scene: Object3D): SceneView {
     let view = this.sceneViews.get(scene);
-    if (view === undefined) {
-      view = new SceneView(this.webgl, scene, this.begun);
-      this.sceneViews.set(scene, view);
-    }
+    if (view === undefined) this.sceneViews.set(scene, (view = new SceneView(this.webgl, scene, this.begun)));
     return view;
   }
 }

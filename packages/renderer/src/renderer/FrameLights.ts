@@ -37,6 +37,11 @@ export class FrameLights {
     areas: null as AreaLightTable | null,
   };
 
+  /** Bytes of the light table, shadow maps and light fields. */
+  bytesOf({ fields }: Frame, { shadows }: LightFinder): number {
+    return this.table.bytes + (shadows?.bytes ?? 0) + (fields?.bytes ?? 0);
+  }
+
   /**
    * Brings the lights of a frame up to date.
    * @param finder - holds the lights found in the scene

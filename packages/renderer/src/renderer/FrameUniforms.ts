@@ -21,6 +21,7 @@ export class FrameUniforms {
     const { lights, values } = this;
     this.giveTable(webgl, frame, shadows);
     values.farol_offset.value.set(frame.viewport.x, frame.viewport.y);
+    values.farol_frameSize.value.set(frame.width, frame.height);
     const counts = values.farol_lightCounts.value;
     counts[0] = lights.directional;
     counts[1] = lights.unbounded;

@@ -36,6 +36,7 @@ export class InfoRecorder {
       triangles: 0,
       cpuMs: 0,
       gpuMs: null,
+      budget: null,
       lights: { total: 0, visible: 0 },
       shadows: { drawn: 0, texels: 0, kept: 0, bounded: 0, bytes: 0 },
       programs: 0,
@@ -48,6 +49,11 @@ export class InfoRecorder {
     };
     // before any listener of the host's that draws
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
+  }
+
+  /** Times the passes of this frame; null if nothing does. */
+  get passTimer(): GpuTimer | null {
+    return this.timing ? this.timer : null;
   }
 
   begin(timing: boolean): void {

@@ -2,7 +2,10 @@ import { DoubleSide, type Vector4 } from 'three';
 import { type ActiveEffects, NO_EFFECTS } from '../frame/ActiveEffects';
 import { drawPasses } from './drawPasses';
 import type { Frame } from '../frame/Frame';
-import { antialiasingCode } from './lazyCode';
+import { antialiasingCode, budgetCode } from './lazyCode';
+import { targetSizes } from '../gpu/fitTarget';
+import type { ScaledFrames } from './budget';
+import { type BudgetInfo, checkBudget, type FrameBudget } from './FrameBudget';
 import type { InfoRecorder } from './InfoRecorder';
 import type { Pass } from '../frame/Pass';
 import type { LazyViews } from './LazyViews';
@@ -22,6 +25,10 @@ export class SceneDraws {
   effects: ActiveEffects = NO_EFFECTS;
   /** Anti-aliasing of techniques that shade a G-buffer; null until it is first asked for. */
   edges: SmoothEdges | null = null;
+  /** Draws at the scale of a frame budget; null until there is one. */
+  scaled: ScaledFrames | null = null;
+  private asked: FrameBudget | null = null;
+  private checked: Required<FrameBudget> | null = null;
   private antialias = false;
   /**
    * Twins for what is seen through transmissive things: they loop over all lights, since that picture's size is not
@@ -41,6 +48,7 @@ export class SceneDraws {
     private readonly background: Vector4,
   ) {}
 
+  private readonly enlarge = () => this.scaled!.enlarge(this.frame);
   private readonly drawFields = () => this.frame.fields!.render();
 
   /** Begins a frame. @param antialias - as `FarolOptions.antialias` */
@@ -50,6 +58,37 @@ export class SceneDraws {
     this.effects = effects;
     this.frame.adapters = effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
+  }
+
+  /** @throws RangeError for a value that a budget cannot have */
+  get budget(): FrameBudget | null {
+    return this.asked;
+  }
+
+  set budget(budget: FrameBudget | null) {
+    const checked = budget === null ? null : checkBudget(budget);
+    // a budget of the same values goes on with what it has learnt
+    if (JSON.stringify(checked) !== JSON.stringify(this.checked)) this.checked = checked;
+    this.asked = budget;
+    if (budget !== null) budgetCode.ask();
+  }
+
+  get bytes(): number {
+    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
+  }
+
+  dispose(): void {
+    this.edges?.dispose();
+    this.scaled?.dispose();
+  }
+
+  /** Scales the frame to hold the budget. @returns figures of that; null without a budget, or until its code is there */
+  scale(): BudgetInfo | null {
+    targetSizes.room = 0;
+    if (this.checked === null) return null;
+    this.scaled ??= budgetCode.use((code) => new code.ScaledFrames(this.frame));
+    this.scaled?.begin(this.frame, this.checked, this.recorder.passTimer);
+    return this.scaled?.info ?? null;
   }
 
   /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
@@ -63,7 +102,10 @@ export class SceneDraws {
     if (this.frame.fields?.isDrawn === false) this.run('light fields', this.drawFields);
     if (backs) this.drawTransmittedBacks();
     else if (this.frame.webgl.getRenderTarget() !== this.frame.target) this.drawTransmitted();
-    else this.drawFrame();
+    else {
+      this.drawFrame();
+      if (this.frame.ownsPart) this.run('enlargement', this.enlarge);
+    }
   };
 
   /** Effects of the frame, with SMAA if `antialias` asks for it and the technique does not smooth edges. */

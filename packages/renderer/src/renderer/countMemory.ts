@@ -12,7 +12,7 @@ export function countMemory(
   frame: Frame,
   set: TechniqueSet,
   { shadows, areas }: LightFinder,
-  { edges }: SceneDraws,
+  draws: SceneDraws,
   views: LazyViews,
   effects: readonly FarolEffect[],
 ): void {
@@ -23,7 +23,7 @@ export function countMemory(
   memory.shadows = shadows?.bytes ?? 0;
   memory.lights = frame.lights.bytes + (areas?.bytes ?? 0) + (frame.fields?.bytes ?? 0);
   memory.targets += views.bytes;
-  memory.effects = edges?.bytes ?? 0;
+  memory.effects = draws.bytes;
   for (const effect of effects) memory.effects += effect.bytes;
   info.targetBytes = memory.gbuffer + memory.targets + memory.lists + memory.shadows + memory.lights + memory.effects;
 }

@@ -46,6 +46,9 @@ export const antialiasingCode = new Lazy(
 /** Times of passes on the GPU. */
 export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
 
+/** Frames at the scale that holds a frame budget. */
+export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
+
 /** All of the above. */
 export const lazyCode = [
   shadowCode,
@@ -60,6 +63,7 @@ export const lazyCode = [
   nodeCode,
   antialiasingCode,
   timerCode,
+  budgetCode,
   warmUpCode,
 ] as const;
 

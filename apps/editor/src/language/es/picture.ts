@@ -104,6 +104,18 @@ export const picture: Texts = {
   'Tone mapping of what this camera sees.': 'Mapeo de tonos de lo que ve esta cámara.',
   'How edges are smoothed. Automatic is multisampled where the technique can be, else SMAA; TAA gathers frames.':
     'Cómo se suavizan los bordes. Automático usa multimuestreo donde la técnica lo permite y, si no, SMAA; TAA acumula fotogramas.',
+  'Frame budget': 'Presupuesto por fotograma',
+  'Whether the scene is drawn smaller, and enlarged, where its frames would take longer than 16.7 ms.':
+    'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16,7 ms.',
+  'On touch screens': 'En pantallas táctiles',
+  On: 'Activado',
+  'the time of a frame is not known yet': 'aún no se sabe cuánto tarda un fotograma',
+  'frames take the time of the budget at this scale': 'a esta escala los fotogramas cumplen el presupuesto',
+  'frames took longer than the budget': 'los fotogramas tardaban más de lo previsto',
+  'frames took less than the budget': 'los fotogramas tardaban menos de lo previsto',
+  'frames take longer than the budget at the least scale': 'ni a la escala mínima bastan',
+  'frames take less than the budget at the largest scale': 'a la escala máxima sobra tiempo',
+  'a larger scale is tried': 'se prueba una escala mayor',
   'Of the scene': 'De la escena',
   Reinhard: 'Reinhard',
   Cineon: 'Cineon',

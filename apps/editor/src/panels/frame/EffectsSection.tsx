@@ -10,7 +10,7 @@ import { FieldList } from '../inspector/FieldList';
 import { Section } from '../inspector/Section';
 import { TechniqueLimit } from '../inspector/TechniqueLimit';
 
-const shown = ['antialiasing', ...Object.keys(effectFields)];
+const shown = ['antialiasing', 'frameBudget', ...Object.keys(effectFields)];
 
 /** Effects of the scene's settings, and effects of plugins. */
 export function EffectsSection(): ReactNode {

@@ -68,6 +68,9 @@ function Figures(): ReactNode {
       const { label } = viewport.farol.techniques[info.technique];
       return [
         viewport.technique === 'auto' ? `${t(label)}: ${t(info.reason)}.` : '',
+        info.budget === null
+          ? ''
+          : `${t('Scale')}\t${(100 * info.budget.scale).toFixed(0)} %: ${t(info.budget.reason)}`,
         `${t('Lights')}\t${t('{visible} of {total} in view', { visible: info.lights.visible, total: info.lights.total })}`,
         `${t('Draws')}\t${formatCount(info.drawCalls)}`,
         `${t('Triangles')}\t${formatCount(info.triangles)}`,

@@ -22,7 +22,10 @@ const sky = [
   ...['environmentIntensity', 'backgroundIntensity', 'backgroundRotation', 'backgroundBlur'],
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
-const picture = ['technique', 'quality', 'antialiasing', 'toneMapping', 'exposure', ...Object.keys(effectFields)];
+const picture = [
+  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping', 'exposure'],
+  ...Object.keys(effectFields),
+];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
 const effects = [
   ...['bloom', 'bloomIntensity', 'bloomThreshold', 'bloomRadius'],

@@ -19,7 +19,8 @@ export interface FarolProps extends FarolOptions {
 const optionNames = Object.keys(defaultOptions) as (keyof FarolOptions)[];
 
 const isSame = (a: FarolSettings, b: FarolSettings): boolean =>
-  optionNames.every((name) => a.options[name] === b.options[name]) &&
+  optionNames.every((name) => a.options[name] === b.options[name] || name === 'budget') &&
+  JSON.stringify(a.options.budget) === JSON.stringify(b.options.budget) &&
   a.scene === b.scene &&
   a.invalidate === b.invalidate;
 

@@ -26,6 +26,7 @@ import occlusionFilter from './occlusionFilter.glsl?raw';
 import occlusionSurface from './occlusionSurface.glsl?raw';
 import { indirectTwin, occludedTwin } from './occlusionTwins';
 
+const SIZE = ['farol_frameSize'];
 /** Greatest radius on screen (pixels at full resolution): with a larger one, samples would lie too far apart. */
 const LARGEST_RADIUS = 256;
 
@@ -84,6 +85,7 @@ export class AmbientOcclusion implements FarolEffect {
   private readonly share = new FullscreenPass({
     program: 'occlusionFilter',
     fragment: 'occlusionFilter',
+    shared: SIZE,
     microShaders: { occlusionSurface, occlusionFilter },
     uniforms: this.filtering,
     target: { format: RedFormat },
@@ -91,6 +93,7 @@ export class AmbientOcclusion implements FarolEffect {
   private readonly accumulation = new FullscreenPass({
     program: 'occlusionFilter',
     fragment: 'occlusionFilter',
+    shared: SIZE,
     microShaders: { occlusionSurface, occlusionFilter },
     uniforms: this.filtering,
     defines: { FAROL_ACCUMULATION: '' },
@@ -221,6 +224,7 @@ export class AmbientOcclusion implements FarolEffect {
     return new FullscreenPass({
       program: 'ambientOcclusion',
       fragment: 'ambientOcclusion',
+      shared: SIZE,
       microShaders: { occlusionSurface, ambientOcclusion },
       uniforms: this.surface as Record<string, IUniform>,
       defines,

@@ -12,13 +12,13 @@ const int FAROL_SLICES = 3;
 const int FAROL_STEPS = 5;
 
 vec3 farol_positionAt(const in ivec2 pixel) {
-  ivec2 size = textureSize(farol_surfaceDepth, 0);
+  ivec2 size = ivec2(farol_frameSize);
   ivec2 at = clamp(pixel, ivec2(0), size - 1);
   return farol_unprojectAt((vec2(at) + 0.5) / vec2(size), farol_surfaceZ(at));
 }
 
 bool farol_isInside(const in ivec2 pixel) {
-  return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(farol_surfaceDepth, 0)));
+  return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(farol_frameSize)));
 }
 
 // change of the view-space position (m) to the next pixel, by the neighbour nearer in depth
@@ -57,7 +57,7 @@ float farol_horizon(const in ivec2 pixel, const in vec3 position, const in vec3 
 }
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy) * int(farol_reach.z);
-pixel = min(pixel, textureSize(farol_surfaceDepth, 0) - 1);
+pixel = min(pixel, ivec2(farol_frameSize) - 1);
 float depth = texelFetch(farol_surfaceDepth, pixel, 0).r;
 farol_open = vec4(1.0, 0.0, 0.0, 1.0);
 if (!farol_isEmpty(depth)) {

@@ -22,7 +22,7 @@ if (!farol_isEmpty(depth)) {
   float near = max(0.1 * farol_reach.x, 2.0 * max(abs(slope.x), abs(slope.y)));
   vec2 place = gl_FragCoord.xy / farol_reach.z;
   ivec2 base = ivec2(floor(place)) - 1;
-  ivec2 last = textureSize(farol_openMap, 0) - 1;
+  ivec2 last = ivec2(ceil(farol_frameSize / farol_reach.z)) - 1;
   float sum = 0.0;
   float total = 0.0;
   for (int y = 0; y < 4; y++) for (int x = 0; x < 4; x++) {

@@ -1,6 +1,7 @@
 // View z of the surface in a pixel: by depth, or by the distance stored beside it where depth is shifted
 // (polygonOffset), oblique or coarse.
 // Farol
+#include "frameSize"
 #include "storedDistance"
 #include "unproject"
 uniform highp sampler2D farol_surfaceDepth;
@@ -10,7 +11,7 @@ uniform highp ivec2 farol_surfaceStored;
 
 // m, negative before the camera; 0 beside the picture
 float farol_surfaceZ(const in ivec2 pixel) {
-  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, textureSize(farol_surfaceDepth, 0)))) return 0.0;
+  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(farol_frameSize)))) return 0.0;
   if (farol_surfaceStored.x == 0) return farol_viewZ(texelFetch(farol_surfaceDepth, pixel, 0).r);
   vec4 stored = texelFetch(farol_surfaceDistance, pixel, 0);
   return -farol_unpackDistance(farol_surfaceStored.y == 0 ? stored.xy : stored.zw, farol_surfaceStored.x == 2);

@@ -1,5 +1,6 @@
 import { HalfFloatType, Matrix4, NearestFilter, WebGLRenderTarget, type Object3D, type Vector2 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { fitTargetTo } from '../../gpu/fitTarget';
 import type { ReactiveMaterial } from '../../frame/ReactiveMask';
 import { surfacesOf } from '../../materials/surfacesOf';
 import { targetBytes } from '../../gpu/targetBytes';
@@ -122,7 +123,7 @@ export class MotionPass {
       stencilBuffer: picture.stencilBuffer,
       depthTexture: picture.depthTexture!,
     });
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    fitTargetTo(this.target, picture);
     frame.bind(this.target);
     frame.clear(1, false);
   }

@@ -1,7 +1,16 @@
-import { HalfFloatType, LessEqualDepth, LinearFilter, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
+import {
+  HalfFloatType,
+  LessEqualDepth,
+  LinearFilter,
+  NearestFilter,
+  type Texture,
+  Vector2,
+  WebGLRenderTarget,
+} from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
+import { fitTargetTo } from '../../gpu/fitTarget';
 import { forwardTwins } from '../../materials/forwardTwin';
 import { plainWhole } from '../../materials/plainTwins';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
@@ -48,11 +57,13 @@ export class MultisampledEdges implements FarolEffect {
   private readonly whole = { value: true };
   private readonly reuse = { value: false };
   private readonly shades = { value: true };
+  private readonly size = { value: new Vector2() };
   private readonly uniforms = {
     farol_picture: this.picture,
     farol_pictureDepth: this.depth,
     farol_reuse: this.reuse,
     farol_shades: this.shades,
+    farol_frameSize: this.size,
   };
   private readonly lit = edgeTwin(forwardTwins('lightLoopAll')('final').whole, this.uniforms);
   private readonly unlit = edgeTwin(plainWhole, this.uniforms);
@@ -60,6 +71,7 @@ export class MultisampledEdges implements FarolEffect {
   private readonly background = new FullscreenPass({
     program: 'edgeBackground',
     fragment: 'edgeBackground',
+    shared: ['farol_frameSize'],
     microShaders: { edgeColor, edgeBackground },
     uniforms: { farol_picture: this.picture, farol_pictureDepth: this.depth, farol_farthest: { value: 1 } },
   });
@@ -91,6 +103,7 @@ export class MultisampledEdges implements FarolEffect {
     const { background, resolve } = this;
     const target = this.targetLike(picture.target);
     this.picture.value = picture.texture;
+    this.size.value.set(frame.width, frame.height);
     this.depth.value = picture.target.depthTexture;
     background.uniforms.farol_farthest.value = isDepthReversed(frame.webgl) ? 0 : 1;
     resolve.uniforms.farol_samples.value = target.texture;
@@ -100,7 +113,7 @@ export class MultisampledEdges implements FarolEffect {
     background.draw(frame);
     for (const item of frame.queue.opaque) this.draw(frame, item);
     average(frame, target);
-    picture.texture = resolve.drawToOwn(frame, target.width, target.height).texture;
+    picture.texture = resolve.drawToOwn(frame, frame.width, frame.height).texture;
     picture.end(frame);
   }
 
@@ -152,7 +165,7 @@ export class MultisampledEdges implements FarolEffect {
       setDrawnAsCanvas(this.target, isDrawnAsCanvas(picture));
     }
     const target = this.target!;
-    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    fitTargetTo(target, picture);
     return target;
   }
 }

@@ -8,6 +8,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { fitTargetTo } from '../../gpu/fitTarget';
 import type { ReactiveMask } from '../../frame/ReactiveMask';
 import type { RenderItem } from '../../frame/RenderItem';
 import { targetBytes } from '../../gpu/targetBytes';
@@ -77,7 +78,7 @@ export class ReactiveMasks implements ReactiveMask<Frame> {
       depthTexture: depthTexture as DepthTexture,
     });
     this.targets[0] = target;
-    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    fitTargetTo(target, this.picture!);
     frame.bind(target);
     frame.clear(1, false);
   }

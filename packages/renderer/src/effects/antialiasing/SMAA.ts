@@ -1,7 +1,7 @@
 import { HalfFloatType, LinearFilter, RGFormat, type Texture } from 'three';
 import type { Frame } from '../../frame/Frame';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import displayTransfer from '../displayTransfer.glsl?raw';
+import displayTransfer from '../../frame/displayTransfer.glsl?raw';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import { Picture } from '../Picture';
@@ -9,6 +9,7 @@ import smaaBlend from './smaaBlend.glsl?raw';
 import smaaEdges from './smaaEdges.glsl?raw';
 import smaaWeights from './smaaWeights.glsl?raw';
 
+const SIZE = ['farol_frameSize'];
 const LINEAR = { minFilter: LinearFilter, magFilter: LinearFilter } as const;
 
 /**
@@ -28,6 +29,7 @@ export class SMAA implements FarolEffect {
   private readonly edges = new FullscreenPass({
     program: 'smaaEdges',
     fragment: 'smaaEdges',
+    shared: SIZE,
     microShaders: { displayTransfer, smaaEdges },
     uniforms: { farol_picture: { value: null as Texture | null }, farol_encoded: { value: false } },
     target: { format: RGFormat, ...LINEAR },
@@ -35,6 +37,7 @@ export class SMAA implements FarolEffect {
   private readonly weights = new FullscreenPass({
     program: 'smaaWeights',
     fragment: 'smaaWeights',
+    shared: SIZE,
     microShaders: { smaaWeights },
     uniforms: { farol_edgeMap: { value: null as Texture | null } },
     target: LINEAR,
@@ -42,6 +45,7 @@ export class SMAA implements FarolEffect {
   private readonly blend = new FullscreenPass({
     program: 'smaaBlend',
     fragment: 'smaaBlend',
+    shared: SIZE,
     microShaders: { displayTransfer, smaaBlend },
     uniforms: { ...this.edges.uniforms, farol_weightMap: { value: null as Texture | null } },
     target: { type: HalfFloatType, ...LINEAR },

@@ -1,6 +1,6 @@
-import { Camera, LinearToneMapping, NoToneMapping, Scene, type WebGLRenderer } from 'three';
 import type { ActiveEffects } from '../../frame/ActiveEffects';
 import type { Frame } from '../../frame/Frame';
+import { hasOutputBuffer } from '../../three/hasOutputBuffer';
 import { SMAA } from './SMAA';
 
 /**
@@ -59,28 +59,3 @@ export class SmoothEdges extends SMAA {
 }
 
 const smoothsEdges = ({ smoothsEdges = false }: { readonly smoothsEdges?: boolean }): boolean => smoothsEdges;
-
-const STOP = new Error('Farol: asked');
-
-/** Whether the renderer was made with an `outputBufferType`. Asked by a `render` that is stopped before it draws. */
-function hasOutputBuffer(webgl: WebGLRenderer): boolean {
-  const scene = new Scene();
-  const { toneMapping } = webgl;
-  const target = webgl.getRenderTarget();
-  let has = false;
-  scene.onBeforeRender = () => {
-    has = webgl.toneMapping === NoToneMapping; // three tone maps when it copies that buffer to the canvas
-    throw STOP; // before three clears
-  };
-  webgl.setRenderTarget(null);
-  webgl.toneMapping = LinearToneMapping;
-  try {
-    webgl.render(scene, new Camera());
-  } catch (error) {
-    if (error !== STOP) throw error;
-  } finally {
-    webgl.toneMapping = toneMapping;
-    webgl.setRenderTarget(target);
-  }
-  return has;
-}

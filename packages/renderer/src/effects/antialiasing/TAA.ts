@@ -1,7 +1,8 @@
 import { Camera, Matrix4, type Object3D, type PerspectiveCamera, type Texture, Vector2, Vector4 } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { targetSizes } from '../../gpu/fitTarget';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
-import displayTransfer from '../displayTransfer.glsl?raw';
+import displayTransfer from '../../frame/displayTransfer.glsl?raw';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import { RecentlyUsed } from '../../frame/RecentlyUsed';
@@ -21,6 +22,7 @@ import { standInOf } from '../../three/standInOf';
 import { TemporalHistory } from './TemporalHistory';
 import { contextLists } from '../../three/contextLists';
 
+const SIZE = ['farol_frameSize'];
 /** Number of sample positions in a pixel that frames cycle through. */
 const SAMPLES = 32;
 /** Factor on the new frame's weight for pixels that stand still while others move. */
@@ -100,6 +102,7 @@ export class TAA implements FarolEffect {
   private readonly near = new FullscreenPass({
     program: 'TAA near',
     fragment: 'taaNear',
+    shared: SIZE,
     microShaders: { taaDepth, taaNear },
     uniforms: this.jitterDepth,
   });
@@ -112,6 +115,7 @@ export class TAA implements FarolEffect {
   private readonly resolve = new FullscreenPass({
     program: 'TAA',
     fragment: 'taaResolve',
+    shared: SIZE,
     microShaders: { displayTransfer, lanczosCross, taaDepth, taaResolve },
     uniforms: {
       ...this.jitterDepth,
@@ -122,6 +126,7 @@ export class TAA implements FarolEffect {
       farol_weights: { value: new Vector4() },
       farol_encoded: { value: false },
       farol_hasPast: { value: false },
+      farol_sizeBefore: { value: new Vector2() },
       farol_share: { value: new Vector2(1, 1) },
       farol_gamma: { value: 0 },
       farol_belief: { value: 0 },
@@ -189,6 +194,7 @@ export class TAA implements FarolEffect {
     uniforms.farol_isReactive.value[0] = now === null ? 0 : 1;
     uniforms.farol_isReactive.value[1] = before === null ? 0 : 1;
     uniforms.farol_hasPast.value = !history.isEmpty;
+    uniforms.farol_sizeBefore.value.copy(history.sizeBefore);
     uniforms.farol_encoded.value = picture.encoded;
     this.setDepthKind(frame);
     this.drawDistances(frame);
@@ -201,6 +207,7 @@ export class TAA implements FarolEffect {
     history.advance(viewProjection, frame.camera);
     picture.texture = next.texture;
     if (uniforms.farol_cells.value > 1) {
+      if (frame.ownsPart && picture.isLast) frame.finer = next;
       uniforms.farol_history.value = next.texture;
       average.drawTo(frame, picture.target);
       picture.texture = picture.target.texture;
@@ -234,7 +241,8 @@ export class TAA implements FarolEffect {
     // pixels of the former reactive mask begin anew among settled ones
     const { reactive } = history;
     const covers = reactive.now !== null || reactive.before !== null;
-    const changed = moved || relit || motion.changed || covers || frame.shadowMapsDrawn > 0;
+    const resized = history.sizeBefore.x !== frame.width || history.sizeBefore.y !== frame.height;
+    const changed = moved || relit || resized || motion.changed || covers || frame.shadowMapsDrawn > 0;
     history.sure = follows && relit ? 0 : history.sure + 1;
     history.known = follows && !motion.known ? 0 : history.known + 1;
     history.quiet = follows && changed ? 0 : history.quiet + 1;
@@ -307,9 +315,11 @@ export class TAA implements FarolEffect {
     if (history === null) histories.push((history = new TemporalHistory(camera, scene as Object3D)));
     this.recent.use(history);
     const beyond = 2 * Math.max(width, height) > frame.webgl.capabilities.maxTextureSize;
-    const wanted = this.options.cells ?? (width * height < LARGE ? 2 : 1);
+    const scales = targetSizes.room > 0;
+    const wanted = this.options.cells ?? (history.cellsOf(scales) || (width * height < LARGE ? 2 : 1));
     const cells = (this.pastCells.farol_cells.value = beyond ? 1 : wanted);
-    if (!history.hasSize(width, height, cells)) history.reset();
+    // a frame budget scales the picture step by step: its past is looked up across sizes
+    if (!history.hasSize(width, height, cells) && history.cellsOf(scales) !== cells) history.reset();
     history.setSize(width, height, cells);
     return history;
   }

@@ -6,6 +6,7 @@ import {
   type Object3D,
   RGFormat,
   type Texture,
+  Vector2,
   Vector3,
   Vector4,
   type WebGLRenderTarget,
@@ -29,6 +30,8 @@ export class TemporalHistory {
   readonly viewProjection = new Matrix4();
   /** The camera's backward axis (world space) in the last frame. */
   readonly forward = new Vector3();
+  /** Size of the picture in the last frame (pixels). */
+  readonly sizeBefore = new Vector2();
   /** Frames since the last reset. */
   count = 0;
   /** Frames since any change of the picture; Infinity after a reset. */
@@ -78,6 +81,11 @@ export class TemporalHistory {
     return this.width === width && this.height === height && this.cells === cells;
   }
 
+  /** Cells along a pixel's side that a history is to keep; 0 if there is none, or it need not. */
+  cellsOf(keeps: boolean): number {
+    return keeps && !this.isEmpty ? this.cells : 0;
+  }
+
   /** Begins a frame with a size (pixels) and cells along a pixel's side; it is drawn to `next` and `nextReach`. */
   setSize(width: number, height: number, cells: number): void {
     this.width = width;
@@ -95,6 +103,7 @@ export class TemporalHistory {
 
   /** Ends a frame: its targets become the past. */
   advance(viewProjection: Matrix4, camera: Camera): void {
+    this.sizeBefore.set(this.width, this.height);
     this.last = this.next.texture;
     this.lastReach = this.nextReach.texture;
     this.viewProjection.copy(viewProjection);

@@ -1,6 +1,7 @@
 // The colour of a surface in a picture that shows one surface a pixel, by the depth that it has there: that of its own
 // pixel, or of the neighbour whose depth lies nearest to the plane of the fragment's triangle.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
+#include "frameSize"
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_pictureDepth;
 
@@ -28,7 +29,7 @@ bool farol_edgeColor(
   ivec2 found = pixel;
   shown = least <= 2.0 * FAROL_ROUNDING + slopes ? FAROL_SHOWN : 0.0;
   if (nearby && least > most) {
-    ivec2 last = textureSize(farol_pictureDepth, 0) - 1;
+    ivec2 last = ivec2(farol_frameSize) - 1;
     for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
       vec2 off = vec2(at - pixel);

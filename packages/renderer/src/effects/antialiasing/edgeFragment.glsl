@@ -21,7 +21,7 @@ if (!farol_keeps) {
   // nearer surfaces in all neighbouring pixels hide it: its colour does not matter
   farol_keeps = true;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
-    ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
+    ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), ivec2(farol_frameSize) - 1);
     vec2 farol_off = vec2(farol_at) + 0.5 - gl_FragCoord.xy;
     float farol_behind = farol_depth + dot(farol_slope, farol_off) - texelFetch(farol_pictureDepth, farol_at, 0).r;
 #ifdef USE_REVERSED_DEPTH_BUFFER

@@ -1,18 +1,19 @@
 // SMAA, third step: each pixel takes from its neighbours over its edges what the weights say, in linear light.
 // Jimenez et al. 2012, SMAA, 3.3
 #include "displayTransfer"
+#include "frameSize"
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_weightMap;
 uniform bool farol_encoded;
 layout(location = 0) out highp vec4 farol_color;
 
 vec4 farol_linearAt(const in ivec2 pixel) {
-  vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), textureSize(farol_picture, 0) - 1), 0);
+  vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1), 0);
   return farol_encoded ? farol_toLinear(color) : color;
 }
 
 vec4 farol_weightsAt(const in ivec2 pixel) {
-  return any(greaterThanEqual(pixel, textureSize(farol_weightMap, 0))) ? vec4(0.0)
+  return any(greaterThanEqual(pixel, ivec2(farol_frameSize))) ? vec4(0.0)
     : texelFetch(farol_weightMap, pixel, 0);
 }
 //# main

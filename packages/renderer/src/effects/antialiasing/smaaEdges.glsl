@@ -2,13 +2,14 @@
 // r: to the left pixel, g: to the one below.
 // Jimenez et al. 2012, SMAA: Enhanced Subpixel Morphological Antialiasing, 3.1 and 4.1; https://www.iryoku.com/smaa/
 #include "displayTransfer"
+#include "frameSize"
 uniform highp sampler2D farol_picture;
 uniform bool farol_encoded;
 layout(location = 0) out highp vec4 farol_edges;
 
 // luma and alpha
 vec2 farol_lumaAt(const in ivec2 pixel) {
-  vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), textureSize(farol_picture, 0) - 1), 0);
+  vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1), 0);
   if (!farol_encoded) color = farol_toDisplay(clamp(color, 0.0, 1.0));
   return vec2(dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)), clamp(color.a, 0.0, 1.0));
 }

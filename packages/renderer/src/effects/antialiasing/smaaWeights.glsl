@@ -1,6 +1,7 @@
 // SMAA, second step: how much of its neighbour over each edge a pixel gets: the area between the edge and the line that
 // it stands for.
 // Jimenez et al. 2012, SMAA, 3.2 and 4.2; the area is that of the published AreaTex, computed here
+#include "frameSize"
 uniform highp sampler2D farol_edgeMap;
 layout(location = 0) out highp vec4 farol_weights; // x, y: lower edge: own, neighbour; z, w: left edge
 
@@ -44,7 +45,7 @@ vec2 farol_edgeArea(const in float before, const in float after, const in float 
 
 vec2 farol_edgesAt(const in ivec2 pixel) {
   return any(lessThan(pixel, ivec2(0))) ? vec2(0.0)
-    : texelFetch(farol_edgeMap, min(pixel, textureSize(farol_edgeMap, 0) - 1), 0).rg;
+    : texelFetch(farol_edgeMap, min(pixel, ivec2(farol_frameSize) - 1), 0).rg;
 }
 
 bool farol_isEdge(const in ivec2 pixel, const in int along) {

@@ -1,5 +1,6 @@
 // Depth for temporal anti-aliasing: distances of samples (m along the view), and their motion since the last frame.
 // Karis 2014, High Quality Temporal Supersampling
+#include "frameSize"
 #include "storedDistance"
 uniform highp sampler2D farol_pictureDepth;
 // surfaces whose depth is shifted (polygonOffset), oblique or coarse: their distances, and depth as drawn with them
@@ -15,7 +16,7 @@ uniform highp vec4 farol_projectZ; // clip z = x z + y and clip w = z z + w of a
 uniform bool farol_hasMotion; // whether the motion map holds any motion
 
 ivec2 farol_inPicture(const in ivec2 pixel) {
-  return clamp(pixel, ivec2(0), textureSize(farol_pictureDepth, 0) - 1);
+  return clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1);
 }
 
 // normalised device z of a stored depth; reversed depth is that z itself, logarithmic depth gives clip w
@@ -59,7 +60,7 @@ vec3 farol_wayOf(const in ivec2 pixel, const in float away) {
     vec4 motion = texelFetch(farol_motionMap, pixel, 0);
     if (motion.w > 0.5) return vec3(motion.xy, max(away + motion.z, 1e-3));
   }
-  vec2 now = (vec2(pixel) + 0.5) / vec2(textureSize(farol_pictureDepth, 0)) * 2.0 - 1.0 - farol_jitter;
+  vec2 now = (vec2(pixel) + 0.5) / farol_frameSize * 2.0 - 1.0 - farol_jitter;
   float depth = texelFetch(farol_pictureDepth, pixel, 0).r;
   float stored = farol_storedAt(pixel, depth);
   vec4 before = farol_reproject * vec4(now, stored > 0.0 ? farol_deviceZAt(stored) : farol_deviceZ(depth), 1.0);

@@ -10,6 +10,7 @@ uniform highp sampler2D farol_history;
 uniform highp sampler2D farol_reach; // distances of taaNear.glsl, this frame
 uniform highp sampler2D farol_reachBefore; // distances of taaNear.glsl, last frame
 uniform int farol_cells; // history cells along a pixel's side
+uniform highp vec2 farol_sizeBefore; // size of the picture in the last frame (pixels)
 uniform highp vec4 farol_weights; // weight of this frame's sample in each cell of a pixel, 0 to 1
 uniform bool farol_encoded;
 uniform bool farol_hasPast;
@@ -91,7 +92,7 @@ ivec2 farol_foreground(const in ivec2 pixel, const in vec2 place, const in float
 ivec2 cell = ivec2(gl_FragCoord.xy);
 ivec2 pixel = cell / farol_cells;
 ivec2 part = cell - pixel * farol_cells;
-vec2 size = vec2(textureSize(farol_picture, 0));
+vec2 size = farol_frameSize;
 vec2 place = gl_FragCoord.xy / float(farol_cells);
 // samples lie off the middle of pixels by the jitter
 vec2 inSamples = place - 0.5 + 0.5 * farol_jitter * size;
@@ -113,11 +114,13 @@ else if (farol_hasPast) {
   float shownDistance = beside ? farol_distanceAt(shown) : away;
   vec3 way = beside ? farol_wayOf(shown, shownDistance) : ownWay;
   vec2 uv = place / size - way.xy;
-  bool still = all(lessThan(abs(way.xy * size), vec2(1e-3)));
+  bool resized = farol_sizeBefore != size;
+  bool still = !resized && all(lessThan(abs(way.xy * size), vec2(1e-3)));
   if (uv == clamp(uv, 0.0, 1.0)) {
-    vec4 past = still ? texelFetch(farol_history, cell, 0) : max(farol_lanczosCross(farol_history, uv), 0.0);
+    vec4 past = still ? texelFetch(farol_history, cell, 0)
+      : max(farol_lanczosCross(farol_history, uv, farol_sizeBefore * float(farol_cells)), 0.0);
     // history is believed if the nearest surface was nearest there too, or if nothing moves
-    float before = texelFetch(farol_reachBefore, farol_inPicture(ivec2(uv * size)), 0).x;
+    float before = texelFetch(farol_reachBefore, min(ivec2(uv * farol_sizeBefore), ivec2(farol_sizeBefore) - 1), 0).x;
     float expected = nearest * way.z / shownDistance;
     bool same = abs(abs(before) - expected) < (FAROL_APART - 1.0) * expected;
     bool stays = farol_belief == 3 && still && reach.x > 0.0 && (same || before > 0.0);
@@ -128,7 +131,8 @@ else if (farol_hasPast) {
     if (!believed || farol_belief < 2)
       past = farol_likeNow(past, pixel, believed ? 2.0 * farol_gamma : farol_gamma);
     float reactive = farol_isReactive.x > 0 ? farol_reactiveAt(farol_reactive, own) : 0.0;
-    if (farol_isReactive.y > 0) reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * size)));
+    if (farol_isReactive.y > 0)
+      reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * farol_sizeBefore)));
     float share = weight * (still ? farol_share.y : farol_share.x);
     // doubted history: samples farther from the cell count more
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));

@@ -16,6 +16,7 @@ import {
   SrcColorFactor,
   SubtractiveBlending,
   type Texture,
+  Vector2,
   Vector4,
   ZeroFactor,
 } from 'three';
@@ -62,6 +63,7 @@ export class Decals implements FarolEffect {
   private readonly white = pixel(255, 255, 255);
   private readonly uniforms = {
     ...unprojectUniforms(),
+    farol_frameSize: { value: new Vector2() },
     farol_surfaceDepth: { value: null } as IUniform<Texture | null>,
     farol_surfaceNormal: { value: null } as IUniform<Texture | null>,
     farol_surfaceStored: { value: 0 },
@@ -129,6 +131,7 @@ export class Decals implements FarolEffect {
     this.framebuffers.follow(frame, gbuffer);
     frame.bind(gbuffer.target); // for the target's viewport
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
+    uniforms.farol_frameSize.value.set(frame.width, frame.height);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
     uniforms.farol_surfaceNormal.value = copies.normal;
     uniforms.farol_surfaceStored.value = gbuffer.storesDistance ? storedKind(frame.camera) : 0;

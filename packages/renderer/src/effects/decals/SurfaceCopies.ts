@@ -35,7 +35,7 @@ export class SurfaceCopies {
 
   /** Copies normals, albedo and distances of a G-buffer. Leaves another target bound. */
   take(frame: Frame, { target, storesDistance }: GBuffer): void {
-    const { width, height } = target;
+    const { z: width, w: height } = target.viewport;
     this.gbuffer = target;
     this.normals = (storesDistance ? this.distanceTarget : this.normalTarget).of(width, height);
     this.albedos = this.albedoTarget.of(width, height);
@@ -53,7 +53,7 @@ export class SurfaceCopies {
    */
   follow(frame: Frame, modelView: Matrix4): void {
     const rectangle = this.rectangle(this.boxes);
-    boxRectangle(modelView, frame.camera.projectionMatrix, this.gbuffer, rectangle);
+    boxRectangle(modelView, frame.camera.projectionMatrix, frame, rectangle);
     for (let i = 0; i < this.boxes; i++) {
       if (!overlap(rectangle, this.written[i])) continue;
       copyAttachment(frame, this.gbuffer, 2, this.albedos, rectangle);

@@ -1,5 +1,6 @@
 // A decal at the surface of a pixel: its colour and opacity there, and the surface without it.
 // Krishnan 2012 / Persson, Volume Decals (GPU Pro 2, 2011); gradients from neighbours of the same surface: Wronski 2015
+#include "frameSize"
 #include "unproject"
 #include "octahedralNormal"
 #include "storedDistance"
@@ -32,7 +33,7 @@ struct FarolDecal {
 };
 
 vec3 farol_inDecal(const in ivec2 pixel) {
-  ivec2 size = textureSize(farol_surfaceDepth, 0);
+  ivec2 size = ivec2(farol_frameSize);
   ivec2 at = clamp(pixel, ivec2(0), size - 1);
   float z = farol_surfaceStored == 0
     ? farol_viewZ(texelFetch(farol_surfaceDepth, at, 0).r)

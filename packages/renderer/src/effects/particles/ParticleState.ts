@@ -26,6 +26,7 @@ import { ParticleOrder, type particleSortPasses } from './ParticleOrder';
 import type { ParticleLightingPass, particleLightsPass, particleStepPass } from './particlePasses';
 import type { PendingStep } from './PendingSteps';
 import { type ParticleSurroundings, SurroundingLight } from './ParticleSurroundings';
+import type { SurfaceDepth } from './SurfaceDepth';
 import { surfaceTable, TEXELS_PER_TRIANGLE } from './surfaceTable';
 
 const SHAPES = { point: 0, sphere: 1, cone: 2, box: 3, mesh: 4 } as const;
@@ -235,18 +236,16 @@ export class ParticleState {
     else emitter.geometry.setDrawRange(0, 6 * count);
   }
 
-  /**
-   * @param depth - depth of the opaque surfaces
-   * @param distances - their distances as storedDistance.glsl packs them; null where depth tells them
-   */
-  setDepth(frame: Frame, depth: Texture, distances: Texture | null): void {
+  /** @param surfaces - the opaque ones */
+  setDepth(frame: Frame, surfaces: SurfaceDepth): void {
     const { uniforms } = this;
     const { near } = frame.camera as PerspectiveCamera;
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
-    uniforms.farol_particleDepth.value = depth;
+    uniforms.farol_particleDepth.value = surfaces.of(frame);
+    const { distances, scale } = surfaces;
     uniforms.farol_particleDistances.value = distances;
     uniforms.farol_particleStored.value = distances === null ? 0 : storedKind(frame.camera);
-    uniforms.farol_softness.value.set(1 / this.emitter.softness, near, frame.width, frame.height);
+    uniforms.farol_softness.value.set(1 / this.emitter.softness, near, scale.x, scale.y);
   }
 
   /** Makes three send the uniforms again with the next draw. */

@@ -77,6 +77,8 @@ export class Particles implements FarolEffect {
   render(frame: Frame): void {
     const { resources } = frame;
     this.depth.texture = resources.find('scene-depth') ?? null;
+    const { z, w } = resources.find('thin-gbuffer')?.target.viewport ?? frame.viewport;
+    this.depth.scale.set(z / frame.width, w / frame.height);
     const lists = resources.find('light-lists');
     if (lists === undefined) return;
     // lists of tiles that are cut by depth know opaque surfaces alone
@@ -145,7 +147,7 @@ export class Particles implements FarolEffect {
     const { frame } = this;
     const state = this.states.get(emitter);
     if (frame === null || state === undefined) return;
-    if (emitter.softness > 0) state.setDepth(frame, this.depth.of(frame), this.depth.distances);
+    if (emitter.softness > 0) state.setDepth(frame, this.depth);
     if (emitter.lit) {
       state.findLight(frame, this.lightingPass(), this.surroundings);
       frame.bindTarget();

@@ -1,4 +1,5 @@
-import { DepthTexture, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
+import { DepthTexture, NearestFilter, type Texture, Vector2, WebGLRenderTarget } from 'three';
+import { fitTarget } from '../../gpu/fitTarget';
 import { depthTwin, hasDepthTwin } from '../../materials/depthTwin';
 import type { Frame } from '../../frame/Frame';
 import { isPlain } from '../../frame/RenderItem';
@@ -16,6 +17,8 @@ export class SurfaceDepth {
   texture: Texture | null = null;
   /** Distances of the surfaces as storedDistance.glsl packs them, where depth does not tell them; else null. */
   distances: Texture | null = null;
+  /** Texels of `texture` a pixel of the picture. */
+  readonly scale = new Vector2(1, 1);
   private copied: WebGLRenderTarget | null = null;
   private readonly drawn = new PassTarget({ depthTexture: true });
   private readonly distancePass = new DistancePass();
@@ -27,6 +30,7 @@ export class SurfaceDepth {
   /** Forgets the last frame. */
   begin(): void {
     this.texture = this.distances = null;
+    this.scale.set(1, 1);
   }
 
   /** Returns the depth texture, and binds the frame's target. Call when all opaque surfaces are drawn. */
@@ -55,6 +59,7 @@ export class SurfaceDepth {
     const { texture, depthTexture } = this.distancePass.render(frame);
     this.distances = texture;
     this.texture = depthTexture;
+    this.scale.set(1, 1);
     frame.bindTarget();
   }
 
@@ -73,7 +78,7 @@ export class SurfaceDepth {
       });
     }
     const copied = this.copied!;
-    if (copied.width !== width || copied.height !== height) copied.setSize(width, height);
+    fitTarget(copied, width, height);
     frame.bind(copied); // allocates the target that is copied to
     frame.copyDepth(frame.target!, copied, viewport.x, viewport.y);
     return copied.depthTexture!;

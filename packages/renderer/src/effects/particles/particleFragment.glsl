@@ -14,7 +14,7 @@ uniform sampler2D farol_particleMap;
 uniform highp sampler2D farol_particleDepth; // depth of opaque surfaces
 uniform highp sampler2D farol_particleDistances; // their distances, see storedDistance.glsl
 uniform highp int farol_particleStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
-uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: size of the picture (pixels)
+uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: texels of depth a pixel
 #endif
 in highp vec4 farol_particleColor;
 in highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
@@ -47,8 +47,7 @@ farol_color.rgb *= 0.15915494 * max(vec3(0.0), farol_facing * farol_particleLit)
   + farol_surroundingLight(farol_facing.xyz * mat3(viewMatrix));
 #endif
 #ifdef FAROL_SOFT
-ivec2 farol_pixel = ivec2((gl_FragCoord.xy - farol_offset) / farol_softness.zw
-  * vec2(textureSize(farol_particleDepth, 0)));
+ivec2 farol_pixel = ivec2((gl_FragCoord.xy - farol_offset) * farol_softness.zw);
 float farol_surface = texelFetch(farol_particleDepth, farol_pixel, 0).r;
 float farol_room = farol_particleDistance - farol_softness.y;
 if (!farol_isEmpty(farol_surface)) {

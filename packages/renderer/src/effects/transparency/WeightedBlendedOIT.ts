@@ -10,6 +10,7 @@ import {
 } from 'three';
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
+import { fitTargetTo } from '../../gpu/fitTarget';
 import type { Frame } from '../../frame/Frame';
 import { WebGLMultipleRenderTargets } from '../../three/WebGLMultipleRenderTargets';
 import type { TwinKind } from '../../materials/TwinKind';
@@ -134,7 +135,7 @@ export class WeightedBlendedOIT implements FarolEffect {
       });
       setDrawnAsCanvas(this.target, isDrawnAsCanvas(picture));
     }
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    fitTargetTo(this.target, picture);
     return this.target;
   }
 }

@@ -1,4 +1,5 @@
 import type { WebGLRenderTarget } from 'three';
+import { withRoom } from '../../gpu/fitTarget';
 
 /** Greatest width of a list texture (texels): the least MAX_TEXTURE_SIZE of WebGL 2. */
 const ROW = 2048;
@@ -27,6 +28,7 @@ export function setTiles(tiles: number[], x: number, y: number, quads: number): 
 export function fitGrids(target: WebGLRenderTarget, x: number, y: number, grids: number, shift: number): void {
   const width = x << shift;
   const height = (((grids - 1) >> shift) + 1) * y;
-  if (target.width !== width || target.height < height) target.setSize(width, height + (height >> 2));
+  const made = withRoom(target.width, width);
+  if (target.width !== made || target.height < height) target.setSize(made, withRoom(0, height + (height >> 2)));
   target.viewport.set(0, 0, width, height);
 }

@@ -1,6 +1,7 @@
 interface Pending {
   readonly name: string;
   readonly query: WebGLQuery;
+  readonly tag: number;
 }
 
 /** The extension's constants; lib.dom does not have them. */
@@ -16,6 +17,10 @@ interface TimerExtension {
 export class GpuTimer {
   /** Last known GPU time of each pass (ms). */
   readonly times = new Map<string, number>();
+  /** Number that is kept with the times taken from here on, for `onTime`. */
+  tag = 0;
+  /** Called with each time as it comes (ms, NaN if it was interrupted), in order, with its tag. */
+  onTime: ((tag: number, ms: number) => void) | null = null;
   private extension: TimerExtension | null = null;
   private readonly pending: Pending[] = [];
   private readonly free: WebGLQuery[] = [];
@@ -35,7 +40,7 @@ export class GpuTimer {
     if (gl.getQuery(extension.TIME_ELAPSED_EXT, gl.CURRENT_QUERY) !== null) return;
     const query = this.free.pop() ?? gl.createQuery();
     gl.beginQuery(extension.TIME_ELAPSED_EXT, query);
-    this.pending.push({ name, query });
+    this.pending.push({ name, query, tag: this.tag });
     this.running = true;
   }
 
@@ -52,9 +57,10 @@ export class GpuTimer {
     const waiting = pending.length;
     const disjoint = gl.getParameter(extension.GPU_DISJOINT_EXT) as boolean;
     while (pending.length > 0 && gl.getQueryParameter(pending[0].query, gl.QUERY_RESULT_AVAILABLE)) {
-      const { name, query } = pending.shift()!;
+      const { name, query, tag } = pending.shift()!;
       const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT) as number;
       if (!disjoint) this.times.set(name, nanoseconds / 1e6);
+      this.onTime?.(tag, disjoint ? NaN : nanoseconds / 1e6);
       this.free.push(query);
     }
     return pending.length < waiting;

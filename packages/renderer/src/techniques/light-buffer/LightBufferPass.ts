@@ -44,7 +44,7 @@ export class LightBufferPass implements Pass, LightBuffer {
       this.target = sumsTarget(attachments);
       this.attachments = attachments;
     }
-    const target = this.target.of(source.target.width, source.target.height);
+    const target = this.target.of(source.target.viewport.z, source.target.viewport.w);
     frame.bind(target);
     frame.clear(attachments, frame.view === 'overdraw'); // in other cases the target's depth is the copy
     if (frame.view === 'overdraw') countSurfaces(frame, source);

@@ -10,6 +10,7 @@ import {
   Vector4,
   WebGLRenderTarget,
 } from 'three';
+import { fitTarget } from '../../gpu/fitTarget';
 import { targetBytes } from '../../gpu/targetBytes';
 import * as chunks from './chunks';
 import type { ThinGBuffer } from '../../frame/ThinGBuffer';
@@ -127,7 +128,7 @@ export class ThinGBufferPass implements Pass, ThinGBuffer {
     const format = normals ? RGBAFormat : frame.storesDistance ? RGFormat : undefined;
     if (format !== undefined && format !== before) this.dispose();
     const target = (this.made ??= makeTarget(format));
-    if (target.width !== width || target.height !== height) target.setSize(width, height);
+    fitTarget(target, width, height);
     frame.bind(target);
     frame.clear(1, true);
   }

@@ -9,6 +9,7 @@ uniform highp sampler2D farol_sums2;
 #ifdef FAROL_AREA_LIGHTS
 uniform highp sampler2D farol_sums3;
 #endif
+uniform highp vec2 farol_size; // size of the light buffer (texels)
 uniform highp vec4 farol_lightGrid; // xy: light buffer texels a pixel; zw: offset of the picture (pixels)
 
 struct FarolReader {
@@ -106,7 +107,7 @@ void farol_readWide(inout FarolReader reader, const in vec2 place) {
 FarolLightSums farol_lightSums(const in vec3 positionVS, const in vec3 normalVS) {
   FarolReader reader;
   int slot = int(farol_object.y + 0.5);
-  ivec2 size = textureSize(farol_thinSurface, 0);
+  ivec2 size = ivec2(farol_size);
   reader.positionVS = positionVS;
   reader.normalVS = normalVS;
   reader.object = floor(farol_object.x + 0.5);

@@ -14,7 +14,7 @@ export function setThinGBufferUniforms(uniforms: ThinGBufferUniforms, source: Th
   uniforms.farol_thinDepth.value = distances ?? target.depthTexture;
   uniforms.farol_thinStored.value =
     distances === undefined ? 0 : storedKind(frame.camera) + (distances.format === RGBAFormat ? 4 : 0);
-  uniforms.farol_size.value.set(target.width, target.height);
+  uniforms.farol_size.value.set(target.viewport.z, target.viewport.w);
   setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
   const { x, y, z, w } = source.fit;
   uniforms.farol_fit.value.set(x, y, z, w);

@@ -1,5 +1,6 @@
 import { NoBlending, Vector2, type Texture, type WebGLRenderTarget } from 'three';
 import type { Frame } from '../../frame/Frame';
+import { fitTarget } from '../../gpu/fitTarget';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import type { LightLists } from '../../frame/LightLists';
 import type { Pass, Resource } from '../../frame/Pass';
@@ -79,9 +80,9 @@ export class LightTilesPass implements Pass {
     this.giveStorage(frame);
     if (lights.bounded === 0) return;
     if (this.use !== 'none') {
-      this.blocks.target.setSize(Math.ceil(width / BLOCK), Math.ceil(height / BLOCK));
+      fitTarget(this.blocks.target, Math.ceil(width / BLOCK), Math.ceil(height / BLOCK));
       draw(frame, this.blocks);
-      this.depths.target.setSize(x, y);
+      fitTarget(this.depths.target, x, y);
       draw(frame, this.depths);
     }
     fitGrids(this.coarse.target, Math.ceil(x / 4), Math.ceil(y / 4), quads, shift);

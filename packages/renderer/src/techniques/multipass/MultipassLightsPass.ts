@@ -13,6 +13,7 @@ import {
   type BufferGeometry,
   Object3D,
 } from 'three';
+import { fitTarget } from '../../gpu/fitTarget';
 import { blendsFloats } from '../../gpu/checkDevice';
 import type { FieldDraws } from '../../frame/FieldDraws';
 import type { AccumulatedLight } from '../../frame/AccumulatedLight';
@@ -171,7 +172,7 @@ export class MultipassLightsPass implements Pass {
       stencilBuffer: true,
       depthTexture: depthAndStencil(),
     });
-    if (this.target.width !== width || this.target.height !== height) this.target.setSize(width, height);
+    fitTarget(this.target, width, height);
     frame.bind(this.target);
     frame.clear(1, false);
     // at once: by itself either costs a pass over the other

@@ -1,0 +1,46 @@
+/** Time that a frame may take, and the scales (share of the picture's width and height) by which it is held. */
+export interface FrameBudget {
+  /** Milliseconds a frame, above 0: 16.7 for 60 frames a second. */
+  readonly frame: number;
+  /** Least scale, 0.25 to `max`. Default 0.5. */
+  readonly min?: number;
+  /** Largest scale, up to 1. Default 1. */
+  readonly max?: number;
+  /** Sharpening of the enlarged picture, 0 (none) to 1. Default 0.2. */
+  readonly sharpness?: number;
+}
+
+/** Source of the times that a frame budget goes by: the GPU's timer, or intervals between frames. */
+export type BudgetSource = 'gpu' | 'interval';
+
+/** State of the frame budget in the last frame. */
+export interface BudgetInfo {
+  /** Pixels of the drawn scene a pixel of the picture, along a side: 1 where nothing is enlarged. */
+  scale: number;
+  /** Sentence on why the scale is what it is. */
+  reason: string;
+  /** Median time of the last frames (ms); null until there are some. */
+  ms: number | null;
+  source: BudgetSource;
+}
+
+const DEFAULTS = { min: 0.5, max: 1, sharpness: 0.2 };
+
+/**
+ * @returns the budget with all values
+ * @throws RangeError for a value that a budget cannot have, with its name
+ */
+export function checkBudget(budget: FrameBudget): Required<FrameBudget> {
+  const all: Required<FrameBudget> = { ...DEFAULTS, ...budget };
+  const { frame, min, max, sharpness } = all;
+  const wrong =
+    !(frame > 0 && frame < Infinity) ? 'frame is to be milliseconds above 0'
+    : !(max >= 0.25 && max <= 1) ? 'max is to be 0.25 to 1'
+    : !(min >= 0.25 && min <= max) ? 'min is to be 0.25 to max'
+    : !(sharpness >= 0 && sharpness <= 1) ? 'sharpness is to be 0 to 1' : null; // prettier-ignore
+  if (wrong !== null)
+    throw new RangeError(
+      `FarolRenderer: budget is { frame: ${frame}, min: ${min}, max: ${max}, sharpness: ${sharpness} }; ${wrong}.`,
+    );
+  return all;
+}

@@ -1,0 +1,108 @@
+import type { Camera } from 'three';
+import { GpuTimer } from '../timer';
+import type { BudgetController } from './BudgetController';
+
+/** Frames that are timed by the GPU at once, at most. */
+const FRAMES = 16;
+/** Frames without an answer of the GPU's timer after which intervals count. */
+const SILENT = 40;
+/** Draws by other cameras after which one of them begins frames in place of a camera that is gone. */
+const OTHERS = 32;
+
+/**
+ * Times frames of a host for a controller: by the GPU where it has a timer, else from one frame to the next. A frame begins when
+ * the camera is drawn that began the one before: others draw mirrors and further viewports of it.
+ */
+export class FrameClock {
+  private timer: GpuTimer | null = null;
+  /** Timer that times the passes of this frame, in place of the own one. */
+  private passTimer: GpuTimer | null = null;
+  private controller: BudgetController | null = null;
+  private lead: WeakRef<Camera> | null = null;
+  private others = 0;
+  /** Time at which the frame began (ms); -1 before the first. */
+  private started = -1;
+  private refreshes = 0;
+  /** Whether `count` is to be called with the next refresh. */
+  private counts = false;
+  private silent = 0;
+  private frame = 0;
+  private readonly scales = new Float64Array(FRAMES);
+  /** Frame whose times are being added up; -1 for none. */
+  private summed = -1;
+  private sum = 0;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {}
+
+  /**
+   * Begins a draw.
+   * @param passTimer - times the passes already; null for none
+   */
+  begin(camera: Camera, controller: BudgetController, passTimer: GpuTimer | null): void {
+    if (this.leads(camera)) this.beginFrame(controller);
+    this.timer ??= new GpuTimer(this.gl);
+    this.passTimer = passTimer;
+    this.controller = controller;
+    const timer = passTimer ?? this.timer;
+    timer.tag = this.frame;
+    timer.onTime = this.take;
+    if (passTimer !== null) return;
+    timer.poll();
+    timer.begin('frame');
+  }
+
+  /** Ends the draw. */
+  end(): void {
+    if (this.passTimer === null) this.timer?.end();
+  }
+
+  dispose(): void {
+    this.timer?.dispose();
+    if (this.passTimer !== null) this.passTimer.onTime = null;
+    this.timer = this.passTimer = null;
+    this.summed = this.started = -1;
+  }
+
+  private leads(camera: Camera): boolean {
+    const lead = this.lead?.deref();
+    if (lead !== camera && lead !== undefined && ++this.others < OTHERS) return false;
+    if (lead !== camera) this.lead = new WeakRef(camera);
+    this.others = 0;
+    return true;
+  }
+
+  private beginFrame(controller: BudgetController): void {
+    const now = performance.now();
+    const isTimed = this.timer?.available === true && this.silent++ < SILENT;
+    // a host that draws on demand has let refreshes of the display pass
+    const isInterval = !isTimed && this.started >= 0 && this.refreshes < 2;
+    if (isInterval) controller.add(this.scales[this.frame], now - this.started, 'interval');
+    this.started = now;
+    this.refreshes = 0;
+    if (!this.counts) this.count();
+    this.frame = (this.frame + 1) % FRAMES;
+    this.scales[this.frame] = controller.advance();
+  }
+
+  /** Counts refreshes of the display since the frame began, up to two. */
+  private readonly count = (): void => {
+    this.counts = this.refreshes < 2 && this.started >= 0 && globalThis.requestAnimationFrame !== undefined;
+    if (this.counts) requestAnimationFrame(this.refreshed);
+  };
+
+  private readonly refreshed = (): void => {
+    this.refreshes++;
+    this.count();
+  };
+
+  /** Adds up the times of a frame; they come in order. */
+  private readonly take = (frame: number, ms: number): void => {
+    this.silent = 0;
+    if (frame !== this.summed) {
+      if (this.summed >= 0) this.controller?.add(this.scales[this.summed], this.sum, 'gpu');
+      this.summed = frame;
+      this.sum = 0;
+    }
+    this.sum += ms;
+  };
+}

@@ -1,0 +1,1 @@
+export { ScaledFrames } from './ScaledFrames';
