@@ -26,7 +26,7 @@ import { FullscreenPass } from '../gpu/FullscreenPass';
 import { targetBytes } from '../gpu/targetBytes';
 import picturePresent from './picturePresent.glsl?raw';
 import displayTransfer from './displayTransfer.glsl?raw';
-import { setDrawnAsCanvas } from '../three/drawnAsCanvas';
+import { isDrawnAsCanvas, setDrawnAsCanvas } from '../three/drawnAsCanvas';
 
 /** Picture of each renderer, by the renderer's twin cache. */
 const pictures = new WeakMap<Frame['twins'], Picture>();
@@ -98,7 +98,7 @@ export class Picture {
       this.target.setSize(frame.width, frame.height);
     }
     this.texture = this.target.texture;
-    this.toDisplay = this.hostTarget === null && ColorManagement.getTransfer(webgl.outputColorSpace) === SRGBTransfer;
+    this.toDisplay = ColorManagement.getTransfer(this.target.texture.colorSpace as ColorSpace) === SRGBTransfer;
     this.encoded = this.toDisplay;
     frame.target = this.target;
     frame.face = frame.level = 0;
@@ -165,7 +165,9 @@ export class Picture {
   private targetFor(frame: Frame): WebGLRenderTarget {
     const { webgl, target: host } = frame;
     const type = host?.texture.type === FloatType ? FloatType : HalfFloatType;
-    const colorSpace = host === null ? (webgl.outputColorSpace as ColorSpace) : NoColorSpace;
+    const asCanvas = host === null || isDrawnAsCanvas(host);
+    const shown = host === null ? webgl.outputColorSpace : host.texture.colorSpace;
+    const colorSpace = asCanvas ? (shown as ColorSpace) : NoColorSpace;
     const stencil = host === null ? frame.gl.getContextAttributes()!.stencil! : host.stencilBuffer;
     let target: WebGLRenderTarget | undefined;
     for (const one of this.targets) {
@@ -194,7 +196,7 @@ export class Picture {
         ),
       });
       target.texture.name = 'Farol picture';
-      if (host === null) setDrawnAsCanvas(target, true);
+      if (asCanvas) setDrawnAsCanvas(target, true);
       this.targets.push(target);
     }
     return target;

@@ -46,6 +46,9 @@ export const antialiasingCode = new Lazy(
 /** Times of passes on the GPU. */
 export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
 
+/** Frames of XR sessions. */
+export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
+
 /** All of the above. */
 export const lazyCode = [
   shadowCode,
@@ -61,6 +64,7 @@ export const lazyCode = [
   antialiasingCode,
   timerCode,
   warmUpCode,
+  xrCode,
 ] as const;
 
 /** Name of a part of the renderer's code that is fetched when a scene or setting first needs it. */
