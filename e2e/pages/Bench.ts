@@ -26,6 +26,20 @@ const undone: (() => void)[] = [];
 /** Undoes a test's change of the page's environment, such as methods of WebGL, when the test has ended. */
 export const atRelease = (undo: () => void): void => void undone.push(undo);
 
+/** Loses the context and has it restored. */
+export async function loseContext(webgl: THREE.WebGLRenderer): Promise<void> {
+  const canvas = webgl.domElement;
+  const extension = webgl.getContext().getExtension('WEBGL_lose_context')!;
+  const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+  const lost = event('webglcontextlost');
+  extension.loseContext();
+  await lost;
+  const restored = event('webglcontextrestored');
+  // the browser takes back only what it has told of
+  setTimeout(() => extension.restoreContext());
+  await restored;
+}
+
 /** One WebGLRenderer, a float target, and Farol on it: draws a scene by stock three and by a technique. */
 export class Bench {
   readonly webgl: THREE.WebGLRenderer;
@@ -111,17 +125,8 @@ export class Bench {
   }
 
   /** Loses the context and has it restored; a test has to forgive the messages of that. */
-  async loseContext(): Promise<void> {
-    const canvas = this.webgl.domElement;
-    const extension = this.webgl.getContext().getExtension('WEBGL_lose_context')!;
-    const event = (name: string) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
-    const lost = event('webglcontextlost');
-    extension.loseContext();
-    await lost;
-    const restored = event('webglcontextrestored');
-    // the browser takes back only what it has told of
-    setTimeout(() => extension.restoreContext());
-    await restored;
+  loseContext(): Promise<void> {
+    return loseContext(this.webgl);
   }
 
   /** Linked programs of the renderer. */

@@ -86,6 +86,7 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   nodes: async ({ webgl }) => (await import('./nodeScene')).nodeScene(webgl, WIDTH, HEIGHT),
   timer: bySetting((farol) => (farol.timing = true)),
   'warm-up': bySetting((farol) => (farol.technique = 'auto')),
+  webxr: bySetting(({ webgl }) => (webgl.xr.enabled = true)),
 };
 
 /** Lights whose shadow maps the host asks for once, `by` the WebGLRenderer or by each light. */

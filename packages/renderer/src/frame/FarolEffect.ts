@@ -25,7 +25,7 @@ export interface FarolEffect {
    * one effect may ask for a name. Keep the objects: new ones make G-buffers anew. Default none.
    */
   readonly attachments?: readonly GBufferAttachment[];
-  /** True if `begin` sets `frame.camera`; at most one effect may. Default false. */
+  /** True if `begin` sets `frame.camera`; at most one effect may, and none in XR sessions. Default false. */
   readonly movesCamera?: boolean;
   /** True if the effect works on a G-buffer: the technique 'auto' then picks one that has it. Default false. */
   readonly needsSurfaces?: boolean;

@@ -40,6 +40,7 @@ import type { GeometryGroup } from '../three/RenderListItem';
 import type { NodeDraws } from '../three/nodes/NodeDraws';
 import { hasOwnShader, RenderQueue } from './RenderQueue';
 import { ResourceTable } from './Resources';
+import type { Session } from './Session';
 import type { SharedUniforms } from './sharedUniforms';
 import type { TwinAdapter } from './TwinAdapter';
 import { directDraw, type DirectDraw } from '../three/directDraw';
@@ -81,6 +82,8 @@ export class Frame extends FrameTarget {
   camera!: Camera;
   /** The host's camera, or the ArrayCamera that contains it: its layers select the lights and the shadow casters. */
   seenBy!: Camera;
+  /** Null outside of XR sessions. */
+  session: Session | null = null;
   view: View = 'final';
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
   hasPlainProjection = true;
@@ -172,13 +175,14 @@ export class Frame extends FrameTarget {
    * Begins a frame with the host's current target and viewport.
    * @param seenBy - the camera, or the ArrayCamera that contains it
    */
-  begin(scene: Object3D, camera: Camera, seenBy: Camera, view: View): void {
+  begin(scene: Object3D, camera: Camera, seenBy: Camera, view: View, session: Session | null): void {
     const { webgl } = this;
     this.scene = scene as Scene;
     this.camera = camera;
     this.seenBy = seenBy;
     this.view = view;
     this.uploadedBytes = this.gbufferPixel = 0;
+    this.session = session;
     this.reactive = null;
     this.resources.begin();
     this.nodes?.begin();

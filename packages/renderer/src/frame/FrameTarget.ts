@@ -103,7 +103,7 @@ export class FrameTarget {
   /** True if a pass that writes every pixel of the viewport leaves nothing of the target out; it needs depth to lie behind. */
   ownsTarget(): boolean {
     const { webgl, target, viewport } = this;
-    if (this.level !== 0 || this.samples > 0 || isDepthReversed(webgl)) return false;
+    if (this.level !== 0 || this.samples > 0 || isDepthReversed(webgl) || webgl.xr.isPresenting) return false;
     if (target === null) {
       webgl.getDrawingBufferSize(size);
       if (!this.canvasDepthOnly || webgl.getScissorTest()) return false;

@@ -11,6 +11,7 @@ export class EffectList {
   private known: readonly FarolEffect[] = [];
   private count = 0;
   private several = false;
+  private stereo = false;
   private active: ActiveEffects = NO_EFFECTS;
   private readonly told = new WeakSet<FarolEffect>();
   /** All effects that were ever in the list: the host may put removed ones back in. */
@@ -31,17 +32,20 @@ export class EffectList {
   /**
    * The effects that draw a frame.
    * @param target - the host's target
+   * @param stereo - whether an eye of an XR session is drawn
    * @throws Error when two effects conflict, of which one was pushed to the list
    */
-  of(target: WebGLRenderTarget | null): ActiveEffects {
+  of(target: WebGLRenderTarget | null, stereo: boolean): ActiveEffects {
     const { list } = this;
     const several = target !== null && target.textures.length > 1;
-    if (list === this.known && list.length === this.count && several === this.several) return this.active;
+    const same = list === this.known && list.length === this.count;
+    if (same && several === this.several && stereo === this.stereo) return this.active;
     refuseConflicts(list);
     this.meet(list);
     this.known = list;
     this.count = list.length;
     this.several = several;
+    this.stereo = stereo;
     const room = drawBuffersOf(this.webgl.getContext() as WebGL2RenderingContext) - gbufferLayout.length;
     this.active = list.length === 0 ? NO_EFFECTS : activeEffects(list.filter(this.canRun), room);
     return this.active;
@@ -63,8 +67,10 @@ export class EffectList {
   private readonly canRun = (effect: FarolEffect): boolean => {
     const lacks = effect.lacks?.(this.webgl) ?? null;
     const apart = this.several && effect.takesPicture === true;
-    if (lacks === null && !apart) return true;
-    const reason = lacks === null ? 'the target has several textures' : `this device ${lacks}`;
+    const gathers = this.stereo && effect.movesCamera === true;
+    if (lacks === null && !apart && !gathers) return true;
+    const why = apart ? 'the target has several textures' : 'it gathers frames of one camera, and XR has an eye each';
+    const reason = lacks === null ? why : `this device ${lacks}`;
     if (!this.told.has(effect)) console.warn(`Farol: ${effect.name} is left out, since ${reason}.`);
     this.told.add(effect);
     return false;

@@ -2,6 +2,7 @@ import type { BudgetInfo } from './FrameBudget';
 
 /** Work of one pass in the last frame. */
 export interface PassInfo {
+  /** In XR sessions with ", eye 2" at its end for that of the second eye. */
   readonly name: string;
   drawCalls: number;
   triangles: number;

@@ -1,5 +1,6 @@
-import { type ArrayCamera, type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
+import { type Camera, EventDispatcher, type Object3D, type WebGLRenderer } from 'three';
 import { adoptDepth } from '../three/adoptDepth';
+import { drawCameras, type DrawByCamera } from './drawCameras';
 import { checkDevice } from '../gpu/checkDevice';
 import { qualities, type Quality } from '../gpu/isWeakDevice';
 import { type View, views } from '../frame/views';
@@ -14,7 +15,7 @@ import { InfoRecorder } from './InfoRecorder';
 import { LastFrame } from './LastFrame';
 import { Lazy } from '../frame/Lazy';
 import { lateDraws } from './lateDraws';
-import { lazyCode, type LazyPart, warmUpCode } from './lazyCode';
+import { lazyCode, type LazyPart, warmUpCode, xrCode } from './lazyCode';
 import { LazyViews } from './LazyViews';
 import { LightFinder } from './LightFinder';
 import type { FrameBudget } from './FrameBudget';
@@ -24,10 +25,9 @@ import { resetLayers } from '../materials/layersAttribute';
 import { TwinCache } from '../materials/TwinCache';
 import type { MicroShaderRegistry } from '../microshaders';
 import { countMemory } from './countMemory';
+import type { XRDraws } from './xr/XRDraws';
 import { createRegistry } from './createRegistry';
-import { refuseXR } from '../three/refuseXR';
-import { renderArray } from '../three/renderArray';
-import { afterRender, beforeRender, updateCamera } from './sceneCallbacks';
+import { updateCamera } from './sceneCallbacks';
 import { SceneDraws } from './SceneDraws';
 import { SceneView } from './SceneView';
 import type { TechniqueName } from '../techniques';
@@ -69,6 +69,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly set: TechniqueSet;
   private readonly picker: TechniquePicker;
   private viewName: View = 'final';
+  private xr: XRDraws | null = null;
   private disposed = false;
   /** True within `render`: three then draws what the host's callbacks draw by this renderer. */
   private isDrawing = false;
@@ -217,24 +218,21 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * Draws to the current render target, viewport and scissor of the WebGLRenderer, as its own `render` would.
    * Called by a callback of the host's while this renderer draws, it has three draw.
    * @param scene - a Scene, or any object
-   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent
-   * @throws Error while an XR session presents
+   * @param camera - perspective, orthographic, or an array of them with viewports; its world matrix is updated if it has no parent.
+   *   While an XR session presents, each eye draws, and the camera follows the head, as in three
    */
   render(scene: Object3D, camera: Camera): void {
     if (this.disposed) throw new Error('FarolRenderer: render() after dispose(); make a new FarolRenderer.');
     const { webgl } = this;
     if (webgl.getContext().isContextLost()) return;
     if (this.isDrawing) return webgl.render(scene, camera);
-    refuseXR(webgl);
     this.isDrawing = true;
     const outer = this.last.begin();
     try {
-      // else matrices are brought up to date while lights are looked for
-      const updated = beforeRender(webgl, scene, camera);
-      const update = scene.matrixWorldAutoUpdate && !updated;
-      if ((camera as ArrayCamera).isArrayCamera !== true) this.drawScene(scene, camera, update, !updated);
-      else renderArray(webgl, camera as ArrayCamera, (one) => this.drawScene(scene, one, update, true, camera));
-      afterRender(webgl, scene, camera);
+      if (webgl.xr.enabled) this.xr ??= xrCode.use((code) => new code.XRDraws(webgl));
+      if (!webgl.xr.enabled || !webgl.xr.isPresenting) drawCameras(webgl, scene, camera, null, this.drawScene);
+      else if (this.xr === null) webgl.render(scene, camera);
+      else this.xr.render(scene, camera, this.drawScene);
       this.last.end();
     } finally {
       Lazy.lacking = outer;
@@ -244,23 +242,23 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     }
   }
 
-  /** @param seenBy - array of cameras that contains the camera; its layers select lights too. Default the camera */
-  private drawScene(scene: Object3D, camera: Camera, update: boolean, updatesCamera: boolean, seenBy = camera): void {
+  private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
     if (this.disposed) return; // by a callback of the host's for another camera of an array
-    this.recorder.begin(this.timing);
+    const eye = session?.eye ?? 0;
+    this.recorder.begin(this.timing, eye);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
-    this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
+    if (eye === 0) this.finder.find(scene, seenBy, this.lightLayers, update, byThree);
     if (updatesCamera) updateCamera(camera);
     adoptDepth(this.webgl, camera);
     const { draws, finder, frame, picker, webgl } = this;
-    frame.begin(scene, camera, seenBy, this.views.available(this.viewName));
+    frame.begin(scene, camera, seenBy, this.views.available(this.viewName), session);
     if (frame.view === 'grid') frame.quarter();
     const { shadows } = finder;
     const { target, face, level } = frame;
     const { toneMapping } = webgl;
     let done = false;
-    const effects = frame.view === 'final' ? this.effectList.of(target) : NO_EFFECTS;
+    const effects = frame.view === 'final' ? this.effectList.of(target, session !== null) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
     sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects, this.antialias);
@@ -296,8 +294,10 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     // until the code of node materials is there three draws all of it
     if (frame.lacksNodes) webgl.render(scene, camera);
     // a shader that has no place for the loop was met: once more, by three's lights
-    if (frame.queue.refused.end(scene, byThree || finder.left.all)) this.drawScene(scene, camera, false, false, seenBy);
-  }
+    if (!frame.queue.refused.end(scene, byThree || finder.left.all)) return;
+    if (session !== null) session.eye = 0; // its lights are found anew
+    this.drawScene(scene, camera, false, false, seenBy, session);
+  };
 
   /**
    * Sizes the canvas as `WebGLRenderer.setSize` does; Farol's own targets follow what is drawn to.

@@ -66,7 +66,11 @@ export class FrameLights {
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
     const { all, places } = finder.found;
-    table.collect(all, frame.camera, masks, moves ? null : places);
+    const known = moves ? null : places;
+    const { session } = frame;
+    // the maps of all eyes are drawn with the first
+    const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;
+    if (masked === table.masked) table.collect(all, frame.camera, masks, known);
     layers?.end();
     const fields = (frame.fields = table.fields.length > 0 ? this.makeFields(frame) : null);
     table.slots = 0;
@@ -74,13 +78,14 @@ export class FrameLights {
     const picked = pick();
     // clusters of fields are made on the GPU
     const order = fields !== null && picked === 'by-grid' ? 'by-depth' : picked;
-    if (shadows !== null) {
+    if (session !== null && session.eye > 0) shadows?.keep();
+    else if (shadows !== null) {
       shadows.areas = finder.areas;
       shadows.cascades = Math.min(4, Math.max(1, Math.round(settings.shadowCascades)));
       shadows.atlasSize = settings.shadowAtlasSize;
       shadows.isLite = frame.isLite;
       shadows.seenBy = frame.seenBy;
-      shadows.update(scene, frame.camera, table.masked, frame);
+      shadows.update(scene, frame.camera, masked, frame);
     }
     frame.tileShadows = shadows;
     frame.shadowMapsDrawn = shadows?.drawn ?? 0;

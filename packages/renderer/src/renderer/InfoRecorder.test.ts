@@ -26,7 +26,7 @@ it('counts the draws and triangles of each pass, beside what the host has drawn 
   const { recorder, draw } = makeRecorder();
   const { info } = recorder;
   for (let frame = 0; frame < 2; frame++) {
-    recorder.begin(false);
+    recorder.begin(false, 0);
     draw('g-buffer', 4, 240);
     draw('lighting', 1, 1);
     recorder.end('deferred', 'asked for', lights, null, 28);
@@ -50,7 +50,7 @@ it('hints at LightField from 2,000 lights on that are objects of their own, and 
   const table = new LightTable();
   const hintOf = (all: (PointLight | LightField)[]): string | null => {
     table.collect(all, camera, { shadows: 'none', layers: null });
-    recorder.begin(false);
+    recorder.begin(false, 0);
     recorder.end('deferred', 'asked for', table, null, 0);
     return recorder.info.hint;
   };

@@ -12,7 +12,9 @@ export class InfoRecorder {
   readonly info: FarolInfo;
   /** Null until timing is asked for and its code is there. */
   private timer: GpuTimer | null = null;
-  private readonly known = new Map<string, PassInfo>();
+  /** Passes by name, of each eye of an XR session. */
+  private readonly eyes: Map<string, PassInfo>[] = [];
+  private eye = 0;
   private timing = false;
   private started = 0;
   private passStarted = 0;
@@ -56,7 +58,11 @@ export class InfoRecorder {
     return this.timing ? this.timer : null;
   }
 
-  begin(timing: boolean): void {
+  /** @param eye - index of the eye that is drawn, 0 outside of XR sessions: figures are of all eyes */
+  begin(timing: boolean, eye: number): void {
+    this.eye = eye;
+    this.eyes[eye] ??= new Map();
+    if (eye > 0) return;
     if (timing && this.timer === null) this.makeTimer();
     this.timing = timing && this.timer?.available === true;
     this.started = performance.now();
@@ -74,17 +80,19 @@ export class InfoRecorder {
   }
 
   beginPass(name: string): void {
-    let pass = this.known.get(name);
+    const known = this.eyes[this.eye];
+    let pass = known.get(name);
     if (pass === undefined) {
-      pass = { name, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
-      this.known.set(name, pass);
+      const label = this.eye > 0 ? `${name}, eye ${this.eye + 1}` : name;
+      pass = { name: label, drawCalls: 0, triangles: 0, cpuMs: 0, gpuMs: null };
+      known.set(name, pass);
     }
     this.pass = pass;
     this.info.passes.push(pass);
     const { render } = this.webgl.info;
     this.calls = render.calls;
     this.triangles = render.triangles;
-    if (this.timing) this.timer!.begin(name);
+    if (this.timing) this.timer!.begin(pass.name);
     this.passStarted = performance.now();
   }
 
@@ -116,7 +124,7 @@ export class InfoRecorder {
     info.shadows.bounded = shadows?.tiles.bounded ?? 0;
     info.shadows.bytes = shadows?.atlasBytes ?? 0;
     info.programs = this.webgl.info.programs?.length ?? 0;
-    info.uploadBytes = lights.uploadedBytes + uploadedBytes;
+    info.uploadBytes = (this.eye > 0 ? info.uploadBytes : 0) + lights.uploadedBytes + uploadedBytes;
     info.cpuMs = performance.now() - this.started;
   }
 

@@ -48,6 +48,7 @@ function makePicker() {
     { coverage = 0, surfaces = false, skewed = false } = {},
   ): TechniqueName => {
     const frame = {
+      session: null,
       hasPlainProjection: !skewed,
       fields: null,
       queue: { opaque: Array.from({ length: 20 }), hasLitTransparents: false },

@@ -71,7 +71,13 @@ export class TechniquePicker {
     }
     const lights = table.bounded + table.directional + table.unbounded + (frame.fields?.count ?? 0);
     const floatTargets = lacksFloatTargets(this.webgl) === null;
-    if (this.asked === 'auto') this.choose(chooser, frame, table, needsSurfaces, floatTargets);
+    if (this.asked === 'auto') {
+      if (frame.session === null) this.choose(chooser, frame, table, needsSurfaces, floatTargets);
+      else {
+        this.active = needsSurfaces && floatTargets ? 'clustered-deferred' : 'clustered-forward';
+        this.reason = 'an XR session: pictures are multisampled';
+      }
+    }
     const { active } = this;
     if (this.set.codeOf(active)?.ask() !== false) return;
     const { drawn } = chooser;

@@ -48,6 +48,8 @@ export const timerCode = new Lazy('timer', () => import('./timer'), 'there are n
 
 /** Frames at the scale that holds a frame budget. */
 export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
+/** Frames of XR sessions. */
+export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
 
 /** All of the above. */
 export const lazyCode = [
@@ -65,6 +67,7 @@ export const lazyCode = [
   timerCode,
   budgetCode,
   warmUpCode,
+  xrCode,
 ] as const;
 
 /** Name of a part of the renderer's code that is fetched when a scene or setting first needs it. */

@@ -150,7 +150,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   }
 
   write(table: DataTable, first: number, camera: Camera): void {
-    this.masks.write(table, first, camera, this.type, this.isDepthReversed(), this.picture);
+    this.masks.write(table, first, camera, this.type, isDepthReversed(this.webgl), this.picture);
   }
 
   /**
@@ -198,6 +198,11 @@ export class ShadowMaps implements LightMasks, TileShadows {
     for (const slot of this.slots.lit) this.assign(slot, updates);
     this.masks.end();
     this.planned.planImages(this.slots);
+  }
+
+  /** Goes by the maps of the last frame as they are: another eye sees it. */
+  keep(): void {
+    this.planned.begin();
   }
 
   /** Draws the frame's maps, images and bounds. Call inside three's `render`, where three draws its own shadow maps. */
@@ -299,7 +304,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   /** Moves the maps' cameras along with the lights whose maps may be drawn, and marks the maps that this changes. */
   private followLights(updates: boolean, camera: Camera): void {
-    const reversed = this.isDepthReversed();
+    const reversed = isDepthReversed(this.webgl);
     for (const slot of this.slots.lit) {
       const { shadow, map } = slot;
       if (shadow.needsUpdate) map.change();
@@ -357,9 +362,9 @@ export class ShadowMaps implements LightMasks, TileShadows {
   /** Plans the draw of a map if it is out of date. @returns whether it will be drawn */
   private planMap(slot: ShadowSlot, mayDraw: boolean): boolean {
     const { map } = slot;
-    // soft shadows of area lights look up places far from the receivers
-    const isSoft = softSizeOf(slot.light) > 0;
-    const isPart = !isSoft && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
+    // soft shadows of area lights look up places far from the receivers, and cameras of an array see others than this one
+    const isWhole = softSizeOf(slot.light) > 0 || 'isArrayCamera' in this.seenBy;
+    const isPart = !isWhole && this.draws.isPart(slot, mayDraw, this.frame) && !this.hostMaps.isWatched(slot);
     if ((mayDraw && !map.isCurrent) || (map.isPartial && !isPart)) {
       this.planned.maps.push(slot);
       this.drawn++;
@@ -389,10 +394,6 @@ export class ShadowMaps implements LightMasks, TileShadows {
 
   private get atlasOfMaps(): TextureAtlas {
     return this.isVariance ? this.atlases.colours : this.atlases.depths;
-  }
-
-  private isDepthReversed(): boolean {
-    return isDepthReversed(this.webgl);
   }
 }
 

@@ -7,9 +7,13 @@ const part = new Vector4();
 /**
  * Draws by each camera of an array, as three does: each into its `viewport` (pixels), into a target that is cleared once.
  * The host's viewport and scissor are put back.
- * @param render - draws by one camera
+ * @param render - draws by one camera, with its index
  */
-export function renderArray(webgl: WebGLRenderer, { cameras }: ArrayCamera, render: (camera: Camera) => void): void {
+export function renderArray(
+  webgl: WebGLRenderer,
+  { cameras }: ArrayCamera,
+  render: (camera: Camera, i: number) => void,
+): void {
   const target = webgl.getRenderTarget();
   const ratio = webgl.getPixelRatio();
   const setRectangles = (view: Vector4, cut: Vector4, test: boolean) => {
@@ -31,10 +35,11 @@ export function renderArray(webgl: WebGLRenderer, { cameras }: ArrayCamera, rend
     cameras.forEach((camera: PerspectiveCamera & { viewport?: Vector4 }, i) => {
       part.copy(camera.viewport ?? oldViewport);
       if (camera.viewport !== undefined && target === null) part.divideScalar(ratio);
+      if (part.z < 1 || part.w < 1) return;
       // the first camera clears the whole target, the others clear their viewports
       if (i === 0) setRectangles(part, oldScissor, test);
       else setRectangles(part, test ? common(part, oldScissor) : part, true);
-      render(camera);
+      render(camera, i);
     });
   } finally {
     setRectangles(oldViewport, oldScissor, test);

@@ -50,7 +50,7 @@ export class PlannedDraws {
 
   /** Begins a frame: clears the lists of planned draws. */
   begin(): void {
-    this.maps.length = this.images.length = this.copies.length = 0;
+    this.maps.length = this.images.length = this.copies.length = this.casters.proxies.length = 0;
     this.bounds.begin();
   }
 

@@ -1,0 +1,39 @@
+import type { ArrayCamera, Camera, Object3D, WebGLRenderer } from 'three';
+import type { Session } from '../frame/Session';
+import { renderArray } from '../three/renderArray';
+import { afterRender, beforeRender } from './sceneCallbacks';
+
+/**
+ * Draws a scene by one camera.
+ * @param update - whether the scene's matrices are to be brought up to date; `updatesCamera`: the camera's
+ * @param seenBy - array of cameras that contains the camera; its layers select lights too. Else the camera
+ */
+export type DrawByCamera = (
+  scene: Object3D,
+  camera: Camera,
+  update: boolean,
+  updatesCamera: boolean,
+  seenBy: Camera,
+  session: Session | null,
+) => void;
+
+/** Draws a scene by a camera, or by each of an array of them, between the callbacks of the scene. */
+export function drawCameras(
+  webgl: WebGLRenderer,
+  scene: Object3D,
+  camera: Camera,
+  session: Session | null,
+  draw: DrawByCamera,
+): void {
+  // else matrices are brought up to date while lights are looked for
+  const updated = beforeRender(webgl, scene, camera);
+  const update = scene.matrixWorldAutoUpdate && !updated;
+  if ((camera as ArrayCamera).isArrayCamera !== true) draw(scene, camera, update, !updated, camera, session);
+  else {
+    renderArray(webgl, camera as ArrayCamera, (one, i) => {
+      if (session !== null) session.eye = i;
+      draw(scene, one, update, true, camera, session);
+    });
+  }
+  afterRender(webgl, scene, camera);
+}

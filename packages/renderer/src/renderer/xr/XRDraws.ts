@@ -1,0 +1,60 @@
+import type { ArrayCamera, Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { Session } from '../../frame/Session';
+import type { RecordSettings } from '../../lighting/LightRecords';
+import type { LightTable } from '../../lighting/LightTable';
+import { drawCameras, type DrawByCamera } from '../drawCameras';
+
+/** Draws the frames of an XR session by the cameras of three's WebXRManager, one for each eye. */
+export class XRDraws implements Session {
+  eye = 0;
+  private readonly lights: Light[] = [];
+  private readonly known = new Set<Light>();
+
+  constructor(private readonly webgl: WebGLRenderer) {}
+
+  /**
+   * Places the eyes and draws by them. As in three, `camera` follows the head; what its parent does moves the eyes.
+   */
+  render(scene: Object3D, camera: Camera, draw: DrawByCamera): void {
+    const { xr } = this.webgl;
+    camera.parent?.updateWorldMatrix(true, false);
+    if (xr.cameraAutoUpdate) xr.updateCamera(camera as Parameters<typeof xr.updateCamera>[0]);
+    const eyes = xr.getCamera();
+    this.follow(eyes, false);
+    // three would draw by the session's camera again
+    xr.enabled = false;
+    try {
+      drawCameras(this.webgl, scene, eyes, this, draw);
+    } finally {
+      xr.enabled = true;
+      this.follow(eyes, true);
+    }
+  }
+
+  masked(
+    table: LightTable,
+    lights: readonly Light[],
+    settings: RecordSettings,
+    places: readonly number[] | null,
+  ): readonly Light[] {
+    const { known, lights: masked } = this;
+    const { cameras } = this.webgl.xr.getCamera();
+    known.clear();
+    masked.length = 0;
+    for (let i = cameras.length - 1; i >= 0; i--) {
+      table.collect(lights, cameras[i], settings, places);
+      for (const light of table.masked) {
+        if (known.has(light)) continue;
+        known.add(light);
+        masked.push(light);
+      }
+    }
+    return masked;
+  }
+
+  /** @param does - whether world matrices follow from positions; those of the eyes come from the head and the camera's parent */
+  private follow(eyes: ArrayCamera, does: boolean): void {
+    eyes.matrixWorldAutoUpdate = does;
+    for (const eye of eyes.cameras) eye.matrixWorldAutoUpdate = does;
+  }
+}

@@ -1,0 +1,1 @@
+export { XRDraws } from './XRDraws';
