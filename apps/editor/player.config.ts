@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { contentSecurityPolicy, policyElement } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragonFile } from '@farol/tools/stanfordDragon';
-import { build, type Plugin } from 'vite';
+import { build, type Plugin, type ViteDevServer } from 'vite';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 
@@ -116,6 +116,16 @@ async function playerPage(hasDragon: boolean, runsScripts: boolean): Promise<str
   return hasDragon ? page.replace(`src="./${script}"`, `$& data-dragon="./${DRAGON}"`) : page;
 }
 
+/** The page that follows an editor, see `src/player/live/main.ts`; of the development server alone. */
+async function livePage(server: ViteDevServer): Promise<string> {
+  const text = await readFile(new URL('player.html', import.meta.url), 'utf8');
+  const page = text.replace(
+    '<script src="./farol-player.js">',
+    '<script type="module" src="/src/player/live/main.ts">',
+  );
+  return server.transformIndexHtml('/live.html', page);
+}
+
 /**
  * Serves and builds the player's files. `farol-player.js` is included in exported pages and run by embedded frames; it
  * has variants with decoders for compressed models, with particles, and with scripts. `farol-player-physics.js` is
@@ -148,6 +158,10 @@ export function playerPlugin(): Plugin {
       const files = filesOf('serve');
       server.middlewares.use((request, response, next) => {
         const name = (request.url ?? '').split('?')[0].slice(1);
+        if (name === 'live.html') {
+          void livePage(server).then((page) => response.setHeader('Content-Type', 'text/html').end(page), next);
+          return;
+        }
         if (!Object.hasOwn(files, name)) return next();
         let content = scripts.get(name);
         if (!content) scripts.set(name, (content = files[name]()));

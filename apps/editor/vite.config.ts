@@ -42,6 +42,7 @@ export default defineConfig(({ command }) => ({
   // dynamically imported packages must be listed, or the development server reloads the page when one is first needed
   optimizeDeps: {
     include: [
+      'three/addons/controls/OrbitControls.js',
       'three/addons/exporters/GLTFExporter.js',
       'three/addons/libs/fflate.module.js',
       'three/addons/libs/meshopt_decoder.module.js',

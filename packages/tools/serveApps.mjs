@@ -1,12 +1,15 @@
+import { randomBytes } from 'node:crypto';
 import { join } from 'node:path';
 import { addressFile } from './appAddresses.mjs';
 import { serveFolder } from './benchServe.mjs';
+import { livePath } from './reach/livePath.mjs';
 import { root } from './root.mjs';
 
 /** Folders of what can be served. `pages` holds the browser tests' own pages. */
 export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: 'apps/lab', pages: 'e2e/pages' };
 
 /** @typedef {keyof typeof appFolders} AppName */
+/** @typedef {Partial<Record<AppName, string>>} AppUrls */
 
 /**
  * Serves apps, each on its own port of this machine only: their sources by Vite, or what was built by Node alone. Each finds
@@ -17,15 +20,38 @@ export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: '
  * @param {boolean} [options.built] - serve what `npm run build` made, or what lies in the folder that FAROL_BUILT names, not the
  *   sources; default false
  * @param {boolean} [options.watch] - follow edits of the sources (hot reload); default true
- * @returns {Promise<{ urls: Partial<Record<AppName, string>>, close(): Promise<void> }>} URLs end in a slash
+ * @param {Partial<Record<AppName, number>>} [options.network] - ports at which sources are served to the network as well:
+ *   over HTTPS, to those who have the token; default none
+ * @param {readonly string[]} [options.hosts] - addresses of this machine; those in its networks when absent
+ * @returns {Promise<{ urls: AppUrls, networkUrls: AppUrls[], close(): Promise<void> }>} URLs end in a slash, those of the
+ *   network, one record for each of `hosts`, in a token
  * @throws {Error} when a port is taken
  */
-export async function serveApps({ ports, built = false, watch = true }) {
-  /** @type {Partial<Record<AppName, string>>} */
+export async function serveApps({ ports, built = false, watch = true, network = {}, hosts }) {
+  /** @type {AppUrls} */
   const urls = {};
+  /** @type {Partial<Record<AppName, number>>} */
+  const networkPorts = {};
   /** @type {(() => Promise<void>)[]} */
   const closers = [];
-  const addresses = () => JSON.stringify(urls);
+  const reach = Object.keys(network).length > 0 ? await import('./reach/networkServer.mjs') : null;
+  const relay = reach && new (await import('./reach/liveRelay.mjs')).LiveRelay();
+  if (relay) {
+    relay.onProblem = console.warn;
+    closers.push(async () => relay.close());
+  }
+  const token = randomBytes(12).toString('base64url');
+  const places = reach ? (hosts ?? reach.networkAddresses()) : [];
+  /** @param {string} host @param {string} [end] @returns {AppUrls} */
+  const urlsOf = (host, end = '') =>
+    Object.fromEntries(Object.entries(networkPorts).map(([name, port]) => [name, `https://${host}:${port}/${end}`]));
+  /** Addresses of the apps; `phone` are those of the page that looks at the editor's scene. @param {import('node:http').IncomingMessage} [request] */
+  const addresses = (request) =>
+    JSON.stringify({
+      ...urls,
+      ...(request && 'encrypted' in request.socket ? urlsOf(String(request.headers.host).replace(/:\d+$/, '')) : {}),
+      ...(networkPorts.editor ? { phone: places.map((host) => urlsOf(host, `live.html?token=${token}`).editor) } : {}),
+    });
   const close = async () => void (await Promise.all(closers.map((closer) => closer())));
   try {
     for (const name of /** @type {AppName[]} */ (Object.keys(ports))) {
@@ -50,7 +76,7 @@ export async function serveApps({ ports, built = false, watch = true }) {
         configFile: join(folder, 'vite.config.ts'),
         logLevel: 'warn',
         clearScreen: false,
-        plugins: [answerAddresses(addresses)],
+        plugins: [answerAddresses(addresses), ...(relay ? [relayPlugin(relay)] : [])],
         server: { host: '127.0.0.1', port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
       });
       closers.push(() => server.close());
@@ -58,27 +84,50 @@ export async function serveApps({ ports, built = false, watch = true }) {
       const address = server.httpServer?.address();
       if (!address || typeof address === 'string') throw new Error(`The server of ${name} has no port.`);
       urls[name] = `http://127.0.0.1:${address.port}/`;
+      const networkPort = network[name];
+      if (!reach || !relay || networkPort === undefined) continue;
+      const front = await reach.serveToNetwork({ app: server, relay, token, port: networkPort, host: hosts?.[0] });
+      closers.push(front.close);
+      networkPorts[name] = front.port;
     }
   } catch (error) {
     await close();
     throw error;
   }
-  return { urls, close };
+  return { urls, networkUrls: places.map((host) => urlsOf(host, `?token=${token}`)), close };
+}
+
+/**
+ * Vite plugin: answers the relay of live edits, also to this machine's own pages.
+ *
+ * @param {import('./reach/liveRelay.mjs').LiveRelay} relay
+ * @returns {import('vite').Plugin}
+ */
+function relayPlugin(relay) {
+  return {
+    name: 'farol-live-relay',
+    configureServer({ middlewares, httpServer }) {
+      middlewares.use((request, response, next) => relay.answer(request, response, next));
+      httpServer?.on('upgrade', (request, socket, head) => {
+        if (request.url?.startsWith(livePath)) relay.upgrade(request, socket, head);
+      });
+    },
+  };
 }
 
 /**
  * Vite plugin: answers `apps.json`.
  *
- * @param {() => string} addresses
+ * @param {(request: import('node:http').IncomingMessage) => string} addresses
  * @returns {import('vite').Plugin}
  */
 function answerAddresses(addresses) {
   return {
     name: 'farol-answer-addresses',
     configureServer({ middlewares }) {
-      middlewares.use(`/${addressFile}`, (_request, response) => {
+      middlewares.use(`/${addressFile}`, (request, response) => {
         response.setHeader('content-type', 'application/json');
-        response.end(addresses());
+        response.end(addresses(request));
       });
     },
   };

@@ -1,24 +1,35 @@
 /**
  * `npm start`: installs what is missing, serves the editor, the viewer and the Lab from source, opens the editor.
  *
- * The editor is on port 5173, or FAROL_PORT; the viewer on the next one, the Lab on the one after.
+ * The editor is on port 5173, or FAROL_PORT; the viewer on the next one, the Lab on the one after. `npm start -- --host`
+ * serves them to the network as well, over HTTPS on the three ports that follow.
  */
 import { spawn } from 'node:child_process';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { serveApps } from './serveApps.mjs';
 
+const unknown = process.argv.slice(2).filter((each) => each !== '--host');
+if (unknown.length > 0) {
+  console.error(`npm start knows --host alone, which serves to the network as well; not ${unknown.join(' ')}.`);
+  process.exit(1);
+}
+const isHost = process.argv.includes('--host');
 const port = Number(process.env.FAROL_PORT || 5173);
-if (!Number.isInteger(port) || port < 1 || port > 65533) {
-  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65533.`);
+if (!Number.isInteger(port) || port < 1 || port > 65530) {
+  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65530.`);
   process.exit(1);
 }
 
 ensureInstalled();
 try {
-  const { urls } = await serveApps({ ports: { editor: port, viewer: port + 1, lab: port + 2 } });
+  const { urls, networkUrls } = await serveApps({
+    ports: { editor: port, viewer: port + 1, lab: port + 2 },
+    network: isHost ? { editor: port + 3, viewer: port + 4, lab: port + 5 } : {},
+  });
   console.log(
     `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n  Farol Lab     ${urls.lab}\n\n  Ctrl+C stops them.\n`,
   );
+  if (isHost) await tellNetwork(networkUrls);
   if (urls.editor) openBrowser(urls.editor);
 } catch (error) {
   const message = error instanceof Error ? error.message : String(error);
@@ -28,10 +39,22 @@ try {
     refused
       ? `This machine lets no program of yours listen on port ${refused[1]}: choose ports above 1023, for example: FAROL_PORT=5300 npm start`
       : taken
-        ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose three free ports in a row, for example: FAROL_PORT=5300 npm start`
+        ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose free ports in a row (three, six with --host), for example: FAROL_PORT=5300 npm start`
         : message,
   );
   process.exit(1);
+}
+
+/** Prints the addresses in the network, and the editor's first one as a QR code. @param {import('./serveApps.mjs').AppUrls[]} places */
+async function tellNetwork(places) {
+  const { renderUnicodeCompact } = await import('uqr');
+  if (places.length === 0) console.log('  This machine is in no network: nobody else can open an address.\n');
+  for (const { editor, viewer, lab } of places)
+    console.log(`  In the network: ${editor}\n    viewer ${viewer}\n    Lab ${lab}`);
+  if (places[0]?.editor) console.log(renderUnicodeCompact(places[0].editor, { border: 2 }));
+  console.log(
+    '  Whoever has such an address, token included, sees and reads what is served. A phone warns of the certificate, which is\n  of this machine alone, once: choose Advanced (iPhone: Show Details), then to go on to the page.\n',
+  );
 }
 
 /** Opens the desktop's browser where there is one; says nothing when it cannot. @param {string} url */

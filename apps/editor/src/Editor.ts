@@ -89,6 +89,7 @@ export class Editor implements EditorApi {
   readonly drafts = new Drafts();
   readonly recentFiles = new RecentFiles();
   readonly tour = new Tour();
+  readonly phones = { text: '', changed: new Signal() };
   readonly renameRequested = new Signal();
   readonly fileChanged = new Signal();
   readonly plugins: Plugins = new Plugins(this);

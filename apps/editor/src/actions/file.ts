@@ -89,6 +89,12 @@ export const exportScene: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'export' }),
 };
 
+export const openOnPhone: Action = {
+  id: 'file.phone',
+  label: 'Open on a phone…',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'phone' }),
+};
+
 /** Opens the current scene in the Lab, which measures techniques. */
 export const measure: Action = {
   id: 'file.measure',

@@ -28,6 +28,7 @@ import {
   newScene,
   open,
   openExamples,
+  openOnPhone,
   recentActions,
   recover,
   save,
@@ -69,7 +70,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, measure],
+    share: [exportScene, openOnPhone, measure],
     recover: [recover],
   },
   edit: {

@@ -80,6 +80,8 @@ export interface EditorApi {
   readonly tour: Tour;
   /** Whether unsaved changes are being stored. */
   readonly drafts: Drafts;
+  /** How many other devices look at the scene, as text; empty unless it is open to them. */
+  readonly phones: { text: string; readonly changed: Signal };
 
   /** Registry of the commands that the user can run. */
   readonly actions: Registry<Action>;

@@ -74,6 +74,11 @@ export interface ExportDialog {
   readonly kind: 'export';
 }
 
+/** Address of the scene for phones and headsets. */
+export interface PhoneDialog {
+  readonly kind: 'phone';
+}
+
 export interface TextDialog {
   readonly kind: 'text';
   readonly title: string;
@@ -96,7 +101,8 @@ export type DialogRequest =
   | RecoverDialog
   | WelcomeDialog
   | AboutDialog
-  | ExportDialog;
+  | ExportDialog
+  | PhoneDialog;
 
 /** The open dialog; one at a time. */
 export class Dialogs {

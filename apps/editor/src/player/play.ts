@@ -84,7 +84,7 @@ async function readScene(renderer: WebGLRenderer, runScripts: RunScripts | null)
 }
 
 /** Shows a message over the scene, below earlier ones. */
-function say(text: string): void {
+export function say(text: string): void {
   let place = document.querySelector('[role=alert]');
   if (!place) {
     place = document.createElement('p');
@@ -108,9 +108,10 @@ function sayWhenMuted(): void {
 }
 
 /** Adds an orbiting camera for the viewer, when the scene's camera cannot be moved by the user. */
-function orbit(app: App, scene: Scene): (width: number, height: number) => void {
+function orbit(app: App): (width: number, height: number) => void {
   const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
   const controls = new OrbitControls(camera, app.canvas);
+  const { scene } = app;
   scene.three.updateMatrixWorld();
   const box = new Box3().setFromObject(scene.three);
   const middle = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
@@ -129,9 +130,10 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
     controls.target.copy(middle);
   }
   controls.enableDamping = true;
-  scene.pointerCamera = camera;
   let last = 0;
   const frame = (now: number): void => {
+    const { scene } = app;
+    scene.pointerCamera = camera;
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
     last = now;
     controls.update();
@@ -145,7 +147,9 @@ function orbit(app: App, scene: Scene): (width: number, height: number) => void 
   };
 }
 
-function listens(scene: Scene): boolean {
+/** Whether the user moves within the scene, rather than round it. */
+export function isWalked(scene: Scene): boolean {
+  if (!scene.activeCamera) return false;
   let found = scene.componentsOf('CharacterController').length > 0;
   scene.traverse((object) => {
     found ||= object.getComponent(KeyController) !== null || object.getComponent(MouseController) !== null;
@@ -153,12 +157,37 @@ function listens(scene: Scene): boolean {
   return found;
 }
 
+/** Speaks the user's language. */
+export function useLanguage(): void {
+  if (firstLanguage(null, navigator.languages) !== 'es') return;
+  setTexts(player, 'es');
+  document.documentElement.lang = 'es';
+}
+
+/** Plays the app's scene over the whole page. @param walks - whether the user moves within it, rather than round it */
+export function showScene(app: App, { name }: Scene, walks: boolean): void {
+  sayWhenMuted();
+  document.title = name;
+  app.canvas.setAttribute('role', 'img');
+  app.canvas.setAttribute('aria-label', name);
+  let resized: (width: number, height: number) => void = () => {};
+  if (walks) {
+    app.start();
+    new TouchControls(app.canvas, document.body, () => app.scene, t('Jump'));
+  } else resized = orbit(app);
+  const resize = (): void => {
+    const { innerWidth: width, innerHeight: height } = window;
+    app.resize(Math.max(1, width), Math.max(1, height), Math.min(devicePixelRatio, 2));
+    resized(Math.max(1, width), Math.max(1, height));
+  };
+  addEventListener('resize', resize);
+  watchPixelRatio(resize);
+  resize();
+}
+
 /** Loads and plays the scene of the page. @param playerScripts - null in the player without scripts */
 async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere> {
-  if (firstLanguage(null, navigator.languages) === 'es') {
-    setTexts(player, 'es');
-    document.documentElement.lang = 'es';
-  }
+  useLanguage();
   const app = new App({ parent: document.body, renderer: { antialias: true } });
   const opened = await readScene(app.webgl, playerScripts);
   if ('ready' in opened) {
@@ -176,23 +205,7 @@ async function start(playerScripts: RunScripts | null): Promise<App | Elsewhere>
   const scripted = scene.assets.fieldAssets('script').length > 0 && runScripts !== null;
   if (scripted) await runScripts(scene, registry);
   app.scene = scene;
-  sayWhenMuted();
-  document.title = scene.name;
-  app.canvas.setAttribute('role', 'img');
-  app.canvas.setAttribute('aria-label', scene.name);
-  let resized: (width: number, height: number) => void = () => {};
-  if ((scripted || listens(scene)) && scene.activeCamera) {
-    app.start();
-    new TouchControls(app.canvas, document.body, () => app.scene, t('Jump'));
-  } else resized = orbit(app, scene);
-  const resize = (): void => {
-    const { innerWidth: width, innerHeight: height } = window;
-    app.resize(Math.max(1, width), Math.max(1, height), Math.min(devicePixelRatio, 2));
-    resized(Math.max(1, width), Math.max(1, height));
-  };
-  addEventListener('resize', resize);
-  watchPixelRatio(resize);
-  resize();
+  showScene(app, scene, scripted ? scene.activeCamera !== null : isWalked(scene));
   return app;
 }
 

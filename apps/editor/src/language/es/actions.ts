@@ -26,6 +26,7 @@ export const actions: Texts = {
   Save: 'Guardar',
   'Save as…': 'Guardar como…',
   'Export and share…': 'Exportar y compartir…',
+  'Open on a phone…': 'Abrir en un teléfono…',
   'Measure this scene': 'Medir esta escena',
   'the Lab': 'el laboratorio',
   'Recover…': 'Recuperar…',

@@ -215,6 +215,24 @@ export const panels: Texts = {
   'nothing selected': 'nada seleccionado',
   '{count} selected': '{count} seleccionados',
   '{count} selected##one': '{count} seleccionado',
+  '{count} looks': '{count} mira',
+  '{count} look': '{count} miran',
+  'nobody looks': 'nadie mira',
+  'Open on a phone': 'Abrir en un teléfono',
+  'Asking the server for its address…': 'Preguntando al servidor su dirección…',
+  'This server answers this machine alone. Stop it, and start it so that your network reaches it:':
+    'Este servidor solo responde a esta máquina. Hay que pararlo y arrancarlo de modo que la red llegue a él:',
+  Command: 'Orden',
+  'A phone or a headset in the same network shows the scene under this address, and follows each edit. Only who has the address can look.':
+    'Un teléfono o unas gafas de la misma red muestran la escena en esta dirección y siguen cada cambio. Solo puede mirar quien tiene la dirección.',
+  'QR code of the address': 'Código QR de la dirección',
+  'Address for the phone': 'Dirección para el teléfono',
+  Address: 'Dirección',
+  'The phone warns once that it does not know the certificate, which this machine made: choose Advanced, on an iPhone Show Details, and go on to the page.':
+    'El teléfono avisa una vez de que no conoce el certificado, que hizo esta máquina: hay que elegir Avanzado (en un iPhone, Mostrar detalles) y seguir a la página.',
+  'Stop showing': 'Dejar de mostrar',
+  '{name} is too large for the page on the phone ({status}).':
+    '{name} es demasiado grande para la página del teléfono ({status}).',
   'Theme: system': 'Tema: del sistema',
   'Theme: dark': 'Tema: oscuro',
   'Theme: light': 'Tema: claro',

@@ -15,6 +15,7 @@ const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog'))
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
+const PhoneDialog = lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = {
   palette: 'palette',
@@ -72,6 +73,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (request.kind === 'text') return <TextDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
+  if (request.kind === 'phone') return <PhoneDialog onClose={() => onClose(false)} />;
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>

@@ -11,6 +11,7 @@ import { linkHash } from '../../files/share/shareLink';
 import type { EditorApi } from '../../api/EditorApi';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { CopyButton } from './CopyButton';
 import { ExportButton } from './ExportButton';
 import { Button } from '../../ui/Button';
 
@@ -47,21 +48,6 @@ function useLink(editor: EditorApi, withScripts: boolean): { hash: string | null
   return link;
 }
 
-interface CopyProps {
-  readonly text: string;
-  readonly label: string;
-  readonly disabled?: boolean;
-}
-
-function Copy({ text, label, disabled }: CopyProps): ReactNode {
-  const editor = useEditor();
-  const copy = async (): Promise<void> => {
-    await navigator.clipboard.writeText(text);
-    editor.notices.show('info', t('{label} copied', { label }));
-  };
-  return <Button label={t('Copy')} disabled={disabled} onClick={() => editor.attempt(copy)} />;
-}
-
 /** Exports the scene: as a page, a model, a link, or a frame for another page. */
 export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
   const editor = useEditor();
@@ -90,7 +76,7 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
         {!problem && (
           <div className="export-row">
             <input className="input" type="text" readOnly value={link ?? ''} aria-label={t('Link to the scene')} />
-            <Copy text={link ?? ''} label={t('Link')} disabled={!link} />
+            <CopyButton text={link ?? ''} label={t('Link')} disabled={!link} />
           </div>
         )}
         {problem && (
@@ -121,7 +107,7 @@ export function ExportDialog({ onClose }: { onClose(): void }): ReactNode {
         )}
         <textarea readOnly value={frame} aria-label={t('Embed code')} />
         <div className="export-row">
-          <Copy text={frame} label={t('Embed code')} />
+          <CopyButton text={frame} label={t('Embed code')} />
         </div>
       </section>
       <div className="dialog-buttons">

@@ -10,12 +10,13 @@ const RATE = 4;
 
 /** File and selection, messages about drafts, and statistics of the last frame. */
 export function StatusBar(): ReactNode {
-  const { document, viewport, commands, file, fileChanged, drafts, notices } = useEditor();
+  const { document, viewport, commands, file, fileChanged, drafts, phones, notices } = useEditor();
   useSignal(document.selection.changed);
   useSignal(document.structure);
   useSignal(commands.changed);
   useSignal(fileChanged);
   useSignal(drafts.changed);
+  useSignal(phones.changed);
   const { problem } = drafts;
   const name = file.name ?? document.scene.name;
   useEffect(() => {
@@ -78,6 +79,7 @@ export function StatusBar(): ReactNode {
       <span className="dim">
         {selected === 0 ? t('nothing selected') : tCount(selected, '{count} selected##one', '{count} selected')}
       </span>
+      {phones.text && <span>{phones.text}</span>}
       <span className="status-space" />
       <span className="status-passes" title={t('Time of each pass of the last frame (ms)')}>
         {each.map((pass, i) => (
