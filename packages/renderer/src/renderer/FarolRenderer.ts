@@ -15,7 +15,7 @@ import { InfoRecorder } from './InfoRecorder';
 import { LastFrame } from './LastFrame';
 import { Lazy } from '../frame/Lazy';
 import { lateDraws } from './lateDraws';
-import { lazyCode, type LazyPart, warmUpCode, xrCode } from './lazyCode';
+import { lazyCode, type LazyPart, loadPart, warmUpCode, xrCode } from './lazyCode';
 import { LazyViews } from './LazyViews';
 import { LightFinder } from './LightFinder';
 import type { FrameBudget } from './FrameBudget';
@@ -324,13 +324,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
    * @throws Error when there is no such part, or the code cannot be fetched
    */
   static async preload(parts: readonly LazyPart[] = FarolRenderer.parts): Promise<void> {
-    await Promise.all(
-      parts.map((name) => {
-        const code = lazyCode.find((each) => each.name === name);
-        if (code === undefined) throw unknownName('part', name, FarolRenderer.parts);
-        return code.load() as Promise<unknown>;
-      }),
-    );
+    await Promise.all(parts.map(loadPart));
   }
 
   /** Adds the microshaders of all code that is fetched on demand to `microshaders`, where they can be seen and replaced. */

@@ -1,3 +1,4 @@
+import { unknownName } from './errors';
 import { lightFieldMade } from '../light-fields/lightFieldMade';
 import { Lazy } from '../frame/Lazy';
 import { gridCode, lightBufferCode, multipassCode, tileCode } from '../techniques/techniqueCode';
@@ -48,6 +49,7 @@ export const timerCode = new Lazy('timer', () => import('./timer'), 'there are n
 
 /** Frames at the scale that holds a frame budget. */
 export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
+
 /** Frames of XR sessions. */
 export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
 
@@ -72,3 +74,14 @@ export const lazyCode = [
 
 /** Name of a part of the renderer's code that is fetched when a scene or setting first needs it. */
 export type LazyPart = (typeof lazyCode)[number]['name'];
+
+/** @throws Error when there is no such part */
+export function loadPart(name: LazyPart): Promise<unknown> {
+  const code = lazyCode.find((each) => each.name === name);
+  if (code !== undefined) return code.load();
+  throw unknownName(
+    'part',
+    name,
+    lazyCode.map((each) => each.name),
+  );
+}

@@ -27,7 +27,8 @@ uniform highp ivec2 farol_areaCounts;
     const in vec3 color, const in int mask) { \
     FarolArea area = farol_areaAt(extension, toLight, s.normalVS); \
     if (area.window <= 0.0) return; \
-    vec3 arriving = area.window * farol_masked(color, mask, toLight, FAROL_LOOKUP_OF(s)); \
+    vec3 arriving = area.window * farol_masked(color, mask, toLight, s.positionVS, \
+      FAROL_SHADOW_NORMAL_OF(s), farol_receivesShadows(s.flags)); \
     area = farol_toTangentSpace(area, lobe.tangents); \
     s.diffuse += 3.1415926536 * farol_areaDiffuse(area) * arriving; \
     s.area += farol_areaSpecular(area, lobe.ltc) * arriving; \

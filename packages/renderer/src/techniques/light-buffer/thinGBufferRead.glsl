@@ -6,7 +6,8 @@
 #include "unproject"
 uniform highp sampler2D farol_thinSurface;
 uniform highp sampler2D farol_thinDepth; // depths, or distances if farol_thinStored is not 0
-uniform highp int farol_thinStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic; 4 more: normals
+// 0: no distances are stored; 1: they are, perspective; 2: orthographic; 4 more: normals too
+uniform highp int farol_thinStored;
 
 #undef FAROL_POSITION_AT
 #define FAROL_POSITION_AT(pixel) farol_thinPosition(pixel, farol_readSize)
