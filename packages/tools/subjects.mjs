@@ -11,7 +11,7 @@ export const subjects = [
   ['packages/renderer/src/effects/antialiasing', ['render/antialiasing']],
   ['packages/renderer/src/effects/decals', ['render/decals']],
   ['packages/renderer/src/effects/light-probes', ['render/bake']],
-  ['packages/renderer/src/effects/particles', ['render/particles', 'render/particleLight']],
+  ['packages/renderer/src/effects/particles', ['render/particles']],
   ['packages/renderer/src/effects/transparency', ['render/transparency']],
   ['packages/renderer/src/effects', ['render/effects']],
   ['packages/renderer/src/light-fields', ['render/lightField']],
@@ -33,8 +33,9 @@ export const subjects = [
   ['packages/bake', ['render/bake']],
 
   ['packages/engine/src/animation', ['editor/timeline']],
-  ['packages/engine/src/audio', ['editor/triggers']],
-  ['packages/engine/src/files', ['editor/share', 'editor/files']],
+  ['packages/engine/src/audio', []], // by their unit tests
+  ['packages/engine/src/components', ['editor/components']],
+  ['packages/engine/src/files', ['editor/files']],
   ['packages/engine/src/physics', ['editor/physics']],
   ['packages/engine/src/picture', ['editor/picture']],
   ['packages/engine/src/prefabs', ['editor/files']],
@@ -50,7 +51,7 @@ export const subjects = [
   ['apps/viewer/examples', ['examples/pictures']],
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
-  ['apps/lab/src/normals', ['lab/normals']],
+  ['apps/lab/src/normals', ['lab/stage']],
   ['apps/lab/src/results', ['lab/keeping']],
   ['apps/lab/src/run', ['lab/keeping']],
   ['apps/lab', ['lab/journey']],
@@ -59,16 +60,16 @@ export const subjects = [
   ['apps/editor/src/language', ['editor/language']],
   ['apps/editor/src/layout', ['editor/layout']],
   ['apps/editor/src/microshaders', ['editor/microshaders']],
-  ['apps/editor/src/player', ['editor/share']],
+  ['apps/editor/src/player', ['editor/scripts']],
   ['apps/editor/src/plugins', ['editor/plugin']],
-  ['apps/editor/src/samples', ['editor/samples']],
+  ['apps/editor/src/samples', ['editor/welcome']],
   ['apps/editor/src/scripts', ['editor/scriptsPanel']],
   ['apps/editor/src/viewport', ['editor/viewport']],
   ['apps/editor/src/files/autosave', ['editor/drafts']],
   ['apps/editor/src/files', ['editor/assets']],
   ['apps/editor/src/panels/assets', ['editor/assets']],
   ['apps/editor/src/panels/bake', ['editor/bake']],
-  ['apps/editor/src/panels/dialogs', ['editor/share']],
+  ['apps/editor/src/panels/dialogs', ['editor/welcome']],
   ['apps/editor/src/panels/frame', ['editor/frame']],
   ['apps/editor/src/panels/hierarchy', ['editor/hierarchy']],
   ['apps/editor/src/panels/history', ['editor/layout']],
@@ -90,11 +91,30 @@ export const subjects = [
 ];
 
 /**
+ * Browser tests of components that have some of their own, by the beginnings of paths.
+ *
+ * @type {readonly (readonly [start: string, spec: string])[]}
+ */
+export const components = Object.entries({
+  'editor/areaLights': ['Light', 'SkyLight', 'applyLightFields', 'lightFields', 'newLights', 'newShadows'],
+  'editor/assets': ['ModelRenderer', 'importModel', 'objectsOfModel'],
+  'editor/morphTargets': ['MorphTargets'],
+  'editor/newcomer': ['OwnShape', 'Room', 'Wall'],
+  'editor/particles': ['ParticleEmitter', 'particle'],
+  'editor/physics': ['Collider', 'Joint', 'RigidBody'],
+  'editor/timeline': ['Animation', 'Animator'],
+  'editor/touch': ['CharacterController', 'TouchStick'],
+  'editor/viewport': ['Camera'],
+}).flatMap(([spec, names]) => names.map((name) => [`packages/engine/src/components/${name}`, spec]));
+
+/**
  * @param {string} path - of a source file, from the repository's root, with `/`
  * @returns {readonly string[]} paths of the specs of its subject; empty where it has none
  */
 export function specsOf(path) {
   if (path.endsWith('.spec.ts')) return [path];
+  const component = components.find(([start]) => path.startsWith(start));
+  if (component) return [`e2e/${component[1]}.spec.ts`];
   const row = subjects.find(([folder]) => path.startsWith(`${folder}/`));
   return (row?.[1] ?? []).map((name) => `e2e/${name}.spec.ts`);
 }

@@ -1,9 +1,9 @@
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { root } from './root.mjs';
 import { filesEnding } from './sourceFiles.mjs';
-import { specsOf, subjects } from './subjects.mjs';
+import { components, specsOf, subjects } from './subjects.mjs';
 
 it('finds the specs of every source file, each of which exists', () => {
   const files = filesEnding('.ts', '.tsx', '.glsl', '.mjs', '.css').filter((path) => /^\w+\/.+\//.test(path));
@@ -21,4 +21,22 @@ it('goes by the first row that holds the file: rows stand behind those of their 
   }
   expect(specsOf('packages/renderer/src/shadows/x.glsl')[0]).toBe('e2e/render/shadows.spec.ts');
   expect(specsOf('e2e/lab/charts.spec.ts')).toEqual(['e2e/lab/charts.spec.ts']);
+});
+
+it('finds a component by the beginning of its name, of which each has a file', () => {
+  const files = filesEnding('.ts');
+  const strays = components.filter(([start]) => !files.some((path) => path.startsWith(start)));
+  expect(strays).toEqual([]);
+  expect(specsOf('packages/engine/src/components/RigidBody.ts')).toEqual(['e2e/editor/physics.spec.ts']);
+  expect(specsOf('packages/engine/src/components/ObjectRenderer.ts')).toEqual(['e2e/editor/components.spec.ts']);
+});
+
+it('names specs of which the slice has tests, since it runs no others', () => {
+  const names = [...subjects.flatMap(([, specs]) => specs), ...components.map(([, spec]) => spec)];
+  const empty = names.filter((name) => {
+    const text = readFileSync(join(root, `e2e/${name}.spec.ts`), 'utf8');
+    const titles = [...text.matchAll(/^ *(?:test|own|shared)\(\s*(['"`])(.*?)\1,/gm)].map((match) => match[2]);
+    return titles.every((title) => title.endsWith(' @verify'));
+  });
+  expect([...new Set(empty)]).toEqual([]);
 });
