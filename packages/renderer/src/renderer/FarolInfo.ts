@@ -1,4 +1,4 @@
-/** Work of one pass in the last frame. */
+/** Draws and times of one pass in the last frame. */
 export interface PassInfo {
   readonly name: string;
   drawCalls: number;
@@ -13,7 +13,7 @@ export interface PassInfo {
 export interface FarolInfo {
   /** Key of the technique that drew. */
   technique: string;
-  /** Reason why the technique was chosen. */
+  /** Sentence that tells why 'auto' chose the technique. */
   reason: string;
   /** Sentence on how the page could have faster frames; null for none. From 2,000 single lights on it names LightField. */
   hint: string | null;
@@ -25,9 +25,9 @@ export interface FarolInfo {
   readonly passes: PassInfo[];
   drawCalls: number;
   triangles: number;
-  /** Whole `render` call (ms). */
+  /** CPU time of the whole `render` call (ms). */
   cpuMs: number;
-  /** Sum of the passes (ms), or null. */
+  /** Sum of the passes' GPU times (ms); null where they are not known. */
   gpuMs: number | null;
   /**
    * Number of lights of the scene, and of those kept for this frame; both include all lights that LightFields draw.

@@ -43,7 +43,7 @@ export class SceneDraws {
 
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins a frame. @param antialias - as `FarolOptions.antialias` */
+  /** Begins the draws of a frame. @param antialias - as `FarolOptions.antialias` */
   begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
     this.antialias = antialias;
     this.sceneView = sceneView;

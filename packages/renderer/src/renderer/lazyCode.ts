@@ -19,7 +19,7 @@ export const lightFieldCode = new Lazy(
 );
 lightFieldMade.tell = () => lightFieldCode.ask();
 
-/** Lights at the vertices. */
+/** Gouraud shading: lights computed at the vertices. */
 export const gouraudCode = new Lazy('gouraud', () => import('../materials/gouraud'), 'light is in pixels');
 
 /** Node materials (TSL). */
@@ -46,7 +46,7 @@ export const antialiasingCode = new Lazy(
 /** Times of passes on the GPU. */
 export const timerCode = new Lazy('timer', () => import('./timer'), 'there are none');
 
-/** All of the above. */
+/** Every piece of late code above. */
 export const lazyCode = [
   shadowCode,
   areaCode,

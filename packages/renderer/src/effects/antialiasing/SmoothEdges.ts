@@ -20,7 +20,7 @@ export class SmoothEdges extends SMAA {
   override begin(): void {}
 
   picked(frame: Frame): void {
-    // tested here, since it cannot be within three's render
+    // the drawing buffer's format is read here, since it cannot be within three's render
     if (frame.target === null) this.buffered ??= hasOutputBuffer(frame.webgl);
     this.isOn = !this.isLeftOut(frame);
     if (this.isOn) super.begin(frame);
@@ -70,7 +70,7 @@ function hasOutputBuffer(webgl: WebGLRenderer): boolean {
   let has = false;
   scene.onBeforeRender = () => {
     has = webgl.toneMapping === NoToneMapping; // three tone maps when it copies that buffer to the canvas
-    throw STOP; // before three clears
+    throw STOP; // ends three's render before it clears
   };
   webgl.setRenderTarget(null);
   webgl.toneMapping = LinearToneMapping;

@@ -29,7 +29,7 @@ export class TemporalHistory {
   readonly viewProjection = new Matrix4();
   /** The camera's backward axis (world space) in the last frame. */
   readonly forward = new Vector3();
-  /** Frames since the last reset. */
+  /** Number of frames accumulated since the last reset. */
   count = 0;
   /** Frames since any change of the picture; Infinity after a reset. */
   quiet = Infinity;
@@ -93,7 +93,7 @@ export class TemporalHistory {
     return this.reaches[this.frame & 1].of(this.width, this.height);
   }
 
-  /** Ends a frame: its targets become the past. */
+  /** Ends a frame: its targets are the history of the next one. */
   advance(viewProjection: Matrix4, camera: Camera): void {
     this.last = this.next.texture;
     this.lastReach = this.nextReach.texture;
