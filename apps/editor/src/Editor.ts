@@ -46,7 +46,7 @@ const RECOVERED = 1000;
 const RETRY = 8000;
 
 export interface EditorOptions {
-  /** URLs of asset files, by name. */
+  /** URLs of asset files, by asset name. */
   urls?: Record<string, string>;
   /** First scene: a name of the engine's `scenes`, or 'empty'; the temple when absent or null. */
   scene?: string | null;

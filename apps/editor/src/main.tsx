@@ -26,7 +26,7 @@ declare global {
   }
 }
 
-/** Prefix of the keys in localStorage. */
+/** Prefix of the editor's keys in localStorage. */
 const STORAGE = 'farol-editor';
 
 const place = document.getElementById('app')!;
@@ -102,7 +102,7 @@ function tryStart(problem: Error | null): void {
 }
 
 const language = storedLanguage(STORAGE);
-// English needs no texts
+// English is built in: no texts are fetched
 if (language === 'en') tryStart(null);
 else {
   showLanguage(language).then(

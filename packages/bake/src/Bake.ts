@@ -2,7 +2,7 @@ import type { Mesh } from 'three';
 import type { BakedProbes } from './probes/BakedProbes';
 
 export interface BakedLightmap {
-  /** Texels. */
+  /** Size of the lightmap (texels). */
   readonly width: number;
   readonly height: number;
   /**

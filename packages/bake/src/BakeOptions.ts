@@ -42,7 +42,7 @@ export interface TraceOptions {
   throwsShadow?(object: Object3D): boolean;
   /** Cancels: the scene is left as it was, and the promise rejects with the signal's reason. */
   signal?: AbortSignal;
-  /** Called after each slice. */
+  /** Called after each slice of work. */
   onProgress?(progress: BakeProgress): void;
   /**
    * Called once for each thing that was left out or baked otherwise than asked, with a sentence that names it. Default:

@@ -1,4 +1,4 @@
-/** How far a bake is. */
+/** Progress of a bake. */
 export interface BakeProgress {
   readonly stage: 'unwrapping' | 'preparing' | 'tracing' | 'finishing';
   /** Share of the whole that is done, 0 to 1. Never falls. */

@@ -8,7 +8,7 @@ export class Signal<Details extends readonly unknown[] = []> {
   private readonly listeners = new Set<(...details: Details) => void>();
   private changes = 0;
 
-  /** Grows by one with each change. */
+  /** Number of times that the signal was emitted. */
   get revision(): number {
     return this.changes;
   }

@@ -26,7 +26,7 @@ export async function askToSave(editor: EditorApi): Promise<boolean> {
   try {
     await save.run(editor);
   } catch (error) {
-    // cancelling the file picker keeps the scene
+    // a cancelled file picker rejects with AbortError: the scene stays open
     if (!(error instanceof Error) || error.name !== 'AbortError') throw error;
   }
   return !editor.commands.isDirty;

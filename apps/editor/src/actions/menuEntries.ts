@@ -14,7 +14,7 @@ export const menuLabel = (name: MenuName): string =>
 /** Actions that are also in a second menu. */
 const alsoIn: Readonly<Record<string, MenuPlace>> = { 'file.welcome': { menu: 'help', group: 'learn' } };
 
-/** Place of plugins' actions that name none. */
+/** Menu and group of plugins' actions that name no place. */
 const PLUGINS: MenuPlace = { menu: 'edit', group: 'plugins', submenu: 'Plugins' };
 
 /** Groups items by key, in the order of first appearance. */

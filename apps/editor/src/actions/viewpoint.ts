@@ -88,7 +88,7 @@ const turn = (id: string, label: string, key: string, azimuth: number, polar: nu
   enabled: ({ viewport }) => viewport.flightProblem === null,
 });
 
-/** Orbit the view by 15 degrees. */
+/** Actions that orbit the view by 15 degrees. */
 export const turns: readonly Action[] = [
   turn('turnLeft', 'Turn the view left', 'Numpad4', -1, 0),
   turn('turnRight', 'Turn the view right', 'Numpad6', 1, 0),

@@ -39,7 +39,7 @@ export interface OpenFile {
 
 /** Stores unsaved changes, for recovery when the tab is killed. */
 export interface DraftKeeper {
-  /** Whether the present state is stored. */
+  /** Whether the scene's present state is stored in the browser. */
   readonly isUpToDate: boolean;
   /** Offers unsaved scenes of killed tabs. @returns whether there are any */
   offerRecovery(): Promise<boolean>;
@@ -75,7 +75,7 @@ export interface EditorApi {
   /** Messages of the Console panel. */
   readonly log: ConsoleLog;
   readonly notices: Notices;
-  /** Files that were last opened or saved. */
+  /** Files that the user last opened or saved. */
   readonly recentFiles: RecentFiles;
   readonly tour: Tour;
   /** Whether unsaved changes are being stored. */

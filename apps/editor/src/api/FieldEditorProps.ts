@@ -11,13 +11,13 @@ export interface FieldEditorProps<F extends Field> {
    * Coordinates of a vector that are equal in all edited objects, null for others; absent when no coordinates differ.
    */
   readonly parts?: readonly (number | null)[];
-  /** Whether the values differ. */
+  /** Whether the field's values differ between the selected owners. */
   readonly mixed: boolean;
   /** Allowed texts of a text field with choices; absent when any text is allowed. */
   readonly choices?: readonly string[];
   /** Accessible name of the control. */
   readonly label: string;
-  /** Help, unit and range as text. */
+  /** Help text of the field with its unit and range. */
   readonly description: string;
   readonly disabled: boolean;
   /** Previews a value; a function computes it from each object's own. */
@@ -26,6 +26,6 @@ export interface FieldEditorProps<F extends Field> {
   onCommit(update?: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
   /** Merges a value that arrives after the commit into the same step of history. */
   onAmend(update: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
-  /** Discards the preview. */
+  /** Called to discard the preview, as by Escape. */
   onDiscard(): void;
 }

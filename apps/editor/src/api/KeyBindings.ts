@@ -53,7 +53,7 @@ export class KeyBindings<T extends Keyed> {
     this.store.setState({ chosen: {} });
   }
 
-  /** Other actions with a combination. */
+  /** Other actions that have the same key combination. */
   conflictsOf(action: T, combination: string): T[] {
     return this.actions.list.filter((other) => other !== action && this.keysOf(other).includes(combination));
   }

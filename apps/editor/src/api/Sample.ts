@@ -2,11 +2,11 @@ import { type SceneDefinition, scenes } from '@farol/scenes';
 
 /** A sample scene, offered on the welcome page and in the File menu. */
 export interface Sample {
-  /** Unique name, also of its thumbnail. */
+  /** Unique name of the sample, and file name of its thumbnail. */
   readonly name: string;
-  /** Label, in English. */
+  /** Label of the sample, in English. */
   readonly label: string;
-  /** Hint on something to try, in English. */
+  /** Hint on something to try in the sample, in English. */
   readonly help: string;
   /** File name in `public/scenes`; null for a demo scene of the engine. */
   readonly file: string | null;

@@ -10,7 +10,7 @@ import type { SnapTarget } from '../viewport/handles/DragSnap';
 export interface Preferences {
   /** Folded components in the inspector, by type. */
   folded: Readonly<Record<string, boolean>>;
-  /** 'system' follows the system's setting. */
+  /** Colour theme; 'system' follows the operating system's setting. */
   theme: 'dark' | 'light' | 'system';
   /** Null for the first supported language of the browser's list. */
   language: Language | null;

@@ -45,7 +45,7 @@ export function asClause({ name, message }: { name: string; message: string }): 
   return short.replace(/\.+$/, '').replace(/^[A-Z](?![A-Z])/, (letter) => letter.toLowerCase());
 }
 
-/** Why a file was not written. */
+/** Turns an error of writing a file into a reason for the user. */
 export function browserReason(error: unknown): BrowserReason {
   const { name, message } = namedError(error);
   const reasons = known();

@@ -30,7 +30,11 @@ export interface Dropped {
 }
 
 export type DropTarget =
-  | { readonly kind: 'picture'; /** CSS pixels of the page. */ readonly x: number; readonly y: number }
+  | {
+      readonly kind: 'picture';
+      /** Position of the drop on the page (CSS pixels). */ readonly x: number;
+      readonly y: number;
+    }
   | { readonly kind: 'tree'; /** Id of the object of the row; null beside the rows. */ readonly id: string | null }
   /** Outside viewport and tree: files are imported but not placed. */
   | { readonly kind: 'elsewhere' };

@@ -35,7 +35,7 @@ function find(files: FileMap, model: string, uri: string): [string, File] | null
     else if (part !== '.' && part !== '') parts.push(part);
   }
   const path = parts.join('/');
-  // individually chosen files have no folder
+  // files chosen one by one have no folder in their paths
   const found = [path, nameIn(path)].find((each) => files.has(each));
   return found === undefined ? null : [found, files.get(found)!];
 }
@@ -216,7 +216,7 @@ async function importAll(
   try {
     await takeAll();
   } catch (error) {
-    // cancelled: everything is undone
+    // when cancelled, the assets added so far are removed
     for (const name of added) {
       const asset = assets.get(name);
       assets.unregister(name);

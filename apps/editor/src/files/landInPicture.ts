@@ -10,7 +10,7 @@ import { land, type LandingView } from '../viewport/placing/land';
  */
 export function pointInPicture({ viewport }: EditorApi, at?: { readonly x: number; readonly y: number }): Vector2 {
   if (!at) return new Vector2();
-  // activates the view under the point
+  // activates the one of four views that is under the point
   viewport.panes.activateAt(at.x, at.y);
   const { left, top, width, height } = viewport.bounds;
   return new Vector2(((at.x - left) / width) * 2 - 1, 1 - ((at.y - top) / height) * 2);

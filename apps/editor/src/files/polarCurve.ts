@@ -8,7 +8,7 @@ export const RINGS = 4;
 export const RAY_DEGREES = 30;
 
 const RADIANS = Math.PI / 180;
-/** Step along the curve (degrees). */
+/** Angle between two points of the polar curve (degrees). */
 const STEP = 1;
 
 /** Rounds up to 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a power of ten, so that quarters are round numbers. */

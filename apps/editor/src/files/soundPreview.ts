@@ -41,7 +41,7 @@ class SoundPreview {
     this.changed.emit();
   }
 
-  /** Pauses the sound that plays. */
+  /** Pauses the sound that plays, keeping its position. */
   hold(): void {
     const { heard, node } = this;
     if (!heard || !node) return;

@@ -1,11 +1,11 @@
 /** A group of panels in one place, one of them in front. */
 export interface PanelGroup {
   readonly kind: 'group';
-  /** Unique within a layout. */
+  /** Id of the group, unique within a layout. */
   readonly id: string;
   /** Ids of panels, in the order of their tabs; at least one. */
   readonly panels: readonly string[];
-  /** Id of the panel in front. */
+  /** Id of the group's panel in front. */
   readonly active: string;
 }
 

@@ -23,7 +23,7 @@ interface LayoutState {
   share: number;
 }
 
-/** Limits of that share. */
+/** Least and greatest share of the dock that the panel of a small window takes. */
 const LEAST_SHARE = 0.2;
 const LARGEST_SHARE = 0.8;
 

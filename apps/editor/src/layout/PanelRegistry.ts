@@ -5,7 +5,7 @@ import type { PanelPlace } from './defaultLayout';
 
 /** A panel of the editor's window, which the user can move, close and open. */
 export interface Panel {
-  /** Lower-kebab; used in stored layouts. */
+  /** Id of the panel, lower-kebab; stored layouts name it. */
   readonly id: string;
   readonly title: string;
   readonly icon: IconName;

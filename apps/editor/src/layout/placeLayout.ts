@@ -17,7 +17,7 @@ export interface PlacedGroup {
 export interface PlacedEdge {
   /** Path to the split: indices of children from the root. */
   readonly path: readonly number[];
-  /** Index of the child before the divider. */
+  /** Index of the split's child before the divider. */
   readonly index: number;
   readonly direction: LayoutSplit['direction'];
   readonly rectangle: Rectangle;

@@ -62,7 +62,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
 
   /** Names of all microshaders: built-in ones, then the scene's own. */
   get names(): string[] {
-    // surfaces are assets, edited by SurfaceEditing
+    // texts of surfaces are assets, edited by SurfaceEditing
     const all = [...this.registry.names(), ...this.document.scene.microShaders.texts.keys()];
     return [...new Set(all)].filter((name) => !isOfSurface(name));
   }
@@ -82,7 +82,7 @@ export class MicroShaderEditing extends TextDrafts<string> {
     return this.problems.get(name) ?? null;
   }
 
-  /** The text of a microshader, as edited. */
+  /** Text of a microshader, as last edited, even where it does not compile. */
   textOf(name: string): string {
     return this.drafts.get(name) ?? this.document.scene.microShaders.get(name) ?? this.originalOf(name);
   }

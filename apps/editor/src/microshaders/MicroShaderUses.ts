@@ -16,7 +16,7 @@ interface Program {
 
 /** Finds where each microshader is used: techniques, debug views, and compiled programs. */
 export class MicroShaderUses {
-  /** Emits when more is known. */
+  /** Emits when more uses of microshaders are known. */
   readonly changed = new Signal();
 
   private readonly byTechnique = new Map<TechniqueName, ReadonlySet<string>>();
@@ -33,7 +33,7 @@ export class MicroShaderUses {
   ) {
     // microshaders outside all programs are compiled too, or errors would only appear once they are used
     farol.microshaders.addCheck((all) => {
-      // surfaces are checked elsewhere
+      // microshaders of surfaces are looked up elsewhere
       const names = all.filter((name) => !isOfSurface(name));
       if (names.length === 0) return;
       const live = this.liveChunks();

@@ -40,7 +40,7 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
     return this.problems.get(asset) ?? (asset.problem ? problemOf(asset.problem) : null);
   }
 
-  /** The text of a surface, as edited. */
+  /** Text of a surface, as last edited, even where it does not compile. */
   textOf(name: string): string {
     const asset = this.document.assets.surface(name);
     return asset ? (this.drafts.get(asset) ?? asset.source) : '';
@@ -82,7 +82,7 @@ export class SurfaceEditing extends TextDrafts<SurfaceAsset> {
       // compiles the surface even if it is not drawn yet
       surface.compile(this.farol);
     } catch {
-      // the text before was broken too
+      // the text before this edit did not compile either
     }
     surface.source = text;
   }

@@ -37,7 +37,7 @@ export class Drafts {
     this.changed.emit();
   }
 
-  /** Notes that drafts are kept. */
+  /** Tells that unsaved changes are being stored. */
   work(): void {
     if (this.reason === null) return;
     this.reason = null;

@@ -124,7 +124,7 @@ export class PlayEdits {
     this.dismiss();
   }
 
-  /** Forgets what was not kept. */
+  /** Forgets the changes made while playing that the user has not kept. */
   dismiss(): void {
     this.dropAll();
     this.values = [];

@@ -5,7 +5,7 @@ export class Selection extends ItemSelection<string> {
   /** Called at every selection, also when it selects the same objects again. */
   onSet: () => void = () => {};
 
-  /** A new array after each change. */
+  /** Ids of the selected objects; a new array after each change. */
   get ids(): readonly string[] {
     return this.items;
   }

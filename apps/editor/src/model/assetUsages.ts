@@ -9,9 +9,9 @@ import { SetPrefab } from './commands/SetPrefab';
 import { componentTypeOf } from './scriptNames';
 
 export interface AssetUsage {
-  /** Owner: 'Robot', 'Scene', 'Lamp (prefab)'. */
+  /** Name of the owner that uses the asset: 'Robot', 'Scene', 'Lamp (prefab)'. */
   readonly place: string;
-  /** Component and field: 'ModelRenderer.model'. */
+  /** Component and field that name the asset: 'ModelRenderer.model'. */
   readonly field: string;
   /** Id of the object when an object uses the asset. */
   readonly object?: string;

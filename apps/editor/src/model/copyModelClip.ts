@@ -26,7 +26,7 @@ export interface CopiedClip {
 /** Tolerance of the copy between two keys: rad for rotations, else relative to the largest value. */
 const ACCURACY = 1e-4;
 
-/** Samples compared between two keys. */
+/** Number of samples compared between two keys, to tell whether keys can be left out. */
 const SAMPLES = 64;
 
 const fields = { position: 'position', quaternion: 'rotation', scale: 'scale' } as const;

@@ -94,7 +94,7 @@ export function wearSurface(surface: string, users: readonly SurfaceWearer[]): C
 
 const wearing = (users: readonly SurfaceWearer[], surface: string): FieldEdit[] =>
   users.flatMap((owner): FieldEdit[] => [
-    // a custom shader takes no surface
+    // an ObjectRenderer with a custom shader takes no surface
     ...(owner instanceof ObjectRenderer ? [{ owner, name: 'shader', value: null }] : []),
     { owner, name: 'surface', value: surface },
   ]);

@@ -24,7 +24,7 @@ async function runPacked(base64: string): Promise<void> {
   const bytes = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   const script = document.createElement('script');
-  // required by the page's content policy
+  // the nonce is required by the page's Content-Security-Policy
   script.nonce = ownScript?.nonce ?? '';
   script.textContent = await new Response(stream).text();
   document.head.append(script);

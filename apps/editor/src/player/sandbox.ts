@@ -23,7 +23,7 @@ interface ReadyMessage {
 /** Tells the embedding page, if any, that the scene is completely drawn. */
 export function tellReady(): void {
   const message: ReadyMessage = { farol: 'ready' };
-  // any origin: the message reveals nothing
+  // sent to any origin, since the message reveals nothing
   if (parent !== self) parent.postMessage(message, '*');
 }
 

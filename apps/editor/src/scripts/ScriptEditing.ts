@@ -12,7 +12,7 @@ interface Draft {
   readonly asset: FieldAsset;
   text: string;
   isBroken: boolean;
-  /** Text that the asset has at present. */
+  /** Text that the script asset has at present. */
   shown: string;
 }
 
@@ -52,7 +52,7 @@ export class ScriptEditing {
     return this.draft?.asset === asset ? this.draft.text : sourceOf(asset);
   }
 
-  /** All texts as edited, by name. */
+  /** Texts of all scripts as last edited, by asset name. */
   get texts(): ReadonlyMap<string, string> {
     return new Map(this.names.map((name) => [name, this.textOf(name)]));
   }

@@ -54,6 +54,6 @@ export async function rememberScripts(scene: Scene): Promise<void> {
     const others = known().filter((each) => !found.has(each));
     localStorage.setItem(KEY, JSON.stringify([...found, ...others].slice(0, MOST)));
   } catch {
-    // without storage the question is asked again
+    // without storage, the user is asked again next time
   }
 }

@@ -5,7 +5,7 @@ import { Icon } from './Icon';
 interface ButtonProps extends ButtonHTMLAttributes<HTMLButtonElement> {
   readonly label: string;
   readonly icon?: IconName;
-  /** 'framed' when absent. */
+  /** Appearance of the button; 'framed' when absent. */
   readonly look?: 'framed' | 'primary' | 'small' | 'small framed';
 }
 

@@ -12,7 +12,7 @@ interface MenuButtonProps {
   readonly iconOnly?: boolean;
   readonly className?: string;
   readonly disabled?: boolean;
-  /** Called when the menu opens. */
+  /** Entries of the menu; called when it opens. */
   entries(): readonly MenuEntry[];
 }
 

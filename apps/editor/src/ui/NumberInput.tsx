@@ -32,7 +32,7 @@ export interface NumberInputProps {
   onDiscard(): void;
 }
 
-/** Text that is being typed. */
+/** Text that is being typed into the number input, and the value before. */
 interface Draft {
   readonly text: string;
   /** Value before typing. */

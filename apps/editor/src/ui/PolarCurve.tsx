@@ -67,7 +67,7 @@ export function PolarCurve({ name }: { name: string }): ReactNode {
   const isReady = assets.isReady('profile', name);
   const isMissing = !isReady && assets.typeOf(name) === 'profile';
   useEffect(() => {
-    // failures are reported by the library
+    // the asset library reports failures
     if (isMissing) void assets.load(name).catch(() => {});
   }, [assets, name, isMissing]);
   const profile = isReady ? assets.profile(name) : null;

@@ -16,7 +16,7 @@ interface SearchMenuProps {
   readonly label: string;
   readonly icon: IconName;
   readonly className?: string;
-  /** Called while the menu is open. */
+  /** Items of the menu; called while it is open. */
   items(): readonly SearchMenuItem[];
   onChoose(value: string): void;
 }

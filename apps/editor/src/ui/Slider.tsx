@@ -6,7 +6,7 @@ interface SliderProps {
   readonly value: number | null;
   readonly min: number;
   readonly max: number;
-  /** Increment; a tenth with Alt. */
+  /** Increment of the value; a tenth of it with Alt held. */
   readonly step: number;
   readonly disabled?: boolean;
   onSlide(value: number): void;

@@ -17,7 +17,7 @@ const turns: Readonly<Record<string, readonly [number, number]>> = {
 };
 
 interface TurningBallProps {
-  /** The material to show; null for none. */
+  /** Material shown on the ball; null for none. */
   materialOf(): Material | null;
   /** Changes each time the material may look different. */
   readonly revision: number;

@@ -107,7 +107,7 @@ function lock(target: HTMLElement, over: AbortSignal): void {
     if (over.aborted && document.pointerLockElement === target) document.exitPointerLock();
   };
   document.addEventListener('pointerlockchange', release, { once: true });
-  // older browsers return nothing, others may refuse
+  // older browsers return no promise; others reject when the lock is refused
   const asked = target.requestPointerLock() as Promise<void> | undefined;
   void asked?.catch(() => document.removeEventListener('pointerlockchange', release));
 }

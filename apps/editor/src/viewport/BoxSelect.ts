@@ -15,7 +15,7 @@ export class BoxSelect {
   private readonly to = new Vector2();
   private pointer: number | null = null;
   private isOpen = false;
-  /** Null until it was fetched. */
+  /** Finds the objects in a box; null until its code was fetched. */
   private find: typeof pickBox | null = null;
 
   constructor(private readonly viewport: PickSurface) {

@@ -29,7 +29,7 @@ export class CameraPreview {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly viewport = new Vector4();
-  /** The `key` of the last render. */
+  /** Key that tells what the last render of the preview showed. */
   private drawnOf = '';
 
   /** @param redraw - called when the inset must be rendered again */
@@ -63,7 +63,7 @@ export class CameraPreview {
     this.scene.add(this.quad);
   }
 
-  /** Microshaders of the inset's renderer. */
+  /** Microshaders of the preview's renderer. */
   get microshaders(): MicroShaderRegistry {
     return this.farol.microshaders;
   }
@@ -92,7 +92,7 @@ export class CameraPreview {
       webgl.setRenderTarget(previousTarget);
     }
     webgl.autoClear = false;
-    // y is measured from the lower edge
+    // WebGL measures y from the lower edge
     webgl.setViewport(width - place.width - place.margin, place.margin, place.width, place.height);
     webgl.render(this.scene, this.camera);
     webgl.setViewport(this.viewport);

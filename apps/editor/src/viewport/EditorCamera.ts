@@ -184,7 +184,7 @@ export class EditorCamera {
     return this.controls.getTarget(new Vector3(), false);
   }
 
-  /** Advances movement. @returns whether the view changed */
+  /** Advances the camera's movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
     const flew = this.fly.update(deltaSeconds);
     const moved = this.controls.update(deltaSeconds) || flew;

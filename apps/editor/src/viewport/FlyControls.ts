@@ -35,7 +35,7 @@ const UP = new Vector3(0, 1, 0);
  * the wheel changes the speed.
  */
 export class FlyControls {
-  /** Speed (m/s). */
+  /** Speed of flight (m/s). */
   speed = 6;
 
   /** Whether keys or the wheel were used since the button was last pressed. */

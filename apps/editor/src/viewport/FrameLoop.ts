@@ -14,7 +14,7 @@ export class FrameLoop {
   /** Whether every frame is drawn, requested or not. */
   continuous = false;
 
-  /** Number of frames left to draw. */
+  /** Number of frames still to be drawn. */
   private pending = 1;
   private request = 0;
   /** Time of the last animation frame (ms); 0 before the first. */

@@ -34,7 +34,7 @@ const middle = new Vector3();
  * is one step of history.
  */
 export class Gizmo {
-  /** Object to draw over the viewport. */
+  /** three's object of the gizmo, drawn over the viewport. */
   readonly three = new Object3D();
 
   /** Fetched when something is first selected; null until then. */
@@ -161,7 +161,7 @@ export class Gizmo {
       controls.camera = camera;
       // TransformControls scales with the height; in a portrait viewport the width limits the size
       const [x, , , , , y] = camera.projectionMatrix.elements;
-      // larger handles for fingers
+      // handles are larger for fingers
       controls.size = (this.coarsePointer?.matches ? 1.3 : 0.85) * Math.min(1, y / x);
     }
     if (controls?.dragging || this.letGo()) return;

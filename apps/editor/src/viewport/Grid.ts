@@ -45,7 +45,7 @@ export class Grid extends Mesh<PlaneGeometry, ShaderMaterial> {
     this.renderOrder = -1;
   }
 
-  /** Adapts to the camera; called before drawing. */
+  /** Adapts the grid to the camera; called before drawing. */
   update(camera: Camera): void {
     const { extent, step, middle, axisU, axisV, behind } = this.material.uniforms;
     middle.value.setFromMatrixPosition(camera.matrixWorld);

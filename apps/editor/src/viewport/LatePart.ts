@@ -1,6 +1,6 @@
 /** A part of the viewport whose code is fetched when it is first needed. */
 export class LatePart<Part extends { dispose(): void }> {
-  /** Null until it was fetched. */
+  /** The part; null until its code was fetched. */
   part: Part | null = null;
 
   private isAsked = false;

@@ -39,7 +39,7 @@ export class MenuPress {
   }
 
   private readonly pointerDown = (event: PointerEvent): void => {
-    this.cancel(); // a second finger cancels too
+    this.cancel(); // a second finger cancels the long press too
     const isMouse = event.pointerType === 'mouse';
     if (event.button !== (isMouse ? 2 : 0) || !event.isPrimary || this.viewport.sceneListens) return;
     this.pointer = event.pointerId;

@@ -85,7 +85,7 @@ export class PictureCamera {
     return this.through?.isAttached ? this.through.three : this.editorCamera.rayCamera;
   }
 
-  /** Advances movement. @returns whether the view changed */
+  /** Advances the camera's movement. @returns whether the view changed */
   update(deltaSeconds: number): boolean {
     this.editorCamera.allowed = this.steers;
     const flight = this.flight.part;

@@ -11,7 +11,7 @@ function expandByObject(target: Box3, object: GameObject): void {
   readableMeshes(object, (mesh, geometry, matrixWorld) => {
     isDrawn = true;
     if (mesh instanceof SkinnedMesh) {
-      // skinned, in the current pose
+      // bounds of a skinned mesh are those of its current pose
       mesh.computeBoundingBox();
       part.copy(mesh.boundingBox!);
     } else {

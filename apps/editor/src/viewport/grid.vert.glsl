@@ -10,6 +10,6 @@ void main() {
   vec3 origin = axisU * floor(dot(middle, axisU)) + axisV * floor(dot(middle, axisV));
   vPosition = origin + extent * (position.x * axisU + position.z * axisV);
   gl_Position = projectionMatrix * viewMatrix * vec4(vPosition, 1.0);
-  // at the far plane, behind everything
+  // the grid is drawn at the far plane, behind everything
   gl_Position.z = mix(gl_Position.z, 0.99999 * gl_Position.w, behind);
 }

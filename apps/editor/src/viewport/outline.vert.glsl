@@ -1,4 +1,4 @@
-// One triangle over the whole viewport.
+// Draws one triangle over the whole viewport.
 varying vec2 vUv;
 
 void main() {

@@ -4,7 +4,7 @@ import { castByTree } from './trees/castByTree';
 
 export interface PickHit {
   readonly object: GameObject;
-  /** Distance from the ray's origin (m). */
+  /** Distance of the hit from the ray's origin (m). */
   readonly distance: number;
 }
 

@@ -2,7 +2,7 @@
 // Mitchell 1987, Generating Antialiased Images at Low Sampling Densities
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_sums;
-uniform float farol_samples; // in the sums
+uniform float farol_samples; // number of samples in the sums
 layout(location = 0) out highp vec4 farol_agreed;
 
 void main() {

@@ -4,7 +4,7 @@
 uniform highp sampler2D farol_settled;
 uniform highp sampler2D farol_placeNormals;
 uniform highp sampler2D farol_placeFaces;
-uniform int farol_block; // texels along a side
+uniform int farol_block; // texels along a side of a block
 layout(location = 0) out highp vec4 farol_place; // xyz: point of the texel; w: its index in the block + 1; 0 for none
 layout(location = 1) out highp vec4 farol_texelNormal;
 layout(location = 2) out highp vec4 farol_texelFace;

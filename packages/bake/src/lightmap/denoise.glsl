@@ -3,8 +3,8 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_light;
-uniform int farol_step; // texels
-uniform float farol_texelSize; // m
+uniform int farol_step; // distance between the filter's taps (texels)
+uniform float farol_texelSize; // side of a texel (m)
 layout(location = 0) out highp vec4 farol_filtered;
 
 float farol_luminance(const in vec3 colour) {

@@ -5,7 +5,7 @@
 uniform highp sampler2D farol_positions;
 uniform highp sampler2D farol_sums;
 uniform highp sampler2D farol_sourceSums;
-uniform float farol_scale; // of the mean
+uniform float farol_scale; // factor that turns the sum into the mean
 layout(location = 0) out highp vec4 farol_mean;
 
 void main() {

@@ -7,7 +7,7 @@
 uniform highp sampler2D farol_places;
 uniform highp sampler2D farol_faces;
 uniform float farol_offset;
-uniform float farol_texelSize; // m
+uniform float farol_texelSize; // side of a texel (m)
 layout(location = 0) out highp vec4 farol_moved;
 
 int farol_backs(const in ivec2 texel, const in vec3 origin, const in vec3 face, const in int first, const in int end) {
@@ -40,7 +40,7 @@ void main() {
     if (!farol_hitShines(hit)) origin += (ahead + least) * along;
     else if (ahead < least) origin += (ahead - least) * along;
   }
-  // most texels see none
+  // most texels see no back faces near
   int backs = farol_backs(texel, origin, face, 0, 8);
   if (backs > 0) backs += farol_backs(texel, origin, face, 8, 24);
   farol_moved = vec4(origin - start, backs > 12 ? -1.0 : 1.0);

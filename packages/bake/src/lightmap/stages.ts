@@ -76,7 +76,7 @@ export function directStages(source: StageSource, tables: readonly [LightTable, 
       return {
         pass: source.tracePass(`direct${i}${isSoft ? 'soft' : ''}`, direct, lightUniforms(table), defines),
         ...{ grid: fine, samples: count, perDraw, scale: 1, stream: i + (isSoft ? 2 : 0), isIndirect: i === 1 },
-        // soft shadows: few texels need all samples
+        // of soft shadows, few texels need all samples
         cost: isSoft ? perDraw + 0.1 * count : 1,
         firstSamples: isSoft && count > perDraw ? perDraw : 0,
         isNoisy: isSoft,

@@ -3,11 +3,11 @@
 // Levin 1998, The Approximation Power of Moving Least-Squares; Kopf et al. 2007, Joint Bilateral Upsampling
 uniform highp sampler2D farol_settled;
 uniform highp sampler2D farol_placeNormals;
-uniform highp sampler2D farol_positions; // of the blocks
+uniform highp sampler2D farol_positions; // positions of the blocks (world space, m)
 uniform highp sampler2D farol_texelNormals;
 uniform highp sampler2D farol_light;
 uniform int farol_block;
-uniform float farol_texelSize; // m, of a block
+uniform float farol_texelSize; // side of a block (m)
 layout(location = 0) out highp vec4 farol_upsampled;
 
 void main() {

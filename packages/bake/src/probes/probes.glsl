@@ -59,7 +59,7 @@ void main() {
       vec4 place = farol_table(farol_lights, 9 * which);
       vec3 toLight = place.w == 0.0 ? farol_table(farol_lights, 9 * which + 2).xyz : normalize(place.xyz - point.xyz);
       vec2 u = farol_sample2(texel, farol_firstSample + i, 16 + which);
-      // what a surface receives that faces it
+      // irradiance of a surface that faces the light
       farol_add(farol_unshadowed(farol_arrival(which, point.xyz, toLight, u), point.xyz, point.xyz), toLight);
     }
   }

@@ -19,7 +19,7 @@ import probes from './probes.glsl?raw';
 /** Number of render targets for a probe's nine coefficients of three colours, and its share of back faces. */
 const TARGETS = 7;
 const FLOATS = 27;
-/** Probes in a row of the targets. */
+/** Number of probes in a row of the targets. */
 const WIDTH = 64;
 const SAMPLES_OF_A_DRAW = 16;
 /** Least samples of a probe: with fewer, even uniform light would be wrong by a hundredth. */

@@ -40,7 +40,7 @@ export interface TracedLight {
    * shines (area).
    */
   readonly direction: Vector3;
-  /** Linear colour times intensity. */
+  /** Linear colour of the light times its intensity. */
   readonly colour: Color;
   /** Distance beyond which the light gives nothing (m); 0 for no limit. */
   readonly range: number;

@@ -19,12 +19,12 @@ import type { StaticMesh } from './StaticMesh';
 /** Contiguous triangles of one lightmap and one material. */
 export interface TriangleRange {
   readonly material: Material;
-  /** Index of the lightmap; -1 for none. */
+  /** Index of the triangles' lightmap; -1 for none. */
   readonly lightmap: number;
   /** Whether the material reflects and emits light on both sides. */
   readonly isDoubleSided: boolean;
   readonly throwsShadow: boolean;
-  /** Index of the first triangle. */
+  /** Index of the range's first triangle. */
   readonly first: number;
   readonly count: number;
 }
@@ -32,11 +32,11 @@ export interface TriangleRange {
 /** Triangles of all static meshes in world space, each with three corners of its own. */
 export interface MergedTriangles {
   readonly count: number;
-  /** Nine a triangle (m): front side counterclockwise. */
+  /** Positions, nine numbers a triangle (m); counterclockwise seen from the front. */
   readonly positions: Float32Array;
   /** Nine a triangle, unit length: away from the front. */
   readonly normals: Float32Array;
-  /** Six a triangle: place in the lightmap. */
+  /** Places in the lightmap (0 to 1), six numbers a triangle. */
   readonly lightmapUVs: Float32Array;
   /** Six a triangle: place in the material's colour map, and in its emissive map. */
   readonly mapUVs: Float32Array;
@@ -51,7 +51,7 @@ interface Piece {
   readonly mesh: StaticMesh;
   readonly unwrapped: UnwrappedMesh | null;
   readonly placement: Matrix4;
-  /** Which of the copies it is. */
+  /** Index of the instance, for an instanced mesh. */
   readonly copy: number;
   readonly surface: StaticMesh['surfaces'][number];
 }

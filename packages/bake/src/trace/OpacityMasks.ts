@@ -17,7 +17,7 @@ const SIZE = 512;
 
 /** Opacity of a material with cut-outs or glass, as rays read it. */
 export interface Opacity {
-  /** Layer of the masks, -1 for none. */
+  /** Layer of the material's opacity in the array of masks; -1 for none. */
   readonly layer: number;
   /** 0: opaque; above 0: seen where the opacity is that at least; below: let through by chance. */
   readonly test: number;

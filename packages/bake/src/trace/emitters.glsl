@@ -2,7 +2,7 @@
 // Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation, 9.2
 uniform highp sampler2D farol_emitters; // one a triangle that shines: cumulated share of the power, triangle
 uniform int farol_emitterCount;
-uniform float farol_emitterPower; // luminance times area, of all
+uniform float farol_emitterPower; // sum of luminance × area over all emissive triangles
 uniform highp sampler2DArray farol_emission;
 
 // chance, by solid angle, that a triangle's point is chosen. range: of the triangle

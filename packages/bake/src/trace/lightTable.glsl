@@ -1,11 +1,11 @@
 // Light of a light of the table at a point: what three and Farol give, with soft edges of shadows
 // three.js, lights_pars_begin; Lagarde and de Rousiers 2014, Moving Frostbite to PBR, equation 26
-uniform highp sampler2D farol_lights; // nine a light, see lightTable.ts
-uniform highp sampler2D farol_cells; // one a cell: first entry and count
-uniform highp sampler2D farol_cellLights; // four lights a texel
-uniform ivec3 farol_grid; // cells along each axis
+uniform highp sampler2D farol_lights; // table of lights, nine texels each, see lightTable.ts
+uniform highp sampler2D farol_cells; // cells of a grid, a texel each: first entry of the cell's lights, and their count
+uniform highp sampler2D farol_cellLights; // indices of the cells' lights, four a texel
+uniform ivec3 farol_grid; // number of cells along each axis
 uniform vec3 farol_gridLeast;
-uniform vec3 farol_gridScale; // cells a metre
+uniform vec3 farol_gridScale; // number of cells per metre along each axis
 uniform int farol_endlessLights; // come first in the table, and are in no cell
 
 float farol_falloff(const in float distance, const in float range, const in float decay) {
@@ -22,7 +22,7 @@ float farol_falloff(const in float distance, const in float range, const in floa
 // what a light would give to a point with a normal if nothing were between, and where it comes from
 struct FarolArrival {
   vec3 irradiance;
-  vec3 always; // given through walls
+  vec3 always; // light that is given through walls too
   vec3 path; // from the point to the light, with what makes shadows soft
   bool isEndless;
 };
@@ -51,10 +51,10 @@ FarolArrival farol_areaArrival(const in int light, const in int kind, const in v
 
 FarolArrival farol_arrival(const in int light, const in vec3 position, const in vec3 normal, const in vec2 u) {
   FarolArrival arrival = FarolArrival(vec3(0.0), vec3(0.0), vec3(0.0), false);
-  vec4 place = farol_table(farol_lights, 9 * light); // position, kind
-  vec4 colour = farol_table(farol_lights, 9 * light + 1); // colour, range
-  vec4 axis = farol_table(farol_lights, 9 * light + 2); // direction, decay
-  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff and penumbra, radius, exponent
+  vec4 place = farol_table(farol_lights, 9 * light); // position (m) and kind of the light
+  vec4 colour = farol_table(farol_lights, 9 * light + 1); // linear colour × intensity, and range (m)
+  vec4 axis = farol_table(farol_lights, 9 * light + 2); // direction, and decay
+  vec4 cone = farol_table(farol_lights, 9 * light + 3); // cosines of cutoff and penumbra, radius (m), exponent
   int kind = int(place.w);
   if (kind >= 3) return farol_areaArrival(light, kind, place.xyz, colour.rgb, axis.xyz, position, normal, u);
   if (kind == 0) {

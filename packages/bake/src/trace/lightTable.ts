@@ -3,7 +3,7 @@ import type { TracedLight } from '../scene/collectLights';
 import { dataTexture } from './dataTexture';
 
 const kinds = { directional: 0, point: 1, spot: 2, rectangle: 3, disc: 4, tube: 5 } as const;
-/** Texels of a light in the table. */
+/** Texels that a light has in the table. */
 const TEXELS = 9;
 /** Cells of the grid along its longest side, at most. */
 const MOST_CELLS = 32;
@@ -13,7 +13,7 @@ export interface LightTable {
   readonly count: number;
   /** Whether shadows of any have soft edges, so that one sample is not enough. */
   readonly hasSoft: boolean;
-  /** Whether those of any have not. */
+  /** Whether any light casts hard shadows. */
   readonly hasHard: boolean;
   readonly lights: DataTexture;
   readonly cells: DataTexture;

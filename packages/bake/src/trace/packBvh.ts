@@ -60,7 +60,7 @@ export function packBvh(positions: Float32Array): PackedBvh {
   nodes.length = FLOATS;
   if (isLeaf(0)) {
     writeChild(0, 0, 0);
-    // a box that no ray meets
+    // fills up with a box that no ray meets
     nodes.splice(8, 8, 1, 1, 1, 0, -1, -1, -1, 1);
     return { nodes: Float32Array.from(nodes), order, depth: 1 };
   }

@@ -16,7 +16,7 @@ uvec3 farol_hash(uvec3 v) {
   return v;
 }
 
-// 0 to 1, without 1
+// three random numbers of a key, from 0 to below 1
 vec3 farol_random(const in uvec3 key) {
   return vec3(farol_hash(key) >> 8u) / 16777216.0;
 }
@@ -80,7 +80,7 @@ vec2 farol_disc(const in vec2 u) {
   return radius * round;
 }
 
-// by the cosine to the normal
+// random direction above a surface, distributed by the cosine to its normal
 vec3 farol_hemisphere(const in vec3 normal, const in vec2 u) {
   vec2 disc = farol_disc(u);
   return farol_basis(normal) * vec3(disc, sqrt(max(0.0, 1.0 - dot(disc, disc))));

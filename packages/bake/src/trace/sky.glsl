@@ -2,7 +2,7 @@
 // three.js, hemilight_fragment and equirectUv
 uniform vec3 farol_skyColour;
 uniform vec3 farol_skyUp[SKY_LIGHTS];
-uniform vec3 farol_skyAbove[SKY_LIGHTS]; // radiance
+uniform vec3 farol_skyAbove[SKY_LIGHTS]; // radiance from above, of each sky light
 uniform vec3 farol_skyBelow[SKY_LIGHTS];
 #ifdef SKY_TEXTURE
 uniform sampler2D farol_skyMap;

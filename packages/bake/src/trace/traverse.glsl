@@ -3,14 +3,14 @@
 uniform highp sampler2D farol_nodes;
 uniform highp sampler2D farol_triangles; // three a triangle: corner and range, edge and place in the list, edge
 uniform highp sampler2D farol_corners; // three a triangle: UV in the lightmap, UV of the map
-uniform highp sampler2D farol_ranges; // two a range, see rangesTable
+uniform highp sampler2D farol_ranges; // table of ranges of triangles, two texels each, see rangesTable
 uniform highp sampler2DArray farol_opacity;
 
 struct FarolHit {
-  float distance; // 1e30 for none
+  float distance; // distance of the hit (m); 1e30 for none
   int triangle;
   int range;
-  vec2 barycentric; // of the second and third corner
+  vec2 barycentric; // barycentric weights of the second and third corner
   bool isFront;
 };
 
@@ -28,7 +28,7 @@ float farol_boxDistance(const in vec4 least, const in vec4 greatest, const in ve
 // share of the rays that a surface keeps, where it is met
 float farol_opacityAt(const in int triangle, const in int range, const in vec2 barycentric) {
   vec4 surface = farol_table(farol_ranges, 2 * range);
-  if (surface.z == 0.0) return 1.0; // opaque
+  if (surface.z == 0.0) return 1.0; // an opaque material lets nothing through
   float opacity = surface.w;
   if (surface.y >= 0.0) {
     vec2 uv = (1.0 - barycentric.x - barycentric.y) * farol_table(farol_corners, 3 * triangle).zw;
@@ -36,7 +36,7 @@ float farol_opacityAt(const in int triangle, const in int range, const in vec2 b
     uv += barycentric.y * farol_table(farol_corners, 3 * triangle + 2).zw;
     opacity *= textureLod(farol_opacity, vec3(uv, surface.y), 0.0).r;
   }
-  if (surface.z > 0.0) return opacity < surface.z ? 0.0 : 1.0; // cut out
+  if (surface.z > 0.0) return opacity < surface.z ? 0.0 : 1.0; // alphaTest lets all or nothing through
   return clamp(opacity, 0.0, 1.0);
 }
 
@@ -47,7 +47,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
   FarolHit hit = FarolHit(1e30, -1, -1, vec2(0.0), true);
   through = 1.0;
   float nearest = most;
-  float before = -1.0; // distance of the last that was met
+  float before = -1.0; // distance of the last triangle that was met
   vec3 safe = vec3(
     abs(direction.x) > 1e-12 ? direction.x : 1e-12,
     abs(direction.y) > 1e-12 ? direction.y : 1e-12,
@@ -82,12 +82,12 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
         vec3 q = cross(t, edge1.xyz);
         float v = dot(direction, q) * factor;
         float distance = dot(edge2.xyz, q) * factor;
-        // false for what is not a number
+        // NaN gives false
         bool isMet = u >= -1e-6 && v >= -1e-6 && u + v <= 1.000001 && distance > 0.0 && distance < nearest;
         if (!isMet) continue;
         int range = int(corner.w);
         vec2 barycentric = vec2(u, v);
-        if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // throws no shadow
+        if (shadow && farol_table(farol_ranges, 2 * range + 1).y > 0.0) continue; // the range throws no shadow
         float opacity = farol_opacityAt(triangle, range, barycentric);
         if (shadow) {
           // along an edge two triangles are met, which are one surface
@@ -122,7 +122,7 @@ FarolHit farol_walk(const in vec3 origin, const in vec3 direction, const in floa
   return hit;
 }
 
-// the nearest hit
+// nearest hit of a ray with the scene
 FarolHit farol_trace(const in vec3 origin, const in vec3 direction, const in float most) {
   float through;
   return farol_walk(origin, direction, most, false, through);

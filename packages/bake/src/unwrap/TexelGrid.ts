@@ -37,7 +37,7 @@ export class TexelGrid {
         for (let i = 0; i < touched.length; i += 3) {
           const run = free[(row + touched[i]) * stride + column + touched[i + 1]];
           if (run >= touched[i + 2]) continue;
-          // skip to beyond the obstacle
+          // skips to beyond the obstacle
           column += run < 0 ? -run : run + 1;
           continue nextPlace;
         }

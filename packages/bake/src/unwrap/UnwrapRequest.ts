@@ -4,7 +4,7 @@ export interface SurfaceToUnwrap {
   readonly positions: Float32Array;
   /** Three a vertex, unit length; null: normals of the faces. */
   readonly normals: Float32Array | null;
-  /** Three a triangle. */
+  /** Vertex indices, three a triangle. */
   readonly index: Uint32Array;
 }
 
@@ -12,7 +12,7 @@ export interface SurfaceToUnwrap {
 export interface PackOptions {
   /** Width and height of a lightmap in texels. */
   readonly size: number;
-  /** Texels between charts. */
+  /** Distance between charts (texels). */
   readonly padding: number;
   /** Texels per metre; null: as many as fit into one lightmap. */
   readonly texelsPerMetre: number | null;

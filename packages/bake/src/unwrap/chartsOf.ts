@@ -5,7 +5,7 @@ export interface Chart {
   readonly vertices: Uint32Array;
   /** Triangles of the chart, three vertex indices each. */
   readonly triangles: Uint32Array;
-  /** Bounds of the chart's UVs (m). */
+  /** Left bound of the chart's UVs (m). */
   readonly left: number;
   readonly bottom: number;
   readonly width: number;

@@ -3,9 +3,9 @@ import type { SurfaceToUnwrap } from './UnwrapRequest';
 
 /** A surface laid out flat: charts side by side, in metres. */
 export interface Charts {
-  /** m². */
+  /** Area of all charts (m²). */
   readonly area: number;
-  /** Two a vertex (m). */
+  /** UVs of the vertices, two numbers each (m). */
   readonly uvs: Float32Array;
   /** Three a triangle, in the order of the surface's triangles. */
   readonly index: Uint32Array;
@@ -15,7 +15,7 @@ export interface Charts {
   readonly charts: Uint32Array;
 }
 
-/** Chart of triangles that are in none. */
+/** Chart index of triangles that are in no chart. */
 export const NO_CHART = 0xffffffff;
 
 /** Triangles of a chart from which on growing it takes xatlas more than its share of the time. */

@@ -8,9 +8,9 @@ export interface Footprint {
   /** Texels along its bounds, from the first to the last centre. */
   readonly width: number;
   readonly height: number;
-  /** Whether u and v have changed places. */
+  /** Whether the chart is turned: u and v are exchanged. */
   readonly isTurned: boolean;
-  /** Texels by u or v in metres. */
+  /** Scale of u, in texels per metre; likewise `scaleV`. */
   readonly scaleU: number;
   readonly scaleV: number;
   /** Texels that it touches, the longest run first. */

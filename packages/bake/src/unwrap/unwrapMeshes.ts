@@ -13,7 +13,7 @@ export interface Unwrapper {
   ): Promise<Unwrapped>;
 }
 
-/** Share of the time that cutting takes. */
+/** Share of the unwrapping time that cutting into charts takes. */
 const CUTTING = 0.7;
 
 /**

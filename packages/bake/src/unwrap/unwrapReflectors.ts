@@ -14,7 +14,7 @@ export interface Reflectors {
   readonly texelsPerMetre: readonly number[];
 }
 
-/** Each copy as a mesh. */
+/** Each instance of an instanced mesh, as a mesh of its own. */
 const copiesOf = (mesh: StaticMesh): StaticMesh[] =>
   mesh.placements.map((placement, i) => ({
     ...mesh,

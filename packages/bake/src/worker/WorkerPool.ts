@@ -86,7 +86,7 @@ export class WorkerPool {
 
 interface AskOptions {
   readonly weight?: number;
-  /** Buffers that become the worker's. */
+  /** Buffers that are transferred to the worker. */
   readonly transfer?: Transferable[];
   onProgress?(share: number): void;
 }

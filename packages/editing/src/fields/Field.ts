@@ -26,7 +26,7 @@ export type Gradient = readonly GradientKey[];
 export interface FieldCondition {
   readonly field: string;
   readonly equals: readonly unknown[];
-  /** Second condition that must hold as well. */
+  /** Second condition that must hold for the field to be visible. */
   readonly and?: FieldCondition;
 }
 
@@ -169,7 +169,7 @@ export interface AssetField extends FieldBase {
 export interface ObjectField extends FieldBase {
   readonly kind: 'object';
   readonly default: string | null;
-  /** Label of null; 'No object' when absent. */
+  /** Label for the value null; 'No object' when absent. */
   readonly noneLabel?: string;
 }
 

@@ -6,7 +6,7 @@ export interface FieldDescription {
   readonly kind: string;
   /** Help text of one line. */
   readonly help: string;
-  /** Shown in place of the field's name. */
+  /** Label shown in place of the field's name. */
   readonly label?: string;
   /** SI unit of a number or of each coordinate, such as 'm'. */
   readonly unit?: string;
@@ -16,7 +16,7 @@ export interface FieldDescription {
   readonly min?: number;
   /** Largest value allowed. */
   readonly max?: number;
-  /** Step of an arrow key. */
+  /** Amount by which an arrow key changes the value. */
   readonly step?: number;
   /** Whether only whole numbers are allowed. */
   readonly integer?: boolean;

@@ -75,7 +75,7 @@ export class NumberParser {
     let left = this.product();
     for (;;) {
       const sign = this.take('+', '-');
-      // 5ft 3in
+      // adjacent quantities are added, as in '5ft 3in'
       if (!sign && !(this.peek()?.kind === 'number' && !isPure(left.unit))) return left;
       left = this.add(left, this.product(), sign === '-' ? -1 : 1);
     }

@@ -97,7 +97,7 @@ const isGradient = (value: unknown): value is Gradient =>
   value.some(([, colour]) => colour !== null) &&
   value.some(([, , opacity]) => opacity !== null);
 
-/** Whether a file can hold a value. */
+/** Whether a value is one that fields can have, and files can hold. */
 export const isFieldValue = (value: unknown): value is FieldValue =>
   value === null ||
   typeof value === 'string' ||

@@ -32,7 +32,7 @@ export const number = (value: number, options: Options<NumberField> = {}): Numbe
   ...options,
 });
 
-/** An angle in radians. */
+/** Declares a field for an angle (radians). */
 export const angle = (radians: number, options: WithoutUnit<Options<AngleField>> = {}): AngleField => ({
   kind: 'angle',
   default: radians,
@@ -41,7 +41,7 @@ export const angle = (radians: number, options: WithoutUnit<Options<AngleField>>
   ...options,
 });
 
-/** True or false. */
+/** Declares a field for true or false. */
 export const boolean = (value: boolean, options: Options<BooleanField> = {}): BooleanField => ({
   kind: 'boolean',
   default: value,
@@ -49,7 +49,7 @@ export const boolean = (value: boolean, options: Options<BooleanField> = {}): Bo
   ...options,
 });
 
-/** Free text. */
+/** Declares a field for free text. */
 export const string = (value: string, options: Options<StringField> = {}): StringField => ({
   kind: 'string',
   default: value,
@@ -64,7 +64,7 @@ export const choice = <const Option extends string>(
   rest: Options<ChoiceField<Option>> = {},
 ): ChoiceField<Option> => ({ kind: 'choice', default: value, options, help: '', ...rest });
 
-/** Three coordinates. */
+/** Declares a field for three coordinates. */
 export const vector3 = (value: Vector3Tuple, options: Options<Vector3Field> = {}): Vector3Field => ({
   kind: 'vector3',
   default: value,
@@ -72,7 +72,7 @@ export const vector3 = (value: Vector3Tuple, options: Options<Vector3Field> = {}
   ...options,
 });
 
-/** Three angles in radians, order XYZ. */
+/** Declares a field for three Euler angles (radians, order XYZ). */
 export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerField>> = {}): EulerField => ({
   kind: 'euler',
   default: value,
@@ -81,7 +81,7 @@ export const euler = (value: Vector3Tuple, options: WithoutUnit<Options<EulerFie
   ...options,
 });
 
-/** A linear colour. */
+/** Declares a field for a linear RGB colour. */
 export const colour = (value: Vector3Tuple, options: Options<ColourField> = {}): ColourField => ({
   kind: 'colour',
   default: value,

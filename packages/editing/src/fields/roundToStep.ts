@@ -1,4 +1,4 @@
-/** Decimals kept beyond those of the step. */
+/** Number of decimals that are kept beyond those of the step. */
 const BEYOND = 9;
 
 /**

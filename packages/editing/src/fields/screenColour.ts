@@ -9,7 +9,7 @@ const HEX = /^#?([0-9a-f]{6}|[0-9a-f]{3})$/i;
 
 /** Linear colour split into a colour that a screen can show, and a factor of brightness. */
 export interface ScreenColour {
-  /** sRGB, '#rrggbb'. */
+  /** sRGB colour as '#rrggbb', to be multiplied by `intensity`. */
   readonly hex: string;
   /** Factor of the linear channels, 1 or more: above 1 one channel of `hex` is 'ff'. */
   readonly intensity: number;

@@ -5,7 +5,7 @@ import { isTriple, sameValue } from './sameValue';
 export interface SharedValue {
   /** The common value; null when the values differ. */
   readonly value: FieldValue;
-  /** Whether the values differ. */
+  /** Whether the owners have different values. */
   readonly mixed: boolean;
   /** For vectors that differ: the coordinates that all owners share, null for the others; absent for other values. */
   readonly parts?: readonly (number | null)[];

@@ -9,7 +9,7 @@ export interface CommandSelection<Item = string> {
  * was after the same call before. A call that throws has changed nothing.
  */
 export interface Command<Item = string> {
-  /** Name in menus, as in 'Undo move'. */
+  /** Name of the step in menus, as in 'Undo move'. */
   readonly label: string;
   /** Whether the command changes nothing; such a command is not kept in the history. */
   readonly isEmpty?: boolean;

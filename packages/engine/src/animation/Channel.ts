@@ -24,7 +24,7 @@ export interface Channel {
    * @throws FieldError when the field refuses the value; the channel is gone then
    */
   apply(): void;
-  /** Restores the target's original value. */
+  /** Restores the value that the animated field or node had before. */
   release(): void;
 }
 

@@ -15,13 +15,13 @@ const nothing: BoundClip = { duration: 0, events: [], bindings: [], problems: []
 /** Wrap, rate and start of a played clip. */
 export interface PlayerOptions {
   readonly wrap: ClipWrap;
-  /** Clip seconds per second. */
+  /** Playback rate: seconds of the clip per second of the scene. */
   readonly rate: number;
   /** Start position in the clip (s); counted from the clip's end when `rate` is negative. */
   readonly startTime: number;
 }
 
-/** Owner of a ClipPlayer. */
+/** Owner of a ClipPlayer, which tells the user of its problems. */
 export interface PlayerHost {
   readonly gameObject: GameObject;
   /** Reports why a clip cannot be played. */
@@ -95,7 +95,7 @@ export class ClipPlayer {
     return fadeFrom + (fadeTo - fadeFrom) * share;
   }
 
-  /** Begins a linear fade to another weight. */
+  /** Begins to fade the clip's weight linearly in (1) or out (0). */
   fade(to: 0 | 1, seconds: number, time: number, from = this.weight(time)): void {
     this.fadeFrom = from;
     this.fadeTo = to;
@@ -130,7 +130,7 @@ export class ClipPlayer {
     this.origin = time;
   }
 
-  /** Adds the clip's values to the channels. */
+  /** Adds the clip's weighted values to the animation channels. */
   evaluate(time: number): void {
     const weight = this.weight(time);
     if (this.isStale || this.hasChanged) this.bind();

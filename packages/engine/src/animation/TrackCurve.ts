@@ -19,9 +19,9 @@ export class TrackCurve {
   readonly count: number;
   /** Times of the keys (s). */
   readonly times: Float64Array;
-  /** `count` times `size` numbers. */
+  /** Values of the keys, one after another: `count` × `size` numbers. */
   readonly values: Float64Array;
-  /** Values of a field that steps. */
+  /** Values of the keys of a field that changes in steps. */
   readonly steps: readonly FieldValue[];
   private readonly easings: Uint8Array;
   private readonly controls: Float64Array | null;

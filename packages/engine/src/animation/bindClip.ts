@@ -17,7 +17,7 @@ export interface Binding {
   /** three's interpolant of a track of a model's clip; null for a clip asset. */
   readonly interpolant: Interpolant | null;
   readonly isQuaternion: boolean;
-  /** Index of the key found last. */
+  /** Index of the key that the last sampling found, where the next search begins. */
   index: number;
 }
 

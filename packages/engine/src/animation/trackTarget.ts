@@ -10,7 +10,7 @@ export function objectAtPath(root: GameObject, path: string): GameObject | null 
   for (const child of root.children) {
     if (child.name === '') continue;
     if (child.name === path) return child;
-    // a name may hold a slash itself
+    // object names may contain slashes, so the path is not split
     const found = path.startsWith(`${child.name}/`) ? objectAtPath(child, path.slice(child.name.length + 1)) : null;
     if (found) return found;
   }

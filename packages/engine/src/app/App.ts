@@ -22,7 +22,7 @@ export interface AppOptions {
   webgl?: WebGLRenderer;
   /** Key of the renderer's `techniques`; its default when absent. */
   technique?: TechniqueName;
-  /** An empty scene when absent. */
+  /** Scene to show; an empty one when absent. */
   scene?: Scene;
   /** Target of key listeners; the window when absent, null for no keys. */
   keys?: EventTarget | null;
@@ -44,7 +44,7 @@ export interface FrameInfo {
  */
 export class App {
   readonly canvas: HTMLCanvasElement;
-  /** three's renderer. */
+  /** three's renderer of the app's canvas. */
   readonly webgl: WebGLRenderer;
   /** Farol's renderer, which draws the scene. */
   readonly renderer: FarolRenderer;
@@ -106,7 +106,7 @@ export class App {
     this.watchMicroShaders();
   }
 
-  /** Whether the loop runs. */
+  /** Whether the frame loop runs. */
   get running(): boolean {
     return this.request !== 0;
   }
@@ -123,14 +123,14 @@ export class App {
     this.request = requestAnimationFrame(this.frame);
   }
 
-  /** Ends the loop; the last picture stays. */
+  /** Ends the frame loop; the last picture stays on the canvas. */
   stop(): void {
     cancelAnimationFrame(this.request);
     this.request = 0;
     this.currentScene.pause();
   }
 
-  /** Lets the simulation go on. */
+  /** Starts or resumes the simulation. */
   play(): void {
     this.isPlaying = true;
   }
@@ -197,7 +197,7 @@ export class App {
       this.render();
     };
     this.setSize(parent.clientWidth, parent.clientHeight);
-    // absent where there is no layout
+    // ResizeObserver is absent in environments without layout
     if (typeof ResizeObserver === 'undefined') return;
     this.sizes = new ResizeObserver(fit);
     this.sizes.observe(parent);

@@ -61,7 +61,7 @@ export class InputRouter {
     for (const event of [...this.held.values()]) this.keyUp(event);
   }
 
-  /** Stops listening. */
+  /** Removes the listeners from canvas and window. */
   dispose(): void {
     this.releaseKeys();
     this.abort.abort();

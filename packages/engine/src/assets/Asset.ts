@@ -24,7 +24,7 @@ export type Asset =
 
 /** A part of an asset that is decoded: a texture, the pictures of a model, a sound. */
 export interface DecodedPart {
-  /** Decoded size of the part (bytes). */
+  /** Decoded size of the model part (bytes). */
   readonly bytes: number;
   /** Texture, when the part is one; textures read from equal bytes share one image. */
   readonly texture?: Promise<Texture>;
@@ -74,7 +74,7 @@ export interface TakenAsset {
   readonly parts: readonly TakenAsset[];
 }
 
-/** Change of a library, for its listeners. */
+/** Change of an asset library, as its listeners get it. */
 export type AssetChange =
   | {
       readonly kind: 'registered' | 'loaded' | 'failed' | 'removed';
@@ -82,7 +82,7 @@ export type AssetChange =
       readonly type: AssetType;
       readonly error?: Error;
     }
-  /** A folder was added or removed. */
+  /** A folder of assets was added or removed. */
   | { readonly kind: 'folder'; readonly name: string; readonly error?: undefined }
   /** A field of a field asset changed; `before` is the old value. */
   | {
@@ -101,7 +101,7 @@ export interface MaterialUser {
   materialReplaced(): void;
 }
 
-/** The type of a three resource. */
+/** Asset type of one of three's objects. */
 export function assetTypeOf(asset: Asset): AssetType {
   if ('isModel' in asset) return 'model';
   if ('isFieldAsset' in asset) return asset.type;

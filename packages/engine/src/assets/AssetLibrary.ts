@@ -22,7 +22,7 @@ export class AssetLibrary extends DerivedAssets implements MaterialHost, Surface
   readonly layered = new LayeredMaterials(this);
   /** Scene time (s) that is passed to the shaders of surfaces. */
   readonly surfaceTime = { value: 0 };
-  /** Users of shared geometries and textures. */
+  /** Numbers of users of shared geometries and textures. */
   readonly uses = new UseCounter();
 
   private readonly materialUsers = new Map<string, Set<MaterialUser>>();

@@ -17,7 +17,7 @@ export abstract class FieldAsset extends FieldOwner {
   readonly isFieldAsset = true;
   abstract readonly type: FieldAssetType;
 
-  /** Name in the library. */
+  /** Name of the asset in its library. */
   name: string;
 
   protected constructor(name: string) {

@@ -62,7 +62,7 @@ export class LayeredMaterial {
     this.refresh();
   }
 
-  /** Sets the surface's values, for all users. */
+  /** Sets the values of the material's surface, for all users of the material. */
   change(values: LayerValues): void {
     this.values = values;
     this.refresh();

@@ -56,7 +56,7 @@ export abstract class LoadedAssets extends AssetTable {
   protected readonly loading = new Map<string, Promise<Asset>>();
   /** Names of assets refused for their address, so that each is reported once. */
   protected readonly refused = new Set<string>();
-  /** Addresses from `options.urls`, always allowed. */
+  /** Addresses given in `options.urls`, which are fetched without asking the user. */
   private readonly trusted: ReadonlySet<string>;
   private readonly readBytes: FetchBytes;
   private readonly renderer: WebGLRenderer | null;

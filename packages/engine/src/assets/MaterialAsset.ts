@@ -121,7 +121,7 @@ export class MaterialAsset extends FieldAsset {
   }
 
   private get worn(): SurfaceAsset | null {
-    // during construction there are no values yet
+    // called from the constructor, before the fields have values
     const name = this.host ? (this.getAuthored('surface') as string | null) : null;
     return name === null ? null : this.host!.surface(name);
   }

@@ -75,7 +75,7 @@ export class MaterialCache {
     material.dispose();
   }
 
-  /** Disposes every material, used or not. */
+  /** Disposes of every cached material, used or not. */
   dispose(): void {
     for (const { material } of this.entries.values()) material.dispose();
     this.entries.clear();

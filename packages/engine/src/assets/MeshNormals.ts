@@ -22,7 +22,7 @@ export class MeshNormals {
   private readonly made = new Map<BufferGeometry, Map<number, BufferGeometry>>();
   private readonly computing = new Map<BufferGeometry, Map<number, Computation>>();
 
-  /** Whether `get` returns without a long computation. */
+  /** Whether `get` can return the mesh with normals without a long computation. */
   isReady(geometry: BufferGeometry, creaseAngle: number): boolean {
     const isThere = geometry.hasAttribute('normal') || this.made.get(geometry)?.has(keyOf(creaseAngle));
     return isThere || !isLarge(geometry);
@@ -52,12 +52,12 @@ export class MeshNormals {
     return cancellable(computation.promise, signal, () => {});
   }
 
-  /** Whether no computation is under way. */
+  /** Whether no normals are being computed. */
   get isSettled(): boolean {
     return this.computing.size === 0;
   }
 
-  /** Resolves when the present computations are done. */
+  /** Resolves when the normals being computed now are done. */
   async settled(): Promise<void> {
     const all = [...this.computing.values()].flatMap((angles) => [...angles.values()]);
     await Promise.allSettled(all.map(({ promise }) => promise));

@@ -58,12 +58,12 @@ export class ModelClip {
     readonly model: Model,
   ) {}
 
-  /** Name in the file. */
+  /** Name of the animation in the model's file. */
   get name(): string {
     return this.three.name;
   }
 
-  /** Duration (s). */
+  /** Duration of the animation (s). */
   get duration(): number {
     return this.three.duration;
   }

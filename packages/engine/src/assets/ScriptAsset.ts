@@ -13,7 +13,7 @@ export class ScriptAsset extends DataAsset {
   static readonly fields = scriptFields;
   override readonly type = 'script';
 
-  /** Text of the module. */
+  /** JavaScript text of the module. */
   get source(): string {
     return this.get('source') as string;
   }

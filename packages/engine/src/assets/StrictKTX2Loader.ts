@@ -11,7 +11,7 @@ function withoutEval(): void {
   type Caller = (...values: unknown[]) => (...args: never[]) => unknown;
   type Any = (...args: unknown[]) => unknown;
 
-  /** C++ called by JavaScript: `craftInvokerFunction` of embind. */
+  /** Makes a JavaScript function that calls C++, without `new Function`: embind's `craftInvokerFunction`. */
   const intoC = (names: readonly string[], body: string): Caller => {
     const count = names.filter((name) => /^argType\d+$/.test(name)).length;
     const hasStack = body.includes('var destructors = []');
@@ -42,7 +42,7 @@ function withoutEval(): void {
     };
   };
 
-  /** JavaScript called by C++: `__emval_get_method_caller` of embind. */
+  /** Makes a caller of JavaScript methods for C++, without `new Function`: embind's `__emval_get_method_caller`. */
   const outOfC = (names: readonly string[], body: string): Caller => {
     const reads = [...body.matchAll(/argType(\d+)\.readValueFromPointer\(args(?:\+(\d+))?\)/g)];
     const places = reads.map(([, type, offset]) => ({ name: `argType${type}`, offset: Number(offset ?? 0) }));

@@ -21,7 +21,7 @@ export class UseCounter {
     return this.counts.get(resource) ?? 0;
   }
 
-  /** Number of resources with users. */
+  /** Number of resources that have users. */
   get size(): number {
     return this.counts.size;
   }

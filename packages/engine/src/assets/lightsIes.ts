@@ -52,7 +52,7 @@ export class LightsIes implements GLTFLoaderPlugin {
       if (text === null) lists.fail(`${who} is in another file, ${shortText(light.uri, 80)}`);
     } else {
       const view = lists.index(light.bufferView, 'bufferViews', who);
-      // names of makers are often Latin-1
+      // decoded as Latin-1, in which makers' names often are
       text = new TextDecoder('latin1').decode((await this.parser.getDependency('bufferView', view)) as ArrayBuffer);
     }
     let profile: PhotometricProfile;

@@ -13,7 +13,7 @@ export interface FetchOptions {
   readonly staysHere?: boolean;
 }
 
-/** Reads the bytes of an address. */
+/** Fetches the bytes of an address. */
 export type FetchBytes = (url: string, options?: FetchOptions) => Promise<ArrayBuffer>;
 
 /** Types of assets that are read from files. */
@@ -66,7 +66,7 @@ export interface ReadOptions {
   readonly renderer?: WebGLRenderer | null;
   /** Memory of the asset, and of all assets of its library, for the limit on their sum. */
   readonly memory?: { readonly own: AssetMemory; all(): readonly AssetMemory[] };
-  /** Cancels the reading. */
+  /** Cancels the fetching when aborted. */
   readonly signal?: AbortSignal;
 }
 

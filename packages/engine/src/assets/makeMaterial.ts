@@ -26,7 +26,7 @@ const constructors = {
 
 type LitMaterial = MeshStandardMaterial | MeshPhongMaterial | MeshLambertMaterial;
 
-/** An empty material of a kind. */
+/** Makes a material of three's class for the kind, with default values. */
 export const makeMaterial = (kind: MaterialValues['kind']): Material => new constructors[kind]();
 
 /** Values that matter for the kind of material, in the order of declaration, then the blending. */

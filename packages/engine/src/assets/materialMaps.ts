@@ -3,9 +3,9 @@ import type { materialKinds } from './materialFields';
 
 type Kind = (typeof materialKinds)[number];
 
-/** Texture slot of three's materials. */
+/** A texture property of three's materials, such as `normalMap`. */
 export interface MaterialMap {
-  /** Name of the property of three's material. */
+  /** Name of the texture property of three's material. */
   readonly property: string;
   readonly label: string;
   readonly help: string;

@@ -3,9 +3,9 @@ import type { Object3D } from 'three';
 export interface ModelSubtree {
   /** The node itself where there is one, else the nearest node above all of them. */
   readonly root: Object3D;
-  /** The nodes; none is below another one. */
+  /** Chosen nodes of a model; none is below another one. */
   readonly nodes: readonly Object3D[];
-  /** `nodes` as a set. */
+  /** Set of the chosen nodes. */
   readonly tops: ReadonlySet<Object3D>;
   /** Nodes on the paths from the root to `nodes`, each with those of its children that are on a path. */
   readonly between: ReadonlyMap<Object3D, readonly Object3D[]>;

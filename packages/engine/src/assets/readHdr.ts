@@ -5,7 +5,7 @@ import { checkPixels } from '../guard/pictures/imageSize';
 /** Narrowest row (pixels) that may be run-length encoded by channel. */
 const LEAST_WIDTH = 8;
 const MOST_WIDTH = 0x7fff;
-/** Largest half float. */
+/** Largest half float, to which brighter pixels are limited. */
 const MOST = 65_504;
 
 interface HdrHeader {

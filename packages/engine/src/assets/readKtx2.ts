@@ -17,7 +17,7 @@ export async function readKtx2(bytes: ArrayBuffer, { renderer, signal }: ReadOpt
   try {
     signal?.throwIfAborted();
     const texture = await new Promise<Texture>((resolve, reject) => {
-      // the worker takes the bytes away
+      // parse() transfers its bytes to a worker, so it gets a copy
       loader.parse(bytes.slice(0), resolve, reject);
     });
     texture.wrapS = texture.wrapT = RepeatWrapping;

@@ -15,7 +15,7 @@ export interface HeardSource extends Component {
   readonly isPlaying: boolean;
   /** Playback position in the sound (s); grows beyond the sound's length when looping. */
   readonly position: number;
-  /** How often it began. */
+  /** Number of times that the sound was started or resumed. */
   readonly beginning: number;
   /** Grows when a field gets another value. */
   readonly revision: number;

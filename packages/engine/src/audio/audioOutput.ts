@@ -49,6 +49,6 @@ class AudioOutput {
   }
 }
 
-/** See the class. */
+/** Audio output shared by all scenes of the page. */
 export const audioOutput = new AudioOutput();
 export type { AudioOutput };

@@ -3,7 +3,7 @@ import type { Scene } from '../core/Scene';
 import { skyFields } from '../settings/pictureFields';
 import { type BakeSources, bakeSources } from './bakeSources';
 
-/** Fields that change nothing of baked light. */
+/** Names of fields that have no effect on baked light, by component type. */
 const without: Readonly<Record<string, readonly string[]>> = {
   ObjectRenderer: ['receiveShadow'],
   ModelRenderer: ['receiveShadow', 'animation', 'animationSpeed'],

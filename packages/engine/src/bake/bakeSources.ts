@@ -11,7 +11,7 @@ import { takesLightmap } from '../core/baked/lightmappedMaterial';
 export interface BakeSources {
   /** Meshes that get a lightmap. */
   readonly meshes: readonly BakeMesh[];
-  /** GameObjects that draw them. */
+  /** GameObjects that draw `meshes`. */
   readonly objects: readonly GameObject[];
   /** Static objects that are drawn, but not as meshes of their own: probes light them. */
   readonly instanced: readonly GameObject[];

@@ -12,7 +12,7 @@ export interface PlayOptions {
   /** Duration of the cross-fade to the new clip (s). */
   readonly fade?: number;
   readonly wrap?: ClipWrap;
-  /** Factor of the speed; negative runs backwards. */
+  /** Factor on the clip's speed; below 0 it runs backwards. */
   readonly speed?: number;
   /** Time within the clip at which to begin (s). */
   readonly time?: number;

@@ -60,9 +60,9 @@ export class AudioSource extends component({
   private state: 'stopped' | 'playing' | 'paused' = 'stopped';
   /** Scene time (s) at which the sound would have begun, had it always had its present rate. */
   private beganAt = 0;
-  /** Playback position at the pause (s). */
+  /** Position in the sound at which it was paused (s). */
   private pausedAt = 0;
-  /** Playback rate for which `beganAt` holds. */
+  /** Playback rate since `beganAt`. */
   private rate = 1;
   private beginnings = 0;
   private changes = 0;
@@ -103,7 +103,7 @@ export class AudioSource extends component({
     this.state = 'stopped';
   }
 
-  /** Pauses the sound; the next `play` resumes. */
+  /** Pauses the sound; the next `play` resumes it. */
   pause(): void {
     if (this.state !== 'playing') return;
     this.pausedAt = this.position;

@@ -39,7 +39,7 @@ function standardPad(): Gamepad | null {
     const pads = globalThis.navigator?.getGamepads?.();
     return pads?.find((each) => each?.connected && each.mapping === 'standard') ?? null;
   } catch {
-    // an iframe without permission for gamepads
+    // getGamepads() throws in an iframe without permission for gamepads
     return null;
   }
 }
@@ -74,7 +74,7 @@ export class CharacterController extends physicsComponent(characterFields) {
   private pitch = 0;
   private wasPadJump = false;
 
-  /** Whether the character stands on ground. */
+  /** Whether the character stands on the ground. */
   get isGrounded(): boolean {
     return this.control.isGrounded;
   }
@@ -93,7 +93,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.asked = asked.lengthSq() > 0 ? asked : null;
   }
 
-  /** Jumps, if grounded. */
+  /** Makes the character jump, if it stands on the ground. */
   jump(): void {
     this.control.wantsJump = true;
   }
@@ -182,7 +182,7 @@ export class CharacterController extends physicsComponent(characterFields) {
     this.readPad(deltaSeconds);
     wish.clampLength(0, 1);
     if (wish.lengthSq() === 0) return;
-    // along the ground, whatever the pitch
+    // moves along the ground, whatever the camera's pitch
     this.gameObject.object3D.getWorldQuaternion(worldTurn);
     front.set(0, 0, -1).applyQuaternion(worldTurn);
     wish.applyAxisAngle(UP, Math.atan2(-front.x, -front.z));

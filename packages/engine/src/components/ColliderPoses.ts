@@ -2,7 +2,7 @@ import { type Matrix4, type Object3D, Vector3 } from 'three';
 
 /** Pose of a collider that particles bounce off, in world space. */
 export interface ColliderPose {
-  /** World position (m). */
+  /** World position of the collider (m). */
   readonly position: readonly [number, number, number];
   /** World direction of the collider's +Y, unit length. */
   readonly up: readonly [number, number, number];

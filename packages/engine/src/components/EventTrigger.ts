@@ -167,7 +167,7 @@ export class EventTrigger extends component({
     const from = (this.countsFrom ??= time - deltaSeconds);
     const { interval } = this;
     const most = this.repeats || Infinity;
-    // a call may switch the trigger off
+    // a called method may switch the trigger off
     while (this.isActive && this.calls < most) {
       if (time < from + (this.calls + 1) * interval - CLOSE) return;
       this.calls++;
@@ -233,7 +233,7 @@ export class EventTrigger extends component({
     this.met('triggerExit', event);
   }
 
-  /** Calls the method now. @internal */
+  /** Calls the trigger's method on its target. @internal */
   call(event: unknown): void {
     const { scene } = this;
     if (!scene) return;

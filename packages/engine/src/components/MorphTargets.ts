@@ -67,7 +67,7 @@ export class MorphTargets {
     parts: string,
     copies: ReadonlyMap<Object3D, Object3D>,
   ) {
-    /** Weights in the model, by name. */
+    /** Weights of the morph targets as the model's file has them, by name. */
     const defaults = new Map<string, number>();
     for (const [from, to] of copies) {
       if (!(from instanceof Mesh && to instanceof Mesh)) continue;
@@ -86,7 +86,7 @@ export class MorphTargets {
     this.fields = known.get(parts)!;
   }
 
-  /** Writes all weights to the meshes. */
+  /** Writes the weights of all morph targets to the meshes. */
   show(): void {
     for (const name of this.uses.keys()) this.showOne(name);
   }

@@ -26,7 +26,7 @@ export class ObjectRenderer extends component({
   }),
   shader: asset('shader', null, {
     help: "A shader of the library, in place of three's materials.",
-    // scripts and imported models alone bring shaders
+    // shaders come only from scripts and imported models, not from the inspector
     deprecated: true,
   }),
   material: asset('material', null, {

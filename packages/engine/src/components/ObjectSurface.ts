@@ -102,7 +102,7 @@ export class ObjectSurface implements LayerUser {
     return true;
   }
 
-  /** Returns to shared materials after simulation. */
+  /** Returns from materials of its own to shared ones, when the simulation has ended. */
   simulationEnded(): void {
     if (this.isOwn) this.simulationChanged();
   }

@@ -55,7 +55,7 @@ export class ParticleEmitter extends component(particleFields) {
     return this.parts.colliders;
   }
 
-  /** Restarts the emission from the seed. */
+  /** Removes all particles and restarts the emission from the seed. */
   restart(): void {
     this.beganAt = this.scene?.time ?? 0;
     this.emitter?.restart();

@@ -12,7 +12,7 @@ export class TouchStick {
   private startX = 0;
   private startY = 0;
 
-  /** Whether this finger holds the stick. */
+  /** Whether an event is of the finger that holds the stick. */
   isHeldBy({ pointerId, pointerType }: EnginePointerEvent): boolean {
     return pointerType === 'touch' && pointerId === this.pointer;
   }

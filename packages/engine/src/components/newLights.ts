@@ -16,7 +16,7 @@ const lights: Readonly<Record<string, Pick<NewObject, 'rotation' | 'values'>>> =
   tube: { values: { intensity: 60, width: 1.2, height: 0.04 } },
 };
 
-/** The lights of the Add menu. */
+/** Entries for lights in the Add menu. */
 export const newLights: readonly NewObject[] = Object.entries(lights).map(([type, { values, rotation }]) => ({
   label: `${type.charAt(0).toUpperCase()}${type.slice(1)} light`,
   group: 'light',

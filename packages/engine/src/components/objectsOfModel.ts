@@ -31,7 +31,7 @@ import { ObjectRenderer } from './ObjectRenderer';
 
 type Values = Readonly<Record<string, FieldValue>>;
 
-/** A model as GameObjects. */
+/** Result of unpacking a model into GameObjects. */
 export interface ObjectsOfModel {
   /** Objects for the model's top nodes, not yet in any scene. */
   readonly objects: readonly GameObject[];

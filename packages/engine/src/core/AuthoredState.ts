@@ -58,7 +58,7 @@ export class AuthoredState {
   private readonly assets: ReadonlySet<string>;
   /** Values of fields before they were first set, by owner and field name. */
   private readonly fields = new Map<FieldOwner, Map<string, FieldValue>>();
-  /** Whether more than fields has changed. */
+  /** Whether a change other than of field values was made. */
   private isTouched = false;
   private isRestoring = false;
 

@@ -110,7 +110,7 @@ export abstract class Component extends FieldOwner {
     return this.attachedObject !== null;
   }
 
-  /** The scene of the GameObject, or null. */
+  /** The scene that the GameObject is in; null outside of scenes. */
   get scene(): Scene | null {
     return this.attachedObject?.scene ?? null;
   }

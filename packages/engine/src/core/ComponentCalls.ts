@@ -78,7 +78,7 @@ export class ComponentCalls {
     }
   }
 
-  /** Ends every component that was started. */
+  /** Calls `onDestroy` of every component that was started. */
   destroyAll(): void {
     for (const component of [...this.index.started.array]) this.destroy(component);
   }

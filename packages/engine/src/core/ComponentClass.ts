@@ -6,16 +6,16 @@ import type { RequiredEffect } from './RequiredEffect';
 /** A class of components as the registry, the menus and the file format see it. */
 export interface ComponentClass<T extends Component = Component> {
   new (): T;
-  /** Name in files and menus. */
+  /** Name of the component type in files and menus. */
   readonly typeName: string;
   readonly fields: FieldTable;
   /**
    * Version of its form in files; raise it, and write `migrate`, whenever a field changes its name, meaning or default.
    */
   readonly version: number;
-  /** At most one on a GameObject. */
+  /** Whether a GameObject can have at most one component of the type. */
   readonly unique: boolean;
-  /** Description in the Add menu, one line. */
+  /** One-line description of the component in the Add menu. */
   readonly help: string;
   /** Name of its icon in editors, which show a plain one for names that they do not know. */
   readonly icon: string;

@@ -6,7 +6,7 @@ export interface FileComponent {
   /** Version of the component's class that wrote it. */
   version: number;
   id: string;
-  /** True when absent. */
+  /** Whether the component is enabled; true when absent. */
   enabled?: boolean;
   values: Record<string, FieldValue>;
 }
@@ -17,7 +17,7 @@ export interface FileObject {
   name: string;
   /** Id of the object above, or null at the top. */
   parent: string | null;
-  /** True when absent. */
+  /** Whether the GameObject is active; true when absent. */
   active?: boolean;
   /** Whether editors exclude the object from picking; false when absent. */
   locked?: boolean;

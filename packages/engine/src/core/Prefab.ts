@@ -5,7 +5,7 @@ export type { PrefabLink } from './FileObject';
 
 /** A tree of objects to be placed any number of times. It is data: nothing of it is drawn. Never changed in place. */
 export interface Prefab {
-  /** Also the id of its root object. */
+  /** Id of the prefab, and of its root object. */
   readonly id: string;
   readonly name: string;
   /**

@@ -43,7 +43,7 @@ export class PrefabTable {
     const seen = new Set(ids);
     for (const id of seen) {
       if (id === inner) return true;
-      // a Set's iteration includes entries added meanwhile
+      // iterating over a Set includes entries that are added meanwhile
       for (const { prefab } of this.get(id)?.objects ?? []) if (prefab) seen.add(prefab.prefab);
     }
     return false;

@@ -62,7 +62,7 @@ export class Scene implements GameObjectContainer {
   private readonly systems = new SceneSystems(this);
   private readonly calls = new ComponentCalls(this, this.index);
   private readonly pointer = new ScenePointer(this, this.index);
-  /** Components that show simulated values. */
+  /** Components that show simulated values, to be reset when the simulation ends. */
   private readonly simulatedOnes = new Set<Component>();
   private wasSimulated = false;
   private authored: AuthoredState | null = null;

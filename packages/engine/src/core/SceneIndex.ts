@@ -27,17 +27,17 @@ export class SceneIndex {
   readonly effects = new IndexedList<RequiredEffect>();
   /** Components that override `update`. */
   readonly updated = new IndexedList<Component>();
-  /** Components with `lateUpdate`. */
+  /** Components that override `lateUpdate`. */
   readonly late = new IndexedList<Component>();
   /** Components with `start` or `onDestroy` that were not started yet. */
   readonly waiting = new IndexedList<Component>();
   /** Components that were started. */
   readonly started = new IndexedList<Component>();
-  /** Components with a pointer method. */
+  /** Components that override a method for pointer events. */
   readonly pointed = new IndexedList<Component>();
   /** Components with a method for pointer events on their object. */
   readonly pointable = new IndexedList<Component>();
-  /** Components with a key method. */
+  /** Components that override a method for key events. */
   readonly keyed = new IndexedList<Component>();
 
   /** Components that are not called since they threw. */
@@ -76,7 +76,7 @@ export class SceneIndex {
     this.removeFromCalls(component);
   }
 
-  /** Ends `switchOff` for all components. */
+  /** Calls all components again that `switchOff` stopped. */
   switchOn(): void {
     for (const component of this.switchedOff) this.addToCalls(component);
     this.switchedOff.clear();

@@ -29,9 +29,9 @@ interface Pointer {
   pressY: number;
   /** Last move event, handled in the next frame; null for none. */
   moved: EnginePointerEvent | null;
-  /** Last event of any type. */
+  /** Last event of the pointer, of any type. */
   last: EnginePointerEvent;
-  /** Frames since the last pick. */
+  /** Frames since the object under the pointer was last looked up. */
   rested: number;
 }
 

@@ -33,7 +33,7 @@ export interface EngineKeyEvent {
   readonly type: 'down' | 'up';
   /** Physical key, such as 'KeyW' or 'ArrowUp' (KeyboardEvent.code). */
   readonly code: string;
-  /** Character of the key, such as 'w'. */
+  /** Character that the key types, such as 'w'. */
   readonly key: string;
   readonly repeat: boolean;
   readonly shiftKey: boolean;

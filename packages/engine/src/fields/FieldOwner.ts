@@ -10,7 +10,7 @@ import {
 } from '@farol/editing/fields';
 import { savedFields } from './savedFields';
 
-/** Knows the names of assets. */
+/** Checks names of assets. */
 export interface AssetNames {
   /** Null when `name` is an asset of this type, else the problem with its remedy. */
   problemWith(type: AssetType, name: string): string | null;
@@ -32,10 +32,10 @@ export function own(value: FieldValue): FieldValue {
 
 /** Fields that an owner has for a time besides its declared ones, each a part of a declared one: see `Field.viewOf`. */
 export interface FieldViews {
-  /** The declared fields, and these. */
+  /** The declared fields, and the views of parts of them. */
   readonly fields: FieldTable;
   has(name: string): boolean;
-  /** The authored value. */
+  /** Authored (not simulated) value of a field. */
   get(name: string): FieldValue;
   /** Sets the field that it is a part of. @param value - checked already */
   set(name: string, value: FieldValue): void;

@@ -19,12 +19,12 @@ export const FILE_VERSION = 3;
  * fields (a material, script or clip): one of the three.
  */
 export interface FileAsset {
-  /** Name with folder: 'Props/robot.glb'. */
+  /** Name of the asset with its folder: 'Props/robot.glb'. */
   name: string;
   type: AssetType;
-  /** An address; `data:` holds the bytes themselves. */
+  /** Address of the asset's file; a `data:` address contains the bytes. */
   url?: string;
-  /** Path in the container: 'assets/robot.glb'. */
+  /** Path of the asset in the `.farol` container: 'assets/robot.glb'. */
   file?: string;
   /** Fields of a material, script or clip that differ from their defaults: see `fieldAssetFields`. */
   values?: Record<string, FieldValue>;

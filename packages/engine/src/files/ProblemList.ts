@@ -67,7 +67,7 @@ export class ProblemList {
   }
 }
 
-/** Path of a member. */
+/** Path of a member of the value at a path. */
 export const join = (path: PathLike, key: string | number): FilePath => new FilePath(path, key);
 
 /**

@@ -8,7 +8,7 @@ import type { JsonRecord } from './ProblemList';
 export const fileMigrations: Readonly<Record<number, (file: JsonRecord) => JsonRecord>> = {
   // version 2 adds prefabs and embedded assets; the rest is unchanged
   1: (file) => file,
-  // scripts, clips and sounds are new
+  // version 3 adds scripts, clips and sounds; the rest is unchanged
   2: (file) => file,
 };
 

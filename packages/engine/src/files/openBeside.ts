@@ -13,7 +13,7 @@ export const handoverMessages = {
   wanted: 'farol-scene-wanted',
   /** The scene: with `name` and `bytes`, an ArrayBuffer. */
   scene: 'farol-scene',
-  /** There is none: with `problem`, a sentence. */
+  /** No scene can be sent; `problem` is a sentence that tells why. */
   failed: 'farol-scene-failed',
 } as const;
 
@@ -76,14 +76,14 @@ async function addressOf(app: string, label: string, page: string): Promise<URL>
     const answer = await fetch(list);
     if (answer.ok) addresses = (await answer.json()) as Record<string, unknown>;
   } catch {
-    // as if there was none
+    // a list of addresses that cannot be read counts as none
   }
   const text = addresses?.[app];
   let address: URL | null = null;
   try {
     if (typeof text === 'string') address = new URL(text, list);
   } catch {
-    // no address
+    // the listed text is no valid address
   }
   if (!address || !/^https?:$/.test(address.protocol)) {
     throw new Error(`Nobody says where ${label} is: write its address into ${shortText(list.href, 120)}.`);

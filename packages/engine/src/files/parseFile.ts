@@ -21,7 +21,7 @@ import { readObjects } from './readObjects';
 import { checkLinks, checkSizes, readPrefabs } from './readPrefabs';
 
 export interface ParseOptions {
-  /** Known components; the built-in ones when absent. */
+  /** Component types to read; the built-in ones when absent. */
   registry?: ComponentRegistry;
   /** When given, every asset that the file names must be in it, or among the file's own. */
   assets?: AssetLibrary;

@@ -24,7 +24,7 @@ function* cornersOf({ index, attributes }: BufferGeometry): Steps<Uint32Array> {
 interface Faces {
   /** Unit normals of the triangles, 0 for one without area. */
   readonly normals: Float64Array;
-  /** Angle of each corner (radians). */
+  /** Angle of each triangle corner (radians). */
   readonly angles: Float64Array;
 }
 

@@ -4,7 +4,7 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { FileError } from '../guard/FileError';
 import { unpack } from '../guard/unpack';
 
-/** Bytes in which a header ends. */
+/** Greatest size of a PLY header (bytes). */
 const HEADER = 65_536;
 
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
@@ -22,7 +22,7 @@ function checkHeader(data: ArrayBuffer): void {
   }
   let left = data.byteLength;
   for (const { name, count, properties } of elements) {
-    // each property takes a byte at least
+    // each property takes at least one byte of the file
     left -= /^\d+$/.test(count) ? Number(count) * Math.max(1, properties) : Infinity;
     if (left >= 0) continue;
     throw new Error(`the PLY file cannot hold ${shortText(count)} of the element ${shortText(name)}: it is cut short`);

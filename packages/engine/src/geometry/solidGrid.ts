@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 /** Positions of a grid's planes along x, y and z (m); in any order, repeats allowed. */
 export type GridPlanes = readonly [x: readonly number[], y: readonly number[], z: readonly number[]];
 
-/** Planes nearer than this are one (m). */
+/** Planes at most this far apart count as one (m). */
 const SAME = 1e-6;
 
 function sorted(planes: readonly number[]): number[] {

@@ -28,7 +28,7 @@ async function reachOf(positions: Attribute, slices: Slices): Promise<number> {
     if (i % STEP === 0 && slices.areOver) await slices.next();
     for (let component = 0; component < components; component++) {
       const value = Math.abs(positions.getComponent(i, component));
-      // a comparison with NaN is false
+      // written so that NaN is taken too: comparisons with it are false
       if (!(value <= reach)) reach = value;
       if (Number.isNaN(reach)) return NaN;
     }

@@ -2,9 +2,9 @@ import { maximumDepth } from '../base/maximumDepth';
 
 /** How much a scene may hold. Files beyond a limit are refused, and so is an edit that would make such a file. */
 export const fileLimits = {
-  /** Objects from the top to the deepest. */
+  /** Greatest depth of the tree of objects. */
   depth: maximumDepth,
-  /** Prefabs within prefabs. */
+  /** Greatest depth of prefabs within prefabs. */
   prefabDepth: 64,
   /** Objects, once each instance of a prefab holds all that its prefab does. */
   objects: 1_000_000,

@@ -9,13 +9,13 @@ export const unpackLimits = {
   ratio: 20,
   /** Unpacked bytes beyond which data are refused. */
   most: 2 ** 30,
-  /** Files in a ZIP. */
+  /** Greatest number of files in a ZIP. */
   entries: 10_000,
 } as const;
 
 /** Question to the user before packed data become large. */
 export interface UnpackQuestion {
-  /** Bytes as they came. */
+  /** Size of the packed data (bytes). */
   readonly packed: number;
   /** Bytes that they become, or, of a stream, have become until now. */
   readonly unpacked: number;

@@ -3,7 +3,7 @@ import type { Quaternion, Vector3 } from 'three';
 /** Control of a body in the running simulation; world space, SI units. */
 export interface BodyControl {
   readonly isSleeping: boolean;
-  /** Mass (kg). */
+  /** Mass of the body (kg). */
   readonly mass: number;
   velocity(target: Vector3): Vector3;
   setVelocity(velocity: Vector3): void;

@@ -101,7 +101,7 @@ export class CharacterMotion {
     controller.computedMovement(moved);
     control.isGrounded = controller.computedGrounded();
     this.stepsInAir = control.isGrounded ? 0 : this.stepsInAir + 1;
-    // the head hit something
+    // upward motion was blocked: the head hit something
     if (velocity.y > 0 && moved.y < wanted.y / 2) velocity.y = 0;
     this.readHits(step);
     body.advance(moved);

@@ -10,7 +10,7 @@ interface Touch {
   readonly started: boolean;
   readonly isSensor: boolean;
   readonly point: Vector3 | null;
-  /** Contact normal, from b to a. */
+  /** Contact normal, from collider b to collider a. */
   readonly normal: Vector3 | null;
   readonly impulse: number;
 }

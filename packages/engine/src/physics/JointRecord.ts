@@ -12,7 +12,7 @@ import { type Body, placeOf } from './Body';
 import type { Rapier } from './loadRapier';
 import type { JointPart } from './PhysicsParts';
 
-/** A joint of Rapier's world. */
+/** A joint in Rapier's world, with the component that it is of. */
 export interface JointRecord {
   readonly component: JointPart;
   readonly body: Body;

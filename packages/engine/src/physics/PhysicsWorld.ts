@@ -14,7 +14,7 @@ import { findParts, isCharacter, type SceneParts } from './findParts';
 import { type JointRecord, makeJoint } from './JointRecord';
 import type { CharacterPart, ColliderPart, JointPart, RigidBodyPart } from './PhysicsParts';
 
-/** Length of a step (s). */
+/** Duration of a physics step (s). */
 export const STEP = 1 / 60;
 /** Greatest number of steps per frame, as in an App's longest frame; further time is dropped. */
 const MOST_STEPS = 6;
@@ -33,7 +33,7 @@ interface Changes {
  * order of its tree.
  */
 export class PhysicsWorld {
-  /** Steps taken since the world was made. */
+  /** Number of physics steps since the world was made. */
   steps = 0;
   readonly times = { rapier: 0, all: 0 };
 

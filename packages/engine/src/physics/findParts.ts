@@ -11,7 +11,7 @@ export interface SceneParts {
   readonly colliders: Map<ColliderPart, GameObject>;
   /** Joints, each with the object of its body; null without one. */
   readonly joints: Map<JointPart, GameObject | null>;
-  /** RigidBodies of objects that have a CharacterController. */
+  /** RigidBodies that are ignored, since their objects have a CharacterController. */
   readonly doubled: RigidBodyPart[];
 }
 

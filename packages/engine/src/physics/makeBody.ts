@@ -72,7 +72,7 @@ export function weigh({ component, type, rapier, colliders }: Body): void {
   if (!component || isCharacter(component) || type !== 'dynamic') return;
   let weight = 0;
   for (const record of colliders) weight += record.weight;
-  // one without a shape falls too
+  // a body without a shape falls too, and needs a mass
   const isBare = weight === 0;
   rapier.setAdditionalMass(isBare ? component.mass : 0, true);
   for (const record of colliders) {

@@ -6,7 +6,7 @@ import type { Scene } from '../core/Scene';
 
 export interface MeshPart {
   readonly geometry: BufferGeometry;
-  /** Matrix from the mesh to the object. */
+  /** Matrix from the mesh's local space to the GameObject's. */
   readonly matrix: Matrix4;
 }
 

@@ -2,7 +2,7 @@ import type { Scene } from '../core/Scene';
 
 /** Knows of the last frame of a PictureRenderer whether another one is to be drawn. */
 export class LastPicture {
-  /** Drawn in it; null before the first. */
+  /** Scene of the last picture; null before the first. */
   scene: Scene | null = null;
   /** Whether a frame was asked for that is not begun. */
   isStale = false;
@@ -13,7 +13,7 @@ export class LastPicture {
   /** @param askHost - has the host draw a frame */
   constructor(private readonly askHost: () => void) {}
 
-  /** Asks for a frame. */
+  /** Asks for another frame. */
   readonly redraw = (): void => {
     this.isStale = true;
     this.askHost();

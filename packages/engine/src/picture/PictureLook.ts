@@ -7,12 +7,12 @@ import { toneMappings } from '../settings/toneMappings';
 /** Tone mapping and effects of a frame, from scene settings or the camera's own. One object is reused. */
 export class PictureLook {
   toneMapping: ToneMapping = toneMappings.none;
-  /** Factor of all light. */
+  /** Factor on the linear colours of the picture. */
   exposure = 1;
   depthOfField = false;
-  /** Metres. */
+  /** Distance that is in focus (m). */
   focusDistance = 0;
-  /** Metres. */
+  /** Distance from the focus at which blur is full (m). */
   focusRange = 0;
   focusBlur = 0;
 

@@ -235,7 +235,7 @@ export class PictureRenderer {
     const { look } = this;
     const { bloom, grading, vignette } = settings;
     const has = this.showsEffects && (bloom || grading || vignette || look.depthOfField);
-    // three tone maps to the canvas alone
+    // three applies tone mapping only when it draws to the canvas
     const isApart = this.farol.webgl.getRenderTarget() !== null && look.toneMapping !== NoToneMapping;
     if (!has && !isApart) return null;
     const code = this.ask();

@@ -5,7 +5,7 @@ import type { Scene } from '../core/Scene';
 /** The effects that scenes have brought into one renderer. */
 interface OwnEffects {
   readonly required: RequiredEffect[];
-  /** The effect made for each of `required`. */
+  /** The renderer's effect for each entry of `required`. */
   readonly made: FarolEffect[];
   /** Effects whose late code is being fetched. */
   readonly loading: Set<RequiredEffect>;

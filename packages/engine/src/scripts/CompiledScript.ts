@@ -2,7 +2,7 @@
 export interface CompiledScript {
   /** Name of the script asset. */
   readonly name: string;
-  /** The text that it was made from. */
+  /** Source text from which the script was compiled. */
   readonly source: string;
   /**
    * JavaScript text of a classic script, which stores the script's function in `globalThis.farolScripts` under its

@@ -20,7 +20,7 @@ export interface SceneScriptsOptions {
   readonly run: ScriptRunner;
   /** `compileScript`; a page with compiled scripts gives those. */
   readonly compile: (name: string, source: string) => Promise<CompiledScript | ScriptError>;
-  /** Whether scripts run; true when absent. */
+  /** Whether the scene's scripts run; true when absent. */
   readonly isOn?: boolean;
 }
 
@@ -29,14 +29,14 @@ const KEPT_TEXTS = 1000;
 
 /** State of one script asset, kept after its removal from the library, since undo brings the asset back. */
 class Entry {
-  /** Compiled function or error of each text. */
+  /** Compiled function, or compile error, of each source text. */
   readonly results = new Map<string, ScriptFunction | ScriptError>();
   /**
    * For each text that could not be compiled the function that ran when it was typed; null for none. It runs for that
    * text whenever it is there again: by undo it comes after another text, and all is to be as it was.
    */
   private readonly lastGood = new Map<string, ScriptFunction | null>();
-  /** The text that is being compiled. */
+  /** Source text that is being compiled; null when none is. */
   pending: string | null = null;
   /** The function that the running module is of, and the name that the module has. */
   run: ScriptFunction | null = null;
@@ -125,7 +125,7 @@ export class SceneScripts {
     this.refresh();
   }
 
-  /** Whether scripts run. */
+  /** Whether the scene's scripts run. */
   get isOn(): boolean {
     return this.running;
   }

@@ -3,9 +3,9 @@ import { openingOf, type ScriptToken, within } from './scriptTokens';
 /** A `for (;;)` whose counter changes by a constant in each iteration. Places are indices of tokens. */
 export interface CountedLoop {
   readonly counter: string;
-  /** Whether the counter goes up. */
+  /** Whether the loop's counter increases. */
   readonly isUp: boolean;
-  /** The brace that ends the body. */
+  /** Index of the token of the brace that ends the loop's body. */
   readonly end: number;
 }
 
@@ -87,12 +87,12 @@ function mayChange(
   if (FUNCTIONS.has(kind)) return true;
   if (kind === '{' && label(i - 1) === ')') {
     const open = openingOf(tokens, i - 1);
-    // of a method
+    // the brace opens the body of a method
     if (!BEFORE_BLOCK.has(label(open - 1)) && !(label(open - 1) === 'name' && text(open - 1) === 'await')) return true;
   }
   if (kind === '=' && (label(i - 1) === ']' || label(i - 1) === '}')) {
     const before = label(openingOf(tokens, i - 1) - 1);
-    // values that are taken apart
+    // an assignment by destructuring changes its names
     if (label(i - 1) === '}' || !(before === 'name' || before === ')' || before === ']')) return true;
   }
   if (kind !== 'name' || text(i) !== counter || label(i - 1) === '.') return false;

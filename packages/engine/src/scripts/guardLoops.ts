@@ -21,7 +21,7 @@ const GUARD = `(($passes=$passes+1&${PASSES - 1})||$check())`;
 export function guardLoops(code: string): string {
   if (!/\b(for|while)\b/.test(code)) return code;
   const tokens = scriptTokens(code);
-  /** Insertions by their offset in the code. */
+  /** Texts to insert, each with its offset in the code. */
   const additions: [at: number, text: string][] = [];
   tokens.forEach(({ label }, i) => {
     if (label === 'while' && tokens[i + 1]?.label === '(') additions.push([tokens[i + 1].end, `${GUARD},`]);

@@ -12,7 +12,7 @@ export { OutputMaterial, PassMaterial, type PassMaterialOptions } from '../gpu/P
 export { targetBytes } from '../gpu/targetBytes';
 export { setUnprojectUniforms, unprojectUniforms, type UnprojectUniforms } from '../gpu/unprojectUniforms';
 
-// what the built-in techniques are made of
+// parts of the built-in techniques
 export type { Technique } from '../frame/Technique';
 export { forwardTail } from '../techniques/forwardTail';
 export { DepthPrepass } from '../passes/forward/DepthPrepass';

@@ -2,7 +2,7 @@ import type { Texture } from 'three';
 
 /** Result of multipass lighting: the sum of all lights on each surface. */
 export interface AccumulatedLight {
-  /** Linear radiance; alpha 1 where something was drawn. */
+  /** Sum of the lights' linear radiance; alpha 1 where a surface was drawn. */
   readonly texture: Texture;
   readonly depth: Texture;
   /** Whether the sums contain fog; else the output pass adds it, since three draws fog after encoding. */

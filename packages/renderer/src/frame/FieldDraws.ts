@@ -12,20 +12,20 @@ import type { LightLoop } from '../materials/LightLoop';
 export interface FieldDraws {
   /** The light table that shaders read, once `render` has drawn it. */
   readonly texture: Texture;
-  /** Number of lights in all fields of the frame. */
+  /** Number of lights in all light fields of the frame. */
   readonly count: number;
   /** Mean number of field lights over a pixel, whatever their depth; an estimate. */
   readonly coverage: number;
   readonly bytes: number;
-  /** Whether `render` has drawn in this frame. */
+  /** Whether the fields' lights have been drawn in this frame. */
   readonly isDrawn: boolean;
   /** Draws the light table. Call inside three's `render` before anything lit is drawn; restores the bound target. */
   render(): void;
-  /** Makes lists of all lights that reach each tile. */
+  /** Makes the lists of the fields' lights that reach each tile of the screen. */
   makeTiles(frame: Frame, use: TileDepthUse): void;
   /** Makes lists of the lights of fields alone that reach each tile, whatever their depth. */
   makeFieldTiles(frame: Frame): void;
-  /** Makes lists of all lights that reach each cluster. */
+  /** Makes the lists of the fields' lights that reach each cluster. */
   makeClusters(frame: Frame): LightLists;
   /** Twins that light items by fields too, in place of the loop's own twins; undefined where those do. */
   twinsFor(loop: LightLoop): ((view: string) => ForwardTwins) | undefined;

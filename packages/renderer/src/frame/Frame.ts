@@ -87,14 +87,14 @@ export class Frame extends FrameTarget {
   view: View = 'final';
   /** Whether passes can go by the camera's projection: see `isPlainProjection`. */
   hasPlainProjection = true;
-  /** Depth is too coarse to rebuild positions from. */
+  /** Whether the depth buffer is too coarse to rebuild positions from. */
   private isDepthCoarse = false;
 
   // ---- Set by `FrameLights.update` ----
 
   /** The lights of fields; null while there are none in the frame. */
   fields: FieldDraws | null = null;
-  /** Null while no light casts a shadow. */
+  /** Visibility of shadows by screen tile; null while no light casts a shadow. */
   tileShadows: TileShadows | null = null;
   /** Shadow maps that are drawn anew in this frame. */
   shadowMapsDrawn = 0;
@@ -267,7 +267,7 @@ export class Frame extends FrameTarget {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes of other renderers have the same geometry
+      // meshes that other renderers draw share this geometry
       drawRange.count = count;
     }
   }

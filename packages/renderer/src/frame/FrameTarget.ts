@@ -12,7 +12,7 @@ import {
 
 const TRANSPARENT = new Vector4(0, 0, 0, 0);
 const size = new Vector2();
-/** By their count. */
+/** Arguments of `drawBuffers`, by the number of attachments. */
 const drawBuffers: number[][] = [];
 /** Argument of `clearBufferfv`. */
 const clearColor = new Float32Array(4);
@@ -89,7 +89,7 @@ export class FrameTarget {
     this.resize();
   }
 
-  /** Takes the size from the viewport. */
+  /** Sets width and height to those of the viewport. */
   resize(): void {
     const { viewport } = this;
     if (viewport.z < 1 || viewport.w < 1) {

@@ -51,7 +51,7 @@ export class Lazy<Code extends object, Name extends string = string> {
     return false;
   }
 
-  /** The code. @throws Error while it is not there */
+  /** The fetched code. @throws Error while it is not loaded */
   get required(): Code {
     if (this.code === null)
       throw new Error(`Farol: the code of ${this.name} is not there; await FarolRenderer.preload() first.`);
@@ -84,6 +84,6 @@ export class Lazy<Code extends object, Name extends string = string> {
   };
 
   private readonly retry = (): void => {
-    this.next = 1; // long ago
+    this.next = 1; // a time long past, so that the next use fetches again
   };
 }

@@ -18,7 +18,7 @@ export type ItemRoute = 'split' | 'plain' | 'ordered' | 'forward';
 export interface RenderItem extends RenderListItem {
   shading: ItemShading;
   route: ItemRoute;
-  /** The material's shader is not three's unchanged one. */
+  /** Whether the material's shader is changed, by the host or a surface. */
   ownShader: boolean;
   /** Other lights may reach it than most things, so that it is drawn forward. */
   layered: boolean;

@@ -43,10 +43,10 @@ export type Resource = keyof Resources;
 /** A resource that is handed over by `put` and `get`. */
 export type HandedResource = Exclude<Resource, 'target' | 'output'>;
 
-/** Resources that no pass need write. */
+/** Resources that are there without a pass that writes them. */
 export const GIVEN: readonly Resource[] = ['target', 'overdraw'];
 
-/** Resources that a pass declares. */
+/** A pass or an effect, with the resources that it declares. */
 export interface ResourceUser {
   readonly name: string;
   readonly reads: readonly Resource[];
@@ -74,7 +74,7 @@ export class ResourceTable {
   private technique = '';
   private user: ResourceUser | null = null;
 
-  /** Begins a frame: nobody has written anything. */
+  /** Begins a frame: no resource is written yet. */
   begin(): void {
     this.frame++;
     this.user = null;

@@ -24,7 +24,7 @@ export interface ThinGBuffer {
   readonly scale: number;
   /** Transform of the picture's normalised device coordinates to the buffer's, by `gridFit`. */
   readonly fit: Vector4;
-  /** Opaque items in the buffer; the n-th has `objectNumber(n)`. */
+  /** Opaque draws in the buffer; texels of the n-th hold `objectNumber(n)`. */
   readonly items: readonly RenderItem[];
   /** True for a transparent item whose layers are in the buffer. */
   isStippled(item: RenderItem): boolean;

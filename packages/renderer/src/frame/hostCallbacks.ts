@@ -54,7 +54,7 @@ export function isEmptyCallback(callback: Callback): boolean {
 export class CallbackWatch {
   private callback: Callback | null = null;
   private target: WebGLRenderTarget | null = null;
-  /** The host's own functions. */
+  /** The WebGLRenderer's own `clear` and the like, as the host set them. */
   private clear!: WebGLRenderer['clear'];
   private render!: WebGLRenderer['render'];
 

@@ -21,12 +21,12 @@ vec3 farol_vertexNormal(const in int flags, const in vec3 normalVS) {
 }
 
 struct FarolSurface {
-  vec3 positionVS; // m
+  vec3 positionVS; // position of the surface, view space (m)
   vec3 normalVS;
-  vec3 albedo; // linear
-  vec4 material; // as stored, see gbufferLayout.ts
-  vec4 accumulation; // linear radiance; a: Phong shininess
-  int flags; // see surfaceFlags.glsl
+  vec3 albedo; // albedo, linear RGB
+  vec4 material; // material attachment as stored, see gbufferLayout.ts
+  vec4 accumulation; // rgb: emissive and indirect light (linear radiance); a: Phong shininess
+  int flags; // flags of the surface, see surfaceFlags.glsl
 };
 
 // as the layout of the quality 'full' stores it
@@ -45,7 +45,7 @@ bool farol_isEmptyPixel(const in ivec2 pixel, const in float depth) {
   return farol_isEmpty(depth) && (farol_gStored.y == 0 || farol_gAlbedoAt(pixel).a == 0.0);
 }
 
-// view space, m
+// position of a pixel's surface, view space (m)
 vec3 farol_surfacePosition(const in ivec2 pixel, const in float depth, const in vec2 size) {
   float z = farol_gStored.x == 0
     ? farol_viewZ(depth)

@@ -13,12 +13,12 @@ export class PassTarget {
 
   constructor(private readonly options: PassTargetOptions = {}) {}
 
-  /** Bytes on the GPU, by the formats. */
+  /** Bytes of the target on the GPU, computed from its formats. */
   get bytes(): number {
     return this.made === null ? 0 : targetBytes(this.made);
   }
 
-  /** The target as last asked for, null before. */
+  /** The target of the last call of `of`; null before the first. */
   get current(): WebGLRenderTarget | null {
     return this.made;
   }

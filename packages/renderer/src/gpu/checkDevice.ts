@@ -28,7 +28,7 @@ export function lacksFloatTargets(webgl: WebGLRenderer): string | null {
 
 /** Whether colours of 32-bit floats can be drawn to and blended. */
 export function blendsFloats(gl: WebGL2RenderingContext): boolean {
-  // some devices tell of blending alone
+  // some devices report float blending without float targets
   return gl.getExtension('EXT_color_buffer_float') !== null && gl.getExtension('EXT_float_blend') !== null;
 }
 

@@ -4,7 +4,7 @@ import { textureHandle } from '../three/handles';
 import { bindTexture, unbindTexture } from '../three/state';
 import { unpackAsIs } from '../three/unpackAsIs';
 
-/** Lights in a row of the texture. */
+/** Lights in each row of the field's texture. */
 const WIDTH = 128;
 /** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;

@@ -24,7 +24,7 @@ interface Told {
  * them.
  */
 export class FieldDepths {
-  /** Least depth (m), or its logarithm to base 2. */
+  /** Depth (m) at which the slices begin, or its logarithm to base 2. */
   least = LEAST;
   extent = EXTENT;
   isLogarithmic = true;

@@ -1,4 +1,4 @@
-/** Lights of a row, whose values are uploaded together. */
+/** Lights in a row of the texture; the values of a row are uploaded together. */
 const ROW = 128;
 
 /**
@@ -17,7 +17,7 @@ export class LightArray {
   /** @param capacity - number of lights */
   constructor(capacity: number) {
     const rows = Math.ceil(capacity / ROW);
-    // whole rows, as the texture has them
+    // the texture has whole rows
     this.array = new Float32Array(rows * ROW * 4);
     this.rows = new Uint32Array(rows).fill(1);
   }

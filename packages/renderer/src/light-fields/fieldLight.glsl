@@ -33,7 +33,7 @@ float farol_cellOf(const in vec3 positionVS) {
 //# main
 ivec2 texel = ivec2(gl_FragCoord.xy);
 int light = ((texel.y - farol_fieldRun.y) << 7) + texel.x;
-// a light without effect: far from everything
+// a light without effect is put far from everything
 farol_fieldSphere = vec4(1e15, 0.0, 0.0, 1.0);
 farol_fieldEmission = vec4(0.0, 0.0, 0.0, 2.0);
 farol_fieldCone = vec4(0.0);

@@ -18,10 +18,10 @@ vec3 farol_icosahedronCorner(const in int corner) {
 //# main
 farol_record = farol_firstRecord + gl_InstanceID;
 vec4 sphere = farol_lightSphere(farol_record);
-// 1.33: the flat faces stay outside the sphere
+// 1.33 times the range keeps the icosahedron's faces outside the light's sphere
 vec4 around = vec4(farol_lightPosition(sphere), farol_lightRange(sphere) * 1.33);
 if (sphere.x > 1e14) {
-  gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // a light without effect: no volume
+  gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // a light without effect has no volume: all its vertices are clipped
 } else if (farol_isTooWide(around)) {
   gl_Position = farol_wholePicture();
 } else {

@@ -48,7 +48,7 @@ export class IESLoader extends Loader<PhotometricProfile> {
             `${folder}${name}`,
             (tilt) => tell(tilt as string),
             undefined,
-            // the error names the missing file
+            // a missing TILT file is null; the error of the parser names it
             () => tell(null),
           );
         }

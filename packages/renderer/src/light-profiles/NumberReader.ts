@@ -50,7 +50,7 @@ export class NumberReader {
     return value;
   }
 
-  /** The next numbers. */
+  /** Reads the next numbers of the file. */
   numbers(count: number, what: string): Float64Array {
     const values = new Float64Array(count);
     for (let i = 0; i < count; i++) values[i] = this.number(what);

@@ -1,13 +1,13 @@
 /** Editions of the LM-63 standard. */
 export type IESVersion = 'LM-63-1986' | 'LM-63-1991' | 'LM-63-1995' | 'LM-63-2002' | 'LM-63-2019';
 
-/** Loss of light of a luminaire's lamps by tilt. */
+/** Light that a luminaire's lamps lose when tilted (the TILT table of an IES file). */
 export interface LampTilt {
   /** Lamps along the axis of tilt: 1 vertical as photometered, 2 horizontal and parallel to it, 3 horizontal, across it. */
   readonly geometry: number;
   /** Angles from the photometered position (degrees), ascending. */
   readonly angles: Float64Array;
-  /** Factor on the candelas, at each angle. */
+  /** Factor on the candela values at each tilt angle. */
   readonly factors: Float64Array;
 }
 

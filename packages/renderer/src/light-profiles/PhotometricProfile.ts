@@ -107,7 +107,7 @@ export class PhotometricProfile {
     return texture;
   }
 
-  /** Intensity by a file of type C. */
+  /** Intensity (cd) towards two angles (degrees), for an IES file of photometry type C. */
   private planeAt(vertical: number, horizontal: number): number {
     const { horizontalAngles: angles } = this.data;
     const first = angles[0];
@@ -129,12 +129,12 @@ export class PhotometricProfile {
     return this.fileAt(vertical, at);
   }
 
-  /** Intensity by a file of type A or B. */
+  /** Intensity (cd) towards two angles (degrees), for an IES file of type A or B. */
   private axisAt(vertical: number, horizontal: number): number {
     const sine = Math.sin(vertical * RADIANS);
     const down = Math.cos(vertical * RADIANS);
     const across = Math.cos(horizontal * RADIANS) * sine;
-    // clockwise, seen from above
+    // horizontal angles go clockwise, seen from above
     const side = -Math.sin(horizontal * RADIANS) * sine;
     const isB = this.data.type === 'B';
     let v = (isB ? Math.atan2(across, down) : Math.asin(clampSine(across))) / RADIANS;

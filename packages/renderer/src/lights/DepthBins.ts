@@ -2,7 +2,7 @@ import { type GridLights, SHAPE } from './GridLights';
 import { NO_LIGHT } from './lightRecord';
 
 export const BINS = 1024;
-/** Buckets of the sort by depth. */
+/** Buckets of the bucket sort of lights by depth. */
 const KEYS = 4096;
 /** Margin at both ends of each light's range (bins), since GPUs round depths. */
 const MARGIN = 1 / 32;
@@ -35,7 +35,7 @@ export class DepthBins {
   readonly bins = new Uint32Array(BINS);
   /** Index in `GridLights` of the light of each rank; NO_LIGHT for ranks that fill the last word of deep lights. */
   order = new Uint32Array(0);
-  /** Number of ranks in use. */
+  /** Number of ranks (places of lights in the order of depth) in use. */
   count = 0;
   /** Number of words (of 32 ranks) of deep lights. */
   deepWords = 0;
@@ -125,7 +125,7 @@ export class DepthBins {
     return this.before[this.last[i] + 1] - this.before[this.first[i]];
   }
 
-  /** Counts the extents by size. @returns their mean */
+  /** Counts the lights' extents in depth by size. @returns the mean extent */
   private countExtents(count: number): number {
     const { extents } = this;
     let sum = 0;

@@ -4,7 +4,7 @@ import type { LightGrid } from './LightGrid';
 export class GridInputs {
   private count = -1;
   private hasCones = false;
-  /** Projection, near, far, width, height. */
+  /** Projection matrix (16 numbers), near and far (m), width and height (pixels). */
   private readonly view = new Float64Array(20);
   private spheres = new Float64Array(0);
   private cones = new Float64Array(0);

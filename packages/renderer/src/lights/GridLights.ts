@@ -6,7 +6,7 @@ import { halfChord, projectedConeBounds, slopeBounds } from './projection';
 const slopes = new Float64Array(4);
 const sphere = new Float64Array(4);
 const rectangle = new Float64Array(4);
-/** Numbers a light in `GridLights.shapes`, and in `GridLights.tiles`. */
+/** Numbers that each light has in `GridLights.shapes`, and in `GridLights.tiles`. */
 export const SHAPE = 10;
 export const TILES = 4;
 /** Margin round each light (tiles), greater than any rounding error. */
@@ -106,7 +106,7 @@ export class GridLights {
     let top = y + radius;
     if (frame.perspective) {
       if (depth - radius > near && depth + radius < far) {
-        // slopeBounds of a whole sphere, both ways at once
+        // as slopeBounds of a whole sphere, for x and y at once
         const squared = depth * depth - radius * radius;
         const rootX = radius * Math.sqrt(x * x + squared);
         const rootY = radius * Math.sqrt(y * y + squared);

@@ -29,7 +29,7 @@ export const MOST_LIGHTS = 65_504;
  * @see Drobot 2017, Improved Culling for Tiled and Clustered Rendering in Call of Duty: Infinite Warfare
  */
 export class LightGrid {
-  /** Number of ranks in use. */
+  /** Number of ranks (places of lights in the order of depth) in use. */
   count = 0;
   /** Index of the light of each rank; NO_LIGHT for empty ranks. Only the first `count` are valid. */
   order = new Uint32Array(0);

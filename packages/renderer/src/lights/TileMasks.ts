@@ -2,7 +2,7 @@ import { NO_LIGHT } from './lightRecord';
 import type { GridFrame } from './GridFrame';
 import { type GridLights, MARGIN, SHAPE, TILES } from './GridLights';
 
-/** Number of lights, and of words, of a page. */
+/** Lights, and 32-bit words of a tile's mask, that one page of masks holds. */
 const PAGE_LIGHTS = 128;
 const PAGE_WORDS = 4;
 /** Mean lights of a tile from which on a page's spans are written by their ends, then filled. */
@@ -109,7 +109,7 @@ export class TileMasks {
       d = depth * depth - m;
       e = 2 * y * depth;
       f = y * y - m;
-      // depths at which the tangents of slopeBounds touch
+      // depths at which the tangents from the camera touch the sphere
       const tangent = Math.sqrt(Math.max(0, squared - radius * radius));
       const low = (depth * tangent + x * radius) * tangent;
       const high = (depth * tangent - x * radius) * tangent;
@@ -173,7 +173,7 @@ export class TileMasks {
     }
   }
 
-  /** Turns the ends of spans into spans. */
+  /** Fills the bits between the two marked ends of each span of tiles. */
   private spread(base: number, size: number, rowSize: number): void {
     const { masks } = this;
     for (let row = base; row < base + size; row += rowSize) {

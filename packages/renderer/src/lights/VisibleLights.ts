@@ -24,7 +24,7 @@ export class VisibleLights {
   readonly boundeds: Light[] = [];
   /** Lights of `directionals`, `unboundeds` and `boundeds` that may have a mask. */
   readonly masked: Light[] = [];
-  /** Light fields, whose records the GPU writes. */
+  /** Light fields of the frame; the GPU writes the records of their lights. */
   readonly fields: LightFieldData[] = [];
   /** View-space sphere of each of `boundeds`: [x, y, z, r] (m), r its range. */
   spheres = new Float64Array(64);

@@ -32,11 +32,11 @@ export function coneIntersectsSphere(
   const vz = spheres[sphere + 2] - apexes[cone + 2];
   const squared = vx * vx + vy * vy + vz * vz;
   if (squared > (range + radius) * (range + radius)) return false;
-  // in the plane of axis and centre
+  // coordinates of the sphere's centre along the cone's axis and across it
   const along = -(vx * axes[cone] + vy * axes[cone + 1] + vz * axes[cone + 2]);
   const across = Math.sqrt(Math.max(0, squared - along * along));
   if (across * cosine <= along * sine) return true;
-  // beside the cone: the distance to its side
+  // for a centre beside the cone, the nearest point of the cone's side
   const t = Math.min(range, Math.max(0, across * sine + along * cosine));
   const beside = across - t * sine;
   const before = along - t * cosine;

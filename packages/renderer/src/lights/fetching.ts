@@ -10,7 +10,7 @@ export interface LightFetcher {
    * @returns index after the last object looked at; the length of the list if that is short
    */
   fetchPlaces(objects: readonly Placed[], first: number): number;
-  /** Reads what some lights give. @returns as `fetchPlaces` */
+  /** Reads colours and intensities of some lights. @returns as `fetchPlaces` */
   fetchEmissions(lights: readonly Light[], first: number): number;
   /** Sentence for `FarolInfo.hint` about a number of lights that are objects of their own; null for none. */
   hintFor(singles: number): string | null;

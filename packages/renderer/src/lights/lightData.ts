@@ -69,7 +69,7 @@ export interface LightFieldData extends Light {
   readonly count: number;
 }
 
-/** Lights of a field that are drawn. */
+/** Number of lights that a light field draws. */
 export function fieldCount({ capacity, count }: LightFieldData): number {
   return Math.max(0, Math.min(capacity, Math.floor(count) || 0));
 }

@@ -22,32 +22,32 @@ export const POINT_CUTOFF = -3;
 export const POINT_PENUMBRA = -2;
 /** Penumbra that marks an area light, as POINT_PENUMBRA does a point light. */
 export const AREA_PENUMBRA = -3;
-/** Spot exponent of a light that has three's penumbra. */
+/** Spot exponent in the record of a light whose cone has three's penumbra instead. */
 export const NO_EXPONENT = -1;
-/** Added to the records of mask and extension of a point light that is elsewhere than its map; integers lose it. */
+/** Fraction added to record indices in `details`, of a point light that has left its shadow map's place; shaders drop it. */
 export const ELSEWHERE = 0.5;
 
-/** How an extension attenuates its light with distance. */
+/** Kinds of attenuation with distance, of a light with an extension record. */
 export const attenuationKinds = { physical: 0, nearFar: 1, polynomial: 2 } as const;
 
-/** One light. Vectors are in view space; lengths in metres; angles as cosines. */
+/** A light's record in the light table. Vectors are in view space; lengths in metres; angles as cosines. */
 export const lightRecord = {
   sphere: {
-    /** Directional light: direction to the light, unit length. */
+    /** Direction to a directional light, unit length. */
     direction: 'xyz',
     position: 'xyz',
-    /** Range (m); 0 for none. */
+    /** Range of a local light (m); 0 for one without a range. */
     range: 'w',
   },
   emission: {
-    /** Colour × intensity. */
+    /** Linear colour × intensity of the light. */
     color: 'rgb',
     /**
      * Local light: whether it is a point light as three has it, without a mask; its cone and details are not written.
      */
     isPlain: ['bool', 't.w >= 0.0'],
     plainDecay: 'w',
-    /** Decay, for a light that is not plain. */
+    /** Decay of a local light with a mask, a cone or an extension. */
     otherDecay: ['float', '-64.0 - t.w'],
     decay: ['float', 't.w >= 0.0 ? t.w : -64.0 - t.w'],
     /** Directional light: whether it has a mask or an extension. */
@@ -63,30 +63,30 @@ export const lightRecord = {
     penumbra: 'x',
     /** Exponent of the thesis's spot light, or NO_EXPONENT. */
     exponent: 'y',
-    /** Record of the light's mask; 0 for none. */
+    /** Index of the record of the light's mask (shadow map, cookie, profile); 0 for none. */
     maskRecord: ['int', 'int(t.z)'],
     extensionRecord: ['int', 'int(t.w)'],
     isSpot: ['bool', 't.x >= -1.0'],
     isMasked: ['bool', 't.z > 0.0'],
     /** Whether it is a point light as three has it, still at the place where its shadow map was drawn. */
     isMaskedPoint: ['bool', 't.x < -1.0 && t.w == 0.0'],
-    /** Whether the extension is that of an area light. */
+    /** Whether the light is an area light, whose extension is its own. */
     isArea: ['bool', 't.x < -2.5'],
   },
 } as const satisfies RecordLayout;
 
-/** Record of what only a light of the thesis has. Colours are linear. */
+/** Record of the settings that only a light of the thesis has (`extension`). Colours are linear. */
 export const extensionRecord = {
-  /** Factor on the light's colour, for the diffuse term. */
+  /** Factor on the light's colour in its diffuse reflection. */
   diffuse: { diffuse: 'rgb' },
-  /** Factor on the light's colour, for the specular term. */
+  /** Factor on the light's colour in its specular reflection. */
   specular: { specular: 'rgb' },
   /** Ambient light, given to every surface in reach, whatever its normal. */
   ambient: { ambient: 'rgb' },
   falloff: {
     near: 'x',
     far: 'y',
-    /** Factors of the polynomial: constant, linear (1/m), quadratic (1/m²). */
+    /** Factors of an attenuation 1 / (constant + linear (1/m) + quadratic (1/m²)). */
     factors: 'xyz',
     // kinds of attenuationKinds as text: an expression would be code that pages load
     isNearFar: ['bool', 't.w == 1.0'],

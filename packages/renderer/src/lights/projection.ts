@@ -110,7 +110,7 @@ export function projectedSphereBounds(
     bottom = bounds[0] * m[5] - m[9];
     top = bounds[1] * m[5] - m[9];
   }
-  // a projection may mirror
+  // a projection that mirrors swaps left and right
   out[0] = Math.min(left, right);
   out[1] = Math.min(bottom, top);
   out[2] = Math.max(left, right);

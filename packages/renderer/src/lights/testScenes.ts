@@ -19,7 +19,7 @@ export function createRandom(seed: number): () => number {
   };
 }
 
-/** Sides are slopes at depth 1. */
+/** Projection matrix of an off-centre perspective; its sides are slopes at depth 1. */
 export function perspective(
   left: number,
   right: number,

@@ -17,7 +17,7 @@ export class RefusedMaterials {
   private readonly versions = new WeakMap<Material, number>();
   private readonly readers = new WeakMap<Material, { readonly text: string; readonly reads: boolean }>();
   private readonly scenes = new WeakMap<Object3D, number>();
-  /** Whether a refused material was drawn in the frame. */
+  /** Whether the frame has drawn a material that Farol cannot light. */
   private met = false;
 
   refuse(material: Material): void {
@@ -25,7 +25,7 @@ export class RefusedMaterials {
     this.met = true;
   }
 
-  /** Whether a material is refused, and not changed since. */
+  /** Whether Farol cannot light a material, which is unchanged since that was found. */
   has(material: Material): boolean {
     if (this.versions.get(material) !== versionOf(material)) return false;
     return (this.met = true);

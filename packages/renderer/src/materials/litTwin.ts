@@ -27,7 +27,7 @@ export interface LitTwinOptions {
 
 /** Declared outside of main(), which the host may have renamed. */
 const COUNT = 'float farol_lightsEvaluated;\n';
-/** Marks lightMaskLayers.glsl in a header. */
+/** Define by which a shader's header includes the code of light layers. */
 const LAYERS = '#define FAROL_LAYERS';
 
 /** Turns the disk of three's own soft shadows by the pixel of the host's target. */
@@ -46,7 +46,7 @@ export function litTwin(options: LitTwinOptions): TwinKind {
   ];
   const chunks = chunksOf(options.loop, options.oneByOne ?? false);
   const ownChunks = chunksOf(options.loop, true);
-  // three's own toon shading uses derivatives
+  // three's toon shading uses derivatives, which vertex shaders lack
   const { perPixel } = lightLoops[options.loop];
   const toonChunks = perPixel ? ['shadeToon', ...chunks] : chunks;
   const ownToonChunks = chunksOf(perPixel ? 'lightLoopAll' : options.loop, false);

@@ -4,7 +4,7 @@ import type { TwinShader } from './TwinKind';
 
 /** Surfaces (GLSL hooks) that one material uses. Made by `setSurface` of the entry `surfaces` alone. */
 export interface WornSurfaces {
-  /** Whether vertices are displaced. */
+  /** Whether a surface of the material displaces vertices. */
   readonly displaces: boolean;
   readonly discards: boolean;
   /** Number that changes with the list of surfaces and with their texts. */

@@ -9,7 +9,7 @@ export interface MicroShader {
   readonly name: string;
   /** GLSL put before `main()`, once in a shader; `#include "name"` lines in it are dependencies. */
   readonly header: string;
-  /** Statements of `main()`; '' for none. */
+  /** Statements that the chunk adds to `main()`; '' for none. */
   readonly main: string;
   /** Shader stage that may include the chunk. Default 'both'. */
   readonly stage?: MicroShaderStage;

@@ -5,7 +5,7 @@ export interface ShaderSource {
   readonly fragmentShader: string;
 }
 
-/** Makes programs of composed sources. */
+/** Compiles GPU programs from composed sources. */
 export interface MicroShaderCompiler<Program> {
   /** @throws MicroShaderCompileError when the driver refuses it */
   compile(source: ShaderSource): Program;

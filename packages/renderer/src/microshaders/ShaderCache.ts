@@ -10,7 +10,7 @@ type Compose = (
 export interface Recompiled {
   /** Takes the new programs into use and frees the old ones. */
   commit(): void;
-  /** Frees the new programs. */
+  /** Frees the new programs, so that the old ones stay in use. */
   drop(): void;
 }
 

@@ -26,7 +26,7 @@ export class ArrayTraversal {
   /** Depth by which three sorts an object (clip space of the array), or the one of its camera where no array is traversed. */
   depthOf(object: Object3D & { boundingSphere?: Sphere }, { boundingSphere }: BufferGeometry, z: number): number {
     if (this.array === null) return z;
-    center.copy((object.boundingSphere ?? boundingSphere ?? ORIGIN).center as unknown as Vector4); // w becomes 1
+    center.copy((object.boundingSphere ?? boundingSphere ?? ORIGIN).center as unknown as Vector4); // copying a Vector3 sets w to 1
     return center.applyMatrix4(object.matrixWorld).applyMatrix4(projectionView).z;
   }
 

@@ -1,6 +1,6 @@
 import type { BudgetInfo } from './FrameBudget';
 
-/** Work of one pass in the last frame. */
+/** Draws and times of one pass in the last frame. */
 export interface PassInfo {
   /** In XR sessions with ", eye 2" at its end for that of the second eye. */
   readonly name: string;
@@ -34,7 +34,7 @@ export interface MemoryInfo {
 export interface FarolInfo {
   /** Key of the technique that drew. */
   technique: string;
-  /** Reason why the technique was chosen. */
+  /** Sentence that tells why 'auto' chose the technique. */
   reason: string;
   /** Sentence on how the page could have faster frames; null for none. From 2,000 single lights on it names LightField. */
   hint: string | null;
@@ -46,9 +46,9 @@ export interface FarolInfo {
   readonly passes: PassInfo[];
   drawCalls: number;
   triangles: number;
-  /** Whole `render` call (ms). */
+  /** CPU time of the whole `render` call (ms). */
   cpuMs: number;
-  /** Sum of the passes (ms), or null. */
+  /** Sum of the passes' GPU times (ms); null where they are not known. */
   gpuMs: number | null;
   /** Scale of the picture and why, by `FarolOptions.budget`; null without one. */
   budget: Readonly<BudgetInfo> | null;

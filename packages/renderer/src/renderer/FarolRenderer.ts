@@ -155,7 +155,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.effectList.asked = effects;
   }
 
-  /** @throws Error when unknown */
+  /** @throws Error when set to an unknown view */
   get view(): View {
     return this.viewName;
   }
@@ -237,7 +237,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     } finally {
       Lazy.lacking = outer;
       this.isDrawing = false;
-      // the host's callback has disposed this renderer
+      // a callback of the host has disposed of this renderer
       if (this.disposed) this.end();
     }
   }

@@ -59,7 +59,7 @@ export class FrameUniforms {
         sphere.value[k] = data[at + LIGHT.sphere + k];
         emission.value[k] = data[at + LIGHT.emission + k];
       }
-      // directional lights with details, others that are not plain
+      // directional lights with a mask or extension, local lights that are more than three's point light
       if (i < directional ? emission.value[3] !== 0 : emission.value[3] < 0) return false;
     }
     return true;

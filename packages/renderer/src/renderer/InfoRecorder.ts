@@ -49,7 +49,7 @@ export class InfoRecorder {
       targetBytes: 0,
       uploadBytes: 0,
     };
-    // before any listener of the host's that draws
+    // registered before listeners of the host, which may draw
     webgl.getContext().canvas.addEventListener('webglcontextrestored', this.restartTimer);
   }
 

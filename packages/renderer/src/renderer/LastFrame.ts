@@ -25,14 +25,14 @@ export class LastFrame {
     return outer;
   }
 
-  /** Ends the frame. */
+  /** Ends the frame: records whether all that it needed was ready. */
   end(): void {
     this.isDrawn = true;
     this.lacking.forEach(this.await);
     this.tell();
   }
 
-  /** Calls the `waiting` callbacks. */
+  /** Calls the callbacks in `waiting`, and empties it. */
   tell(): void {
     while (this.waiting.length > 0) this.waiting.pop()!();
   }

@@ -17,7 +17,7 @@ export class LazyViews {
     return this.passes === null ? 'final' : view;
   }
 
-  /** Bytes of the targets. */
+  /** Bytes of the views' targets. */
   get bytes(): number {
     return this.passes?.bytes ?? 0;
   }

@@ -51,7 +51,7 @@ export class SceneDraws {
   private readonly enlarge = () => this.scaled!.enlarge(this.frame);
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins a frame. @param antialias - as `FarolOptions.antialias` */
+  /** Begins the draws of a frame. @param antialias - as `FarolOptions.antialias` */
   begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
     this.antialias = antialias;
     this.sceneView = sceneView;

@@ -97,7 +97,7 @@ export class SceneView {
       this.drawAll(false);
     });
     this.glass = makeDriver(() => this.drawAll(true));
-    // makes three draw back faces at this item
+    // a transmissive item of this list makes three draw the back faces of its transmission pass
     Object.assign(this.glass.material, { transmission: 1, side: DoubleSide });
     this.takeList();
   }

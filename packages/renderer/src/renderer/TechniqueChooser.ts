@@ -21,7 +21,7 @@ export interface SceneFigures {
 /** Techniques that the chooser picks from. */
 export type ChosenTechnique = 'forward-single-pass' | 'clustered-forward' | 'clustered-deferred' | 'tiled-deferred';
 
-/** Makes a technique ready. */
+/** Compiles a technique's programs ahead, over some frames. */
 export interface Preparation {
   readonly ready: boolean;
 }

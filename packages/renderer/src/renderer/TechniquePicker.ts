@@ -24,7 +24,7 @@ interface EffectsByTechnique {
 export class TechniquePicker {
   /** Technique that draws this frame: the one asked for, or the one that 'auto' picked. */
   active: TechniqueName = 'deferred';
-  /** Reason for `active`. */
+  /** Sentence that tells why `active` was chosen. */
   reason = '';
   /** Whether 'auto' may change to another technique soon. */
   isChanging = false;
@@ -133,7 +133,7 @@ export class TechniquePicker {
     const { known } = this.set;
     if (this.set.codeOf(technique)?.ask() === false) return;
     const passes = this.set.passesOf(technique);
-    // after a lost context they are others
+    // after a lost context the technique has other passes
     if (chooser.preparation?.passes !== passes)
       chooser.preparation = warmUpCode.use(({ WarmUp }) => new WarmUp(frame, known[technique], technique, passes));
     chooser.preparation?.step(draws.effectsOf(technique).all);

@@ -17,7 +17,7 @@ export class TechniqueSet {
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}
 
-  /** @throws Error when there is one of that name */
+  /** @throws Error when there is a technique of that name */
   add(name: string, technique: Technique): void {
     if (Object.hasOwn(this.known, name)) throw new Error(`Farol: there is a technique "${name}"; choose another name.`);
     this.known[name] = technique;
@@ -32,7 +32,7 @@ export class TechniqueSet {
     delete this.known[name];
   }
 
-  /** @throws Error when there is none of that name */
+  /** @throws Error when there is no technique of that name */
   get(name: string): Technique {
     if (!Object.hasOwn(this.known, name)) throw unknownName('technique', name, Object.keys(this.known));
     return this.known[name];

@@ -28,7 +28,7 @@ export function drawPasses(
   }
   for (const effect of effects) {
     if (effect.end === undefined) continue;
-    // an effect with `after` was measured above
+    // the time of an effect with `after` was measured above
     if (effect.after === undefined) recorder.beginPass(effect.name);
     effect.end(frame);
     recorder.endPass();

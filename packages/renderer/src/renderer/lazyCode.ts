@@ -20,7 +20,7 @@ export const lightFieldCode = new Lazy(
 );
 lightFieldMade.tell = () => lightFieldCode.ask();
 
-/** Lights at the vertices. */
+/** Gouraud shading: lights computed at the vertices. */
 export const gouraudCode = new Lazy('gouraud', () => import('../materials/gouraud'), 'light is in pixels');
 
 /** Node materials (TSL). */
@@ -53,7 +53,7 @@ export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames a
 /** Frames of XR sessions. */
 export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
 
-/** All of the above. */
+/** Every piece of late code above. */
 export const lazyCode = [
   shadowCode,
   areaCode,

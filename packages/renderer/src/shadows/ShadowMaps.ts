@@ -64,7 +64,7 @@ export class ShadowMaps implements LightMasks, TileShadows {
   drawn = 0;
   /** Number of shadow maps that the frame uses but does not draw, as they are still valid. */
   kept = 0;
-  /** Number of shadow-map texels that the frame draws. */
+  /** Number of shadow-map texels that are drawn anew in the frame. */
   texels = 0;
   readonly bounds: ShadowBounds;
   readonly tiles = new ShadowTiles();

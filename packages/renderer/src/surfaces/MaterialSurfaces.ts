@@ -199,7 +199,7 @@ export class MaterialSurfaces implements WornSurfaces {
   }
 }
 
-/** Greatest displacement by a surface's present values (m). */
+/** Greatest displacement by a surface at its uniforms' present values (m). */
 function reachOf(terms: ParsedSurface['reach'], uniforms: Worn['uniforms']): number {
   if (terms === null) return Infinity;
   let reach = 0;

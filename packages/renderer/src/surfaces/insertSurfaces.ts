@@ -34,7 +34,7 @@ function insertPixels(shader: TwinShader, surfaces: readonly Surface[], headers:
   const hasNormal = has('normal_fragment_begin');
   const hasView = /\bvarying\s+vec3\s+vViewPosition\b/.test(text);
   const isLit = text.includes('totalEmissiveRadiance');
-  // shaders that write depths or distances have no picture
+  // shaders that write depths or distances have no colour output
   const isUnlit = !isLit && has('opaque_fragment');
   const varyings: string[] = [];
   const varying = (name: string) => {

@@ -116,7 +116,7 @@ interface Head {
 
 /** Declarations outside of braces in code without comments: functions, constants, globals, structures. */
 function topLevel(code: string): Head[] {
-  // lines of the preprocessor are no code
+  // preprocessor lines are blanked: they are no statements
   const text = code.replace(/^[ \t]*#(?:.*\\\n)*.*/gm, (line) => line.replace(/[^\n]/g, ' '));
   const heads: Head[] = [];
   let depth = 0;

@@ -4,7 +4,7 @@ import type { MicroShaderSource } from '../microshaders/dependencyOrder';
 import { composeHeaders } from '../microshaders/composeSource';
 import { WebGLShaderCompiler } from '../microshaders/WebGLShaderCompiler';
 
-/** Declarations that three's own shaders have before a surface. */
+/** Declarations that three's shaders contain before a surface's code. */
 const GIVEN = {
   vertex: `#include <common>
 attribute vec3 position;

@@ -11,11 +11,11 @@ uvec3 farol_hash(uvec3 v) {
   v.z += v.x * v.y;
   return v;
 }
-// random number of a cell's corner, 0 to 1
+// random number of a lattice point, 0 to 1
 float farol_random(const in ivec3 cell) {
   return float(farol_hash(uvec3(cell + 65536)).x >> 8u) / 16777216.0;
 }
-// smooth noise, 0 to 1, cells of size 1
+// smooth (value) noise, 0 to 1, on a lattice of spacing 1
 float farol_noise(const in vec3 position) {
   vec3 cell = floor(position);
   vec3 t = position - cell;
@@ -29,7 +29,7 @@ float farol_noise(const in vec3 position) {
   vec2 y = mix(z.xy, z.zw, t.y);
   return mix(y.x, y.y, t.x);
 }
-// four octaves, 0 to 1
+// sum of four octaves of smooth noise, 0 to 1
 float farol_fractalNoise(const in vec3 position) {
   return (8.0 * farol_noise(position) + 4.0 * farol_noise(2.0 * position + 17.0)
     + 2.0 * farol_noise(4.0 * position + 31.0) + farol_noise(8.0 * position + 47.0)) / 15.0;

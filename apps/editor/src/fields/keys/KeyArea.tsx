@@ -8,7 +8,7 @@ export interface ShownKey {
   readonly y?: number;
   /** Accessible name of the control. */
   readonly label: string;
-  /** Value as text. */
+  /** Value of the selected key as text, for screen readers. */
   readonly valueText: string;
   readonly style?: CSSProperties;
 }
@@ -20,7 +20,7 @@ interface KeyAreaProps {
   readonly description: string;
   readonly keys: readonly ShownKey[];
   readonly selected: number;
-  /** Background of the area. */
+  /** Graph or gradient behind the keys. */
   readonly children?: ReactNode;
   onSelect(index: number): void;
   /** Called when empty space is pressed, at a position from 0 to 1; a drag may follow. */

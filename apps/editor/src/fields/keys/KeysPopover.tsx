@@ -7,7 +7,7 @@ interface KeysPopoverProps {
   readonly label: string;
   readonly description: string;
   readonly disabled: boolean;
-  /** Content of the button. */
+  /** Thumbnail in the button that opens the popover. */
   readonly picture: ReactNode;
   /** Content of the popover; its code may be fetched when it is first opened. */
   readonly children: ReactNode;

@@ -2,7 +2,7 @@ import { useRef, useState } from 'react';
 import { insertKey, type KeyPlace, moveKey, removeKey, type TimedKey } from './keyList';
 
 interface KeyEditOptions<K extends TimedKey> {
-  /** Sorted by time; at least one. */
+  /** Keys of the curve or gradient, sorted by time; at least one. */
   readonly keys: readonly K[];
   onPreview(keys: readonly K[]): void;
   /** Commits the keys, or the last preview, as one step of history. */

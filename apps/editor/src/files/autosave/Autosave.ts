@@ -78,7 +78,7 @@ export class Autosave implements DraftKeeper {
     this.wakeIfEdited();
   }
 
-  /** Whether the present state is stored. */
+  /** Whether the scene's present state is stored. */
   get isUpToDate(): boolean {
     return this.changedAt === null && !this.isReading && this.writes === 0 && this.delta.isEmpty;
   }
@@ -158,7 +158,7 @@ export class Autosave implements DraftKeeper {
     if (hasBegun || commands.isDirty || commands.isGestureOpen) this.wake();
   }
 
-  /** Notes a change, and schedules storing it. */
+  /** Notes that the scene has changed, and schedules storing it. */
   private wake(): void {
     this.changedAt ??= Date.now();
     if (this.writes > 0) return;
@@ -272,7 +272,7 @@ export class Autosave implements DraftKeeper {
       this.editor.notices.show('info', t('Drafts are kept again.'));
     }
     this.stored.emit();
-    // further changes came meanwhile
+    // the scene changed while it was being stored
     if (this.changedAt !== null) this.schedule(QUIET);
   }
 

@@ -32,7 +32,7 @@ export class AutosaveStore {
     });
   }
 
-  /** Sessions whose tabs are gone, newest first. */
+  /** Unsaved sessions whose tabs are closed, newest first. */
   async lost(): Promise<SessionInfo[]> {
     const sessions = (await this.send({ kind: 'list' })) as SessionInfo[];
     const { held } = await navigator.locks.query();

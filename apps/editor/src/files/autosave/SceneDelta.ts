@@ -162,10 +162,10 @@ export class SceneDelta {
     return prefab && { id, name: prefab.name, pieces };
   }
 
-  /** Notes an object, and queues its children. */
+  /** Records the state of an object, and queues its children. */
   private noteNext(id: string): void {
     const object = this.scene.findById(id);
-    // removed meanwhile
+    // the object was removed meanwhile
     if (!object) return;
     this.objects.add(id);
     this.containerOf.set(id, idOfParent(object));

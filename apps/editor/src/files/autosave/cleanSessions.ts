@@ -27,7 +27,7 @@ export function takeClean(): ReadonlySet<string> {
   try {
     localStorage.removeItem(KEY);
   } catch {
-    // storage is forbidden
+    // the browser forbids storage: there are no sessions
   }
   return sessions;
 }

@@ -5,7 +5,7 @@ import type { SessionInfo } from '../../model/SessionInfo';
 export type WorkerRequest =
   | { readonly kind: 'parts'; readonly parts: readonly PartChange[] }
   | { readonly kind: 'file'; readonly path: string; readonly blob: Blob | null }
-  /** Drops everything sent but not committed. */
+  /** Discards all data sent since the last commit. */
   | { readonly kind: 'drop' }
   /** Stores everything sent since the last commit. */
   | { readonly kind: 'commit'; readonly info: SessionInfo }

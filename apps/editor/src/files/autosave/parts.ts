@@ -61,7 +61,7 @@ export function assembleParts(parts: ReadonlyMap<PartKey, string>): FarolFile {
   const order = parts.has(PREFAB_ORDER) ? read<string[]>(PREFAB_ORDER) : [];
   const prefabs = order.map((key): Prefab => {
     const part = read<PrefabPart | Prefab>(prefabKey(key));
-    // stored by an earlier version
+    // parts stored by earlier versions of the editor hold whole objects
     if ('objects' in part) return part;
     const { id, name, pieces } = part;
     const objects = Array.from({ length: pieces }, (_, i) => read<FileObject[]>(pieceKey(id, i))).flat();

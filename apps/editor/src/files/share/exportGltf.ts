@@ -11,7 +11,7 @@ export interface ExportedGltf {
   readonly leftOut: readonly string[];
 }
 
-/** The used part of GLTFExporter's writer. */
+/** Parts of GLTFExporter's writer that the export uses. */
 interface Writer extends ProfileWriter {
   readonly json: ProfileWriter['json'] & { skins?: { skeleton?: number }[]; buffers?: unknown };
   processNodeAsync(object: Object3D): Promise<number>;

@@ -33,7 +33,7 @@ export interface Arrangement {
   readonly follows: boolean;
   /** Height above the surface, along its normal or upwards (m). */
   readonly height: number;
-  /** Seed of everything random. */
+  /** Seed of the arrangement's random offsets. */
   readonly seed: number;
   readonly colours: LightColours;
   /** Whether the lights together are as bright as the original; null decides by their number (`MANY_LIGHTS`). */

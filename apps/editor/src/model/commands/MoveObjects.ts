@@ -37,7 +37,7 @@ export class MoveObjects extends StructuralCommand {
     super(label, scene);
   }
 
-  /** Whether all objects are in place already. */
+  /** Whether all objects are at their new places already. */
   get isEmpty(): boolean {
     if (this.moves) return false;
     const siblings = childrenOf(this.parent);

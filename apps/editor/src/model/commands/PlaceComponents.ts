@@ -2,13 +2,13 @@ import { currentOf } from '@farol/editing';
 import type { Component, GameObject } from '@farol/engine';
 import { PlaceCommand } from './PlaceCommand';
 
-/** A component's place. */
+/** Place of a component: its object and index. */
 interface ComponentPlace {
   readonly component: Component;
   readonly object: GameObject;
   /** Index in the object's list. */
   readonly index: number;
-  /** Id for a new one. */
+  /** Id that the component gets; a new one when absent. */
   readonly id?: string;
 }
 

@@ -19,7 +19,7 @@ export class ClipSelections {
   current: ClipSelection = NOTHING;
   private readonly byText = new Map<string, ClipSelection>();
 
-  /** Begins with another clip. */
+  /** Clears the selections, since another clip is shown. */
   show(text: string): void {
     this.text = text;
     this.current = this.byText.get(text) ?? NOTHING;

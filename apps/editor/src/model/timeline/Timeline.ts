@@ -62,7 +62,7 @@ export class Timeline implements EditRecorder {
     return this.currentClip ? durationOf(this.currentClip) : 1;
   }
 
-  /** Frames per second. */
+  /** Frames per second of the edited clip. */
   get frameRate(): number {
     return this.currentClip ? frameRateOf(this.currentClip) : 30;
   }
@@ -210,7 +210,7 @@ export class Timeline implements EditRecorder {
     this.changed.emit();
   }
 
-  /** Edits the clip, as one step. */
+  /** Edits the clip, as one undo step. */
   edit(label: string, edit: KeyEdit | ClipData, events: readonly number[] = []): void {
     const { clip } = this;
     if (!clip) return;

@@ -13,7 +13,7 @@ export interface Recording {
   readonly root: GameObject;
   readonly data: ClipData;
   readonly duration: number;
-  /** Time of the keys (s). */
+  /** Time of the recorded keys (s). */
   readonly time: number;
 }
 

@@ -74,7 +74,7 @@ export function AssetsPanel(): ReactNode {
   const all = useMemo(() => assetEntries(document.scene), [document, document.scene, revision]);
   // oxlint-disable-next-line react-hooks/exhaustive-deps -- as above
   const folders = useMemo(() => foldersOf(document.scene), [document.scene, revision]);
-  // a folder that was removed is left
+  // when the shown folder was removed, the top folder is shown
   const folder = folders.includes(wanted) ? wanted : '';
   const isFlat = search.trim() !== '';
   const fits = (entry: AssetEntry): boolean =>

@@ -6,7 +6,7 @@ import { PanelBoundary } from '../../ui/PanelBoundary';
 interface DockPanelProps {
   readonly id: string;
   readonly isInFront: boolean;
-  /** Null while another panel fills the window. */
+  /** Rectangle of the panel in the dock (CSS pixels); null while another panel fills the window. */
   readonly rectangle: Rectangle | null;
 }
 

@@ -20,7 +20,7 @@ export const SmallWindow = ({ sheet, ...edge }: SheetEdgeProps & Pick<SheetTabsP
   </>
 );
 
-/** Pressing the open tab closes its panel. */
+/** Tabs of a small window; pressing the open one closes its panel. */
 function SheetTabs({ rectangle, sheet }: SheetTabsProps): ReactNode {
   const { panels, layout } = useEditor();
   const { x, y, width, height } = rectangle;

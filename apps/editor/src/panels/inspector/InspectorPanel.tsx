@@ -22,7 +22,7 @@ export function InspectorPanel(): ReactNode {
   const ids = useDeferredValue(document.selection.ids);
 
   const asset = document.assetSelection.primary;
-  // help for a previous selection is hidden
+  // help shown for a previous selection is hidden
   const subject = asset ?? ids;
   const setHelp = (text: string): void => showHelp({ help: text, of: subject });
   const show = (event: PointerEvent | FocusEvent): void => {

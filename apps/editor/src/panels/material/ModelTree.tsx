@@ -6,10 +6,10 @@ import { Icon } from '../../ui/Icon';
 import type { IconName } from '../../style/iconPaths';
 import './material.css';
 
-/** Number of objects listed at most. */
+/** Greatest number of a model's objects that are listed. */
 const MOST = 200;
 
-/** Levels unfolded at first. */
+/** Levels of the model's tree that are unfolded at first. */
 const OPEN_LEVELS = 2;
 
 function iconOf(object: Object3D): IconName {

@@ -6,7 +6,7 @@ import { useEditor } from '../../ui/EditorContext';
 interface ChunkErrorsProps {
   /** Name of the microshader in the console's entries. */
   readonly name: string;
-  /** Name of the microshader in the panel. */
+  /** Name of the microshader whose text the panel shows. */
   readonly shown: string;
   readonly problem: MicroShaderProblemText;
 }

@@ -17,7 +17,7 @@ export function useMicroShaderUses(): MicroShaderUses {
     editor.microShaders.sources = microShaderSources;
   }
   useSignal(uses.changed);
-  // a plugin may have added a technique
+  // techniques may change: a plugin can add one
   useSignal(editor.viewport.changed);
   useEffect(() => void uses.find());
   return uses;

@@ -10,7 +10,7 @@ import { RULER, type TimelineView } from './TimelineView';
 
 interface TimelineSheetProps {
   readonly view: TimelineView;
-  /** Height (CSS pixels). */
+  /** Height of the sheet (CSS pixels). */
   readonly height: number;
   readonly scroller: RefObject<HTMLDivElement | null>;
 }

@@ -70,7 +70,7 @@ export function trackOfCurveAt(view: TimelineView, x: number, y: number): ClipTr
   return nearest;
 }
 
-/** Replaces one coordinate of a value. */
+/** Replaces one coordinate of a key's value. */
 const withNumber =
   (curve: ShownCurve, change: (shown: number) => number) => (before: ClipTrack['keys'][0]['value']) => {
     const next = curve.fromShown(change(curve.shownOf({ time: 0, value: before })));
@@ -128,7 +128,7 @@ function roundRise(value: number, { valueScale }: TimelineView): number {
   return Number(value.toFixed(digits));
 }
 
-/** Drags a handle of a Bézier curve. */
+/** Drags a tangent handle of a Bézier curve. */
 export function dragHandle(view: TimelineView, { curve, index, end }: CurveHandle): SheetDrag {
   const { timeline } = view;
   const { track } = curve.row;

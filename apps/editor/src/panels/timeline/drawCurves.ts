@@ -36,7 +36,7 @@ function controlPoints(view: TimelineView, curve: ShownCurve, from: ClipKey, to:
   ];
 }
 
-/** The visible handles: those of selected keys. */
+/** Tangent handles that are visible: those of selected keys. */
 export function curveHandles(view: TimelineView): CurveHandle[] {
   const { keys: selected } = view.timeline.selection;
   const handles: CurveHandle[] = [];

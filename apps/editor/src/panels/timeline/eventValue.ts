@@ -20,7 +20,7 @@ export function readEventValue(text: string): FieldValue | undefined {
     if (Array.isArray(value) && value.length === 3 && value.every((each) => typeof each === 'number'))
       return value as unknown as FieldValue;
   } catch {
-    // not JSON: plain text
+    // a text that is no JSON is the value itself
   }
   return typed;
 }

@@ -5,7 +5,7 @@ import type { KeySelection } from '../../model/timeline/editKeys';
 /** The keys of a row, sorted by time: one mark for each time, which stands for one key or for several. */
 export interface KeyMarks {
   readonly times: readonly number[];
-  /** Ids of the keys of each mark. */
+  /** Ids of the keys that each mark stands for. */
   readonly ids: readonly (readonly string[])[];
 }
 

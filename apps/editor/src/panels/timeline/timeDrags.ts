@@ -48,7 +48,7 @@ export function isAtEnd(view: TimelineView, x: number, reach: number): boolean {
   return Math.abs(x - end) <= reach && Math.abs(x - end) < Math.abs(x - view.x(timeline.time));
 }
 
-/** Drags the handle of the duration. */
+/** Drags the handle of the clip's duration. */
 export function dragDuration(view: TimelineView): SheetDrag {
   const { timeline } = view;
   const label = t('Set the duration of {name}', { name: timeline.clip?.name ?? '' });

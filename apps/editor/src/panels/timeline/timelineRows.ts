@@ -8,7 +8,7 @@ import { isAnimatable, trackId } from '../../model/timeline/clipTracks';
 export interface GroupRow {
   readonly kind: 'group';
   readonly id: string;
-  /** Label such as 'Cube: Transform'. */
+  /** Label of the row, such as 'Cube: Transform'. */
   readonly label: string;
   readonly isOpen: boolean;
   readonly tracks: readonly ClipTrack[];
@@ -48,7 +48,7 @@ export interface EventsRow {
 
 export type TimelineRow = EventsRow | GroupRow | TrackRow | ChannelRow;
 
-/** Folded groups, and unfolded vectors. */
+/** Rows that the user has folded (groups) or unfolded (vectors). */
 export interface RowFolds {
   readonly folded: ReadonlySet<string>;
   readonly unfolded: ReadonlySet<string>;

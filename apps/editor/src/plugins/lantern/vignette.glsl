@@ -1,6 +1,6 @@
 // Vignette: factor of the image's brightness, 1 at the centre, less towards the corners.
 // Farol
-uniform vec2 lantern_size; // pixels
+uniform vec2 lantern_size; // size of the picture (pixels)
 layout(location = 0) out highp vec4 lantern_share;
 //# main
 vec2 fromMiddle = gl_FragCoord.xy / lantern_size - 0.5;

@@ -1,10 +1,10 @@
 import { type EngineKeyEvent, GameObject } from '@farol/engine';
 import { component, number } from '@farol/engine/fields';
 
-/** A drop on its way. */
+/** A drop of water that is falling. */
 interface Drop {
   readonly object: GameObject;
-  /** Metres a second. */
+  /** Velocity of the drop (m/s). */
   readonly velocity: [number, number, number];
   age: number;
 }

@@ -12,7 +12,7 @@ export default class Rainbow extends component({
 
   override update(_deltaSeconds: number, time: number): void {
     colour.setHSL((this.hue + this.speed * time) % 1, 1, 0.5);
-    // simulated values are shown, and not saved
+    // simulate() sets a value that is shown and not saved
     this.gameObject.getComponent('Light')?.simulate('diffuse', [colour.r, colour.g, colour.b]);
     this.gameObject.getComponent('ObjectRenderer')?.simulate('colour', [colour.r, colour.g, colour.b]);
   }

@@ -10,7 +10,7 @@ export interface ScriptDiagnostic {
   /** 'syntax' when the text cannot be parsed, 'types' for all other errors. */
   readonly kind: 'syntax' | 'types';
   readonly severity: 'error' | 'warning' | 'hint';
-  /** Line, from 1. */
+  /** Line of the problem in the script, from 1. */
   readonly line: number;
   /** Start of the error (characters from the start of the text); `to` is its end. */
   readonly from: number;
@@ -51,7 +51,7 @@ export interface ScriptSignature {
   readonly before: string;
   readonly parameters: readonly string[];
   readonly after: string;
-  /** Index of the parameter being written. */
+  /** Index of the parameter that is being typed. */
   readonly active: number;
   readonly help: string;
   readonly parameterHelp: string;

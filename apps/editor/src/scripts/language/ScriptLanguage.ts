@@ -16,7 +16,7 @@ export class ScriptLanguage {
   readonly changed = new Signal();
   /** Why the service is unavailable; null when it is not. */
   failure: string | null = null;
-  /** Whether the first query was answered. */
+  /** Whether the language service has answered its first query. */
   isReady = false;
 
   private worker: Promise<Worker> | null = null;

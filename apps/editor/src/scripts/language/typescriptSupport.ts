@@ -154,7 +154,7 @@ export function typescriptSupport(
     hover(language, script),
     signatureHelp(language, script),
     definitions(language, script, open),
-    // fixed, since panels clip their content
+    // tooltips have fixed positions, since panels clip their content
     tooltips({ position: 'fixed', parent: document.body }),
     keymap.of([...closeBracketsKeymap, ...completionKeymap, ...foldKeymap]),
   ];

@@ -28,7 +28,7 @@ const seen = new Vector3();
 
 /** A point in the viewport that can be dragged. */
 export interface Handle {
-  /** World position. */
+  /** World position of the handle (m). */
   readonly place: Vector3;
   /**
    * Edit for a drag to a ray; null when the ray gives no position.

@@ -26,7 +26,7 @@ export function areaLightHandles(light: Light): Handle[] {
   ] as const;
   for (const { column, name, size } of sides) {
     const axis = new Vector3().setFromMatrixColumn(object3D.matrixWorld, column).normalize();
-    if (axis.lengthSq() === 0) continue; // the object is scaled to 0
+    if (axis.lengthSq() === 0) continue; // an object scaled to 0 has no such axis
     for (const sense of [1, -1]) {
       const direction = axis.clone().multiplyScalar(sense);
       handles.push({

@@ -21,7 +21,7 @@ import vertexShader from './whole.vert.glsl?raw';
 export interface DifferenceFigures {
   /** Peak signal-to-noise ratio (dB); infinite for identical images. */
   readonly psnr: number;
-  /** Largest difference of a channel, in 255ths. */
+  /** Largest difference of a colour channel, in steps of 1/255. */
   readonly largest: number;
   /** Share of the pixels with a channel off by more than 2/255. */
   readonly differing: number;

@@ -39,7 +39,7 @@ export class ViewsPainter implements Painter {
     webgl.setScissorTest(true);
     for (let i = cells.length - 1; i >= 0; i--) {
       const cell = cells[i];
-      // y is measured from the lower edge
+      // WebGL measures y from the lower edge
       const bottom = height - cell.y - cell.height;
       webgl.setViewport(cell.x, bottom, cell.width, cell.height);
       webgl.setScissor(cell.x, bottom, cell.width, cell.height);

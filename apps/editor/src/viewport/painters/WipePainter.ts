@@ -92,7 +92,7 @@ export class WipePainter implements Painter {
     this.settingChanged();
   }
 
-  /** Factor applied to the shown difference. */
+  /** Factor on the difference of the two pictures, as shown. */
   get gain(): number {
     return this.factor;
   }

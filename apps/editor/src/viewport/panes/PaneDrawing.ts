@@ -57,7 +57,7 @@ export class PaneDrawing {
     const { webgl, panes, gizmo, helpers } = surface;
     const { x, y, width, height } = pane.rectangle;
     if (panes.list.length > 1) {
-      // y is measured from the lower edge
+      // WebGL measures y from the lower edge
       const bottom = fullHeight - y - height;
       webgl.setViewport(x, bottom, width, height);
       webgl.setScissor(x, bottom, width, height);

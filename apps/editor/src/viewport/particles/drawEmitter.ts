@@ -21,7 +21,7 @@ const box = new Box3();
 
 type Triple = readonly [number, number, number];
 
-/** A circle round the emitter's y axis. */
+/** Adds a circle round the emitter's y axis. */
 function ring(lines: LineSet, matrix: Matrix4, radius: number, height: number): void {
   centre.set(0, height, 0).applyMatrix4(matrix);
   x.setFromMatrixColumn(matrix, 0).multiplyScalar(radius);

@@ -13,13 +13,13 @@ import {
 import { castByTree } from '../trees/castByTree';
 
 export interface Surface {
-  /** World position (m). */
+  /** World position of the hit (m). */
   readonly point: Vector3;
   /** Unit normal (world), on the side that was hit. */
   readonly normal: Vector3;
   /** Object hit; null for the ground at height 0. */
   readonly object: GameObject | null;
-  /** Distance from the eye (m). */
+  /** Distance of the hit from the camera (m). */
   readonly distance: number;
 }
 

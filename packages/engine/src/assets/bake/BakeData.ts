@@ -1,7 +1,7 @@
 import type { ProbeBox } from '@farol/renderer/light-probes';
 
 export interface LightmapData {
-  /** Size in texels. */
+  /** Size of the lightmap (texels). */
   readonly width: number;
   readonly height: number;
   /** Half floats, RGBA, the row of v = 0 first: irradiance, linear, as three's `lightMap` has it. */

@@ -7,7 +7,7 @@ const DROPPED = 3;
 const LARGEST = 0x7bff >> DROPPED;
 const PLANES = 6;
 
-/** Deflates bytes. */
+/** Compresses bytes by deflate. */
 export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -92,6 +92,6 @@ export async function unpackLightmap(
       }
     }
   }
-  for (let i = 0; i < count; i++) data[4 * i + 3] = 0x3c00; // alpha is 1, as a half float
+  for (let i = 0; i < count; i++) data[4 * i + 3] = 0x3c00; // alpha is set to 1, as a half float
   return { width, height, data };
 }

@@ -3,7 +3,7 @@ import type { BakeData, LightmappedMesh } from './BakeData';
 import { deflate, packLightmap } from './lightmapCode';
 import { NumberWriter } from './NumberStream';
 
-/** Begins a file of baked light. */
+/** First bytes of a file of baked light. */
 export const BAKE_MAGIC = 'FAROLBAK';
 export const BAKE_VERSION = 1;
 /** Steps between 0 and 1 to which lightmap UVs are quantised (16 bits). */

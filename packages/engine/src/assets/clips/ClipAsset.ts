@@ -19,12 +19,12 @@ export class ClipAsset extends DataAsset {
   private parsedText: string | null = null;
   private parsed: ClipData | null = null;
 
-  /** Duration (s). */
+  /** Duration of the animation clip (s). */
   get duration(): number {
     return this.get('duration') as number;
   }
 
-  /** Frames per second that keys snap to. */
+  /** Frames per second to which the timeline snaps keys. */
   get frameRate(): number {
     return this.get('frameRate') as number;
   }

@@ -34,7 +34,7 @@ export interface ClipEvent {
   readonly time: number;
   /** Method called on components of the animated object and of its descendants: see `GameObject.callMethod`. */
   readonly method: string;
-  /** Argument of the method; none when absent. */
+  /** Argument of the method that the key calls; none when absent. */
   readonly value?: FieldValue;
 }
 

@@ -15,7 +15,7 @@ export class SceneBake {
 
   constructor(private readonly scene: Scene) {}
 
-  /** Whether baked light lights the scene. */
+  /** Whether the scene is drawn with its baked light. */
   get isShown(): boolean {
     return this.shown !== null;
   }

@@ -20,7 +20,7 @@ export class LineReader {
   private at = 0;
 
   constructor(private readonly bytes: Uint8Array) {
-    // skips the byte order mark of UTF-8
+    // skips a byte order mark of UTF-8
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
   }
 

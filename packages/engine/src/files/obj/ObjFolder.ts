@@ -26,7 +26,7 @@ function endsOf(parts: readonly string[]): string[] {
  */
 export class ObjFolder {
   private readonly entries: readonly { readonly path: string; readonly parts: readonly string[] }[];
-  /** First file for each whole path. */
+  /** First file of each full path. */
   private readonly wholes = new Map<string, string>();
   private readonly ends = new Map<string, string>();
 

@@ -1,6 +1,6 @@
 /** An OBJ and what belongs to it, as one file. */
 export interface PackedObj {
-  /** The GLB, which needs no other files. */
+  /** GLB file that contains meshes, materials and pictures. */
   readonly glb: ArrayBuffer;
   /** Sentences that name the OBJ, missing or omitted parts, and the remedy; empty when complete. */
   readonly notes: readonly string[];

@@ -22,7 +22,7 @@ export function roughnessOf(shininess: number, strength: number): number {
   return 1 + (roughness - 1) * Math.min(1, Math.max(0, strength));
 }
 
-/** Extensions that `gltfOfMtl` has used. */
+/** glTF extensions that `gltfOfMtl` has used so far. */
 export interface GltfNotes {
   usesEmissiveStrength: boolean;
 }

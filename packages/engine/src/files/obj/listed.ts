@@ -1,6 +1,6 @@
 import { shortText } from '@farol/editing';
 
-/** Names that are listed in a message. */
+/** Greatest number of names listed in a message. */
 const LISTED = 12;
 
 /** Names of files and materials in a message, shortened. */

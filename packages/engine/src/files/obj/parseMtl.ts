@@ -3,13 +3,13 @@ import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 export interface MtlMap {
   /** Path as written in the MTL file. */
   readonly path: string;
-  /** Factors of u and v. */
+  /** Factors on the texture coordinates u and v. */
   readonly scale: readonly [number, number];
-  /** Added to u and v after that. */
+  /** Offset added to u and v after scaling. */
   readonly offset: readonly [number, number];
   /** Whether the texture is clamped beyond its edges, not repeated. */
   readonly isClamped: boolean;
-  /** Strength of bumps. */
+  /** Strength of the bump map. */
   readonly bump: number;
 }
 
@@ -21,7 +21,7 @@ export interface MtlMaterial {
   readonly diffuse?: Triple;
   readonly specular?: Triple;
   readonly emissive?: Triple;
-  /** Exponent of the highlight. */
+  /** Phong exponent of the specular highlight. */
   readonly shininess?: number;
   /** Opacity, of `d`, or of `Tr`, which counts the other way round. */
   readonly opacity?: number;
@@ -31,7 +31,7 @@ export interface MtlMaterial {
   readonly specularMap?: MtlMap;
   readonly emissiveMap?: MtlMap;
   readonly opacityMap?: MtlMap;
-  /** A map of normals, which `norm` names. */
+  /** Normal map, named by `norm`. */
   readonly normalMap?: MtlMap;
   /** A map of heights, which `bump` and `map_bump` name; many are maps of normals in truth. */
   readonly bumpMap?: MtlMap;

@@ -5,7 +5,7 @@ import { fileOfGeometry } from './fileOfGeometry';
 import { type ObjFile, parseObj } from './parseObj';
 import { parseStl } from './parseStl';
 
-/** A format of triangles without a scene. */
+/** Reader of a file format that has meshes but no scene. */
 interface MeshReader {
   /** Whether faces of the format name materials of MTL files. */
   readonly hasMaterials: boolean;

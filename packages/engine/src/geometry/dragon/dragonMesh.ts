@@ -55,7 +55,7 @@ function horn(mesh: MeshBuilder, points: readonly Vector3Tuple[], radius: number
   mesh.surface(columns, rows, new Sweep(points).surface(section));
 }
 
-/** A ball, for eyes and nostrils. */
+/** Adds a ball (an eye or a nostril) to the mesh. */
 function ball(mesh: MeshBuilder, [x, y, z]: Vector3Tuple, radius: number): void {
   mesh.at(x, y, z).lathe(14, 9, (v) => [radius * Math.sin(Math.PI * v), -radius * Math.cos(Math.PI * v)]);
   mesh.at(0, 0, 0);

@@ -30,22 +30,22 @@ const ROWS = [1, 1, 1, 16, 32, 16, 32, 32, 32, 256];
 export interface ExrHeader {
   readonly width: number;
   readonly height: number;
-  /** The first row. */
+  /** y of the picture's first row. */
   readonly top: number;
-  /** Index of `ROWS`. */
+  /** Compression method of the EXR file, an index of `ROWS`. */
   readonly compression: number;
-  /** Bytes of a pixel. */
+  /** Bytes of a decompressed pixel. */
   readonly pixel: number;
   readonly isTiled: boolean;
   readonly isDeep: boolean;
   readonly isMultiPart: boolean;
   /** Pixels of a block, or of a tile. */
   readonly block: { readonly width: number; readonly height: number };
-  /** Blocks of the picture. */
+  /** Number of compressed blocks of rows in the picture. */
   readonly blocks: number;
   /** Places of blocks before these: tiles of smaller levels. */
   readonly table: number;
-  /** Byte after the headers. */
+  /** Offset of the first byte after the headers. */
   readonly end: number;
 }
 

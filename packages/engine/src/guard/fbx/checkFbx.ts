@@ -15,7 +15,7 @@ const CUTTING = 500_000_000;
 /** Turns that the loader puts between the keys of curves, one for each half of a circle. */
 const TURNS = 10_000_000;
 
-/** Nodes within one another. */
+/** Greatest nesting depth of FBX nodes. */
 const DEEPEST = 200;
 
 const MAGIC = 'Kaydara FBX Binary  \0';
@@ -149,7 +149,7 @@ const numbersOf = (bytes: Uint8Array<ArrayBuffer>, type: string): ArrayLike<numb
 async function checkBinary(bytes: ArrayBuffer, budget: Budget, signal?: AbortSignal): Promise<void> {
   try {
     for (const { node, type, count, isPacked, bytes: data } of arraysOf(bytes, budget)) {
-      // the loader makes lists of numbers
+      // three's FBXLoader makes a JavaScript array of the numbers, 8 bytes each
       budget.takeBytes(count * 8);
       const isFaces = node === 'PolygonVertexIndex';
       const isCurve = node === 'KeyValueFloat';
@@ -160,7 +160,7 @@ async function checkBinary(bytes: ArrayBuffer, budget: Budget, signal?: AbortSig
       if (content && isCurve) budget.takeCurve(numbersOf(content, type));
     }
   } catch (error) {
-    // the loader reports the damage
+    // a file that ends early is reported by three's FBXLoader
     if (!(error instanceof RangeError)) throw error;
   }
 }

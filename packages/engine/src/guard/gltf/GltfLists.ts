@@ -71,7 +71,7 @@ export class GltfLists {
     return typeof value === 'object' && value !== null ? (value as JsonRecord) : {};
   }
 
-  /** A whole number of 0 or more. */
+  /** Checks that a value of the file is an integer of at least 0. */
   whole(value: unknown, what: string): number {
     if (!Number.isSafeInteger(value) || (value as number) < 0) {
       this.fail(`${what} must be a whole number of at least 0, not ${describeValue(value)}`);

@@ -148,7 +148,7 @@ function primitivesOf(lists: GltfLists, mesh: Record<string, unknown>, what: str
   });
 }
 
-/** Accessors that Draco fills. */
+/** Indices of accessors whose values Draco decodes. */
 function dracoAccessors(lists: GltfLists): Set<unknown> {
   const found = new Set<unknown>();
   lists.all('meshes').forEach((mesh, i) => {

@@ -34,7 +34,7 @@ function matrixOf(lists: GltfLists, node: Record<string, unknown>, what: string)
   return new Matrix4().compose(position, rotation, scale);
 }
 
-/** How often a node draws its mesh. */
+/** Number of instances in which a node draws its mesh. */
 function instancesOf(lists: GltfLists, node: Record<string, unknown>, what: string): number {
   const instancing = lists.record(node.extensions).EXT_mesh_gpu_instancing;
   if (instancing === undefined) return 1;

@@ -12,7 +12,7 @@ export interface GltfJson {
   bufferViews?: { buffer: number; byteOffset?: number; byteLength: number }[];
   images?: { uri?: string; mimeType?: string; bufferView?: number }[];
   extensions?: { [LIGHTS_IES]?: { lights?: LightProfileJson[] } };
-  /** Index of the scene that is shown. */
+  /** Index of the default scene, which is shown. */
   scene?: number;
 }
 

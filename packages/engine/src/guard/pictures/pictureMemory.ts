@@ -33,7 +33,7 @@ export function pictureMemory(bytes: Uint8Array): number {
   const size = said === 'EXR' ? exrSize(bytes.slice().buffer) : imageSize(bytes);
   if (!size) return 0;
   checkPixels(size.width, size.height);
-  // half floats, else bytes; four a pixel
+  // four channels a pixel: half floats for EXR, else bytes
   return size.width * size.height * (said === 'EXR' || said === 'HDR' ? 8 : 4);
 }
 
@@ -42,7 +42,7 @@ function exrSize(bytes: ArrayBuffer): { width: number; height: number } | null {
     return readExrHeader(bytes);
   } catch (error) {
     if (error instanceof PixelsError) throw error;
-    // reported when the image is read
+    // a damaged picture is reported when it is decoded
     return null;
   }
 }

@@ -1,9 +1,9 @@
 /** Length, channels and rate of a sound once it is decoded. */
 export interface SoundSize {
-  /** Length (s). */
+  /** Duration of the sound (s). */
   readonly seconds: number;
-  /** Channels of the samples. */
+  /** Number of audio channels. */
   readonly channels: number;
-  /** Samples a second of one channel. */
+  /** Sample rate (Hz). */
   readonly rate: number;
 }

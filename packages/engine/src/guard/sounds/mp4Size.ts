@@ -29,7 +29,7 @@ export function mp4Size(view: DataView): SoundSize | null {
       else if (name === 'mdhd' && data + 32 <= end) {
         const isLong = view.getUint8(data) === 1;
         const duration = isLong ? Number(view.getBigUint64(data + 24)) : view.getUint32(data + 16);
-        // all ones: duration not known
+        // all bits set: the duration is not known
         if (duration < 0xffffffff || isLong)
           said = Math.max(said, duration / Math.max(1, view.getUint32(data + (isLong ? 20 : 12))));
       } else if (name === 'stsd' && data + 44 <= end) {

@@ -12,7 +12,7 @@ const SAMPLE_RATES = [44_100, 48_000, 32_000];
 const AAC_RATES = [96_000, 88_200, 64_000, 48_000, 44_100, 32_000, 24_000, 22_050, 16_000, 12_000, 11_025, 8000, 7350];
 
 interface Frame {
-  /** Bytes. */
+  /** Length of the MPEG frame (bytes). */
   readonly length: number;
   readonly samples: number;
   readonly rate: number;

@@ -14,7 +14,7 @@ interface Stream {
   readonly rate: number;
   /** Samples of a packet that begins at a byte. */
   samplesAt(at: number): number;
-  /** Samples of the stream's packets so far. */
+  /** Number of samples up to the last page that was read. */
   samples: number;
   /** Greatest sample position in the headers of the stream's pages. */
   said: number;
@@ -73,7 +73,7 @@ export function oggSize(view: DataView): SoundSize | null {
     const stream = begun ?? streams.get(serial);
     if (begun) streams.set(serial, begun);
     if (stream) {
-      // -1: no position
+      // -1: no packet ends on this page, so it has no position
       const said = Number(view.getBigInt64(at + 6, true));
       stream.said = Math.max(stream.said, said);
     }

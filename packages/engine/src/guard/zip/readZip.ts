@@ -117,7 +117,7 @@ export function isInZip(bytes: Uint8Array<ArrayBuffer>, path: string): boolean {
       ({ name }) => name === path,
     );
   } catch {
-    // the caller that unpacks reports the problem
+    // a damaged ZIP is reported by the caller, when unpacking it
     return false;
   }
 }

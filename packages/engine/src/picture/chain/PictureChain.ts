@@ -50,7 +50,7 @@ const TONES = 32;
  * when one is switched, not when a number changes.
  */
 export class PictureChain {
-  /** Whether more than tone mapping is drawn. */
+  /** Whether post-processing besides tone mapping is drawn. */
   showsEffects = true;
   private target: WebGLRenderTarget | null = null;
   /** Holds what depth of field has made, for the bloom of that. */
@@ -185,7 +185,7 @@ export class PictureChain {
     this.depth.texture = this.target!.depthTexture;
   }
 
-  /** Makes the passes of the enabled effects. */
+  /** Makes the post-processing passes of the enabled effects. */
   private make(on: number, camera: Camera): void {
     this.freePasses();
     this.on = on;

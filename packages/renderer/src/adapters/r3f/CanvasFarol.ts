@@ -5,12 +5,12 @@ import { FarolRenderer } from '../../renderer/FarolRenderer';
 import { type Interception, interceptRender } from '../intercept';
 import { isWorthFarol } from './isWorthFarol';
 
-/** Settings of one component. */
+/** Settings of one `<Farol>` component of a canvas. */
 export interface FarolSettings {
   readonly options: FarolOptions;
   /** Scene that the settings apply to, or null for all that the canvas draws. */
   readonly scene: Object3D | null;
-  /** Asks for a frame. */
+  /** Asks react-three-fiber to render a frame. */
   readonly invalidate: () => void;
 }
 

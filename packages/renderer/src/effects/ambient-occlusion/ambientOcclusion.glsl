@@ -3,7 +3,7 @@
 #include "occlusionSurface"
 #include "octahedralNormal"
 #ifdef FAROL_NORMALS
-uniform highp sampler2D farol_surfaceNormal; // view space, octahedral
+uniform highp sampler2D farol_surfaceNormal; // normal of the surface: view space, octahedral
 #endif
 uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
 layout(location = 0) out highp vec4 farol_open;

@@ -3,7 +3,7 @@
 #include "occlusionSurface"
 uniform highp sampler2D farol_openMap;
 uniform highp vec4 farol_reach; // radius (m); radius at 1 m distance, pixels a texel, largest radius (pixels)
-uniform highp float farol_strength; // exponent of the open share of the sky
+uniform highp float farol_strength; // strength of the occlusion: exponent of the share of the sky that is open
 #ifdef FAROL_ACCUMULATION
 uniform highp sampler2D farol_lit; // sum of emissive and indirect light
 uniform highp sampler2D farol_indirect; // indirect light alone
@@ -38,7 +38,7 @@ if (!farol_isEmpty(depth)) {
   open = pow(sum / total, farol_strength);
 }
 #ifdef FAROL_ACCUMULATION
-// infinity counts as the greatest half float
+// infinite radiance counts as the greatest half float
 farol_result = min(texelFetch(farol_lit, pixel, 0), 65504.0);
 farol_result.rgb = max(farol_result.rgb - (1.0 - open) * min(texelFetch(farol_indirect, pixel, 0).rgb, 65504.0), 0.0);
 #else

@@ -25,7 +25,7 @@ export class ObjectMotion {
   moves = false;
   /** World matrix; for a skinned mesh times the inverse of its bind matrix. */
   readonly matrix = new Float64Array(16);
-  /** Bone matrices, or null. */
+  /** Texture of a skinned mesh's bone matrices in the last frame; null for others. */
   bones: DataTexture | null = null;
   /** Instance matrices of the copied state; null until the matrices first change. */
   instances: DataTexture | null = null;
@@ -37,7 +37,7 @@ export class ObjectMotion {
   readonly surfaceTimes: number[] = [];
   private surfaces = 0;
   private instancesVersion = -1;
-  /** Number of the vertices, see `verticesOf`. */
+  /** Version of the vertices in the last frame, see `verticesOf`. */
   private vertices = 0;
 
   /** Whether the object has moved since the last `remember`. */
@@ -72,7 +72,7 @@ export class ObjectMotion {
     return true;
   }
 
-  /** Copies the object's present state. */
+  /** Copies the object's matrix, bones and morphs, for the next frame to compare with. */
   remember(object: Object3D, frame: number): void {
     this.frame = frame;
     worldOf(object, this.matrix);
@@ -101,7 +101,7 @@ export class ObjectMotion {
     this.rememberInstances(object);
   }
 
-  /** Whether any textures are held. */
+  /** Whether the state of the object has textures. */
   get holds(): boolean {
     return this.bones !== null || this.instances !== null;
   }

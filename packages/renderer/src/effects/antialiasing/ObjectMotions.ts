@@ -16,7 +16,7 @@ export class ObjectMotions {
     return motion;
   }
 
-  /** Copies an object's state in a frame. */
+  /** Copies an object's matrix, bones and morphs in a frame, for the next frame to compare with. */
   remember(object: Object3D, frame: number): void {
     const motion = this.of(object);
     motion.remember(object, frame);

@@ -20,7 +20,7 @@ export class SmoothEdges extends SMAA {
   override begin(): void {}
 
   picked(frame: Frame): void {
-    // tested here, since it cannot be within three's render
+    // the drawing buffer's format is read here, since it cannot be within three's render
     if (frame.target === null) this.buffered ??= hasOutputBuffer(frame.webgl);
     this.isOn = !this.isLeftOut(frame);
     if (this.isOn) super.begin(frame);

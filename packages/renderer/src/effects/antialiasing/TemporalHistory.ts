@@ -32,7 +32,7 @@ export class TemporalHistory {
   readonly forward = new Vector3();
   /** Size of the picture in the last frame (pixels). */
   readonly sizeBefore = new Vector2();
-  /** Frames since the last reset. */
+  /** Number of frames accumulated since the last reset. */
   count = 0;
   /** Frames since any change of the picture; Infinity after a reset. */
   quiet = Infinity;
@@ -101,7 +101,7 @@ export class TemporalHistory {
     return this.reaches[this.frame & 1].of(this.width, this.height);
   }
 
-  /** Ends a frame: its targets become the past. */
+  /** Ends a frame: its targets are the history of the next one. */
   advance(viewProjection: Matrix4, camera: Camera): void {
     this.sizeBefore.set(this.width, this.height);
     this.last = this.next.texture;

@@ -32,7 +32,7 @@ export function cellWeights(
   return out;
 }
 
-/** From pixels to cells, less whole pixels. */
+/** Offset of a position (pixels) within its pixel, in history cells. */
 function off(pixels: number): number {
   return 2 * (pixels - Math.round(pixels));
 }

@@ -1,7 +1,7 @@
 // What lies behind all surfaces, also at pixels whose middle a surface covers.
 // Chajdas, McGuire and Luebke 2011, Subpixel Reconstruction Antialiasing
 #include "edgeColor"
-uniform highp float farol_farthest; // stored depth of the far plane
+uniform highp float farol_farthest; // depth-buffer value of the far plane
 layout(location = 0) out highp vec4 farol_color;
 //# main
 float shown;

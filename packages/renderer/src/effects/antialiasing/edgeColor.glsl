@@ -5,7 +5,7 @@
 uniform highp sampler2D farol_picture;
 uniform highp sampler2D farol_pictureDepth;
 
-/** Greatest rounding error of depth. */
+/** Greatest rounding error of a depth-buffer value. */
 const float FAROL_ROUNDING = 2e-7;
 /** Added to the alpha of a sample whose surface the picture shows; the mean of 4 samples keeps mark and alpha. */
 const float FAROL_SHOWN = 8.0;
@@ -33,7 +33,7 @@ bool farol_edgeColor(
     for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
       ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
       vec2 off = vec2(at - pixel);
-      // of two fitting pixels, the one nearer in depth
+      // of two pixels that fit the sample, the one nearer in depth
       float apart = abs(texelFetch(farol_pictureDepth, at, 0).r - depth - dot(slope, off))
         + (FAROL_ROUNDING + 0.01 * slopes) * dot(off, off);
       if (apart < least) { least = apart; found = at; }

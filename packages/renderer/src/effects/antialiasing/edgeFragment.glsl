@@ -1,4 +1,4 @@
-// what a material's shader does after its tests
+// output of a material's shader, after its alpha test
 #ifdef USE_LOGARITHMIC_DEPTH_BUFFER
 float farol_depth = gl_FragDepth;
 #elif defined( USE_REVERSED_DEPTH_BUFFER )

@@ -5,7 +5,7 @@
 //? farol_lanczos(-1.5) == -0.135094912
 float farol_lanczos(const in float x) {
   float a = 3.14159265 * abs(x);
-  if (a < 0.1) return 1.0 - a * a * (5.0 / 27.0); // sines of so little are of few digits
+  if (a < 0.1) return 1.0 - a * a * (5.0 / 27.0); // series near 0, where the quotient of sines is imprecise
   return 3.0 * sin(a) * sin(a / 3.0) / (a * a);
 }
 

@@ -7,7 +7,7 @@ import type { RenderItem } from '../../frame/RenderItem';
 import motionVertexHeader from './motionVertexHeader.glsl?raw';
 import motionVertex from './motionVertex.glsl?raw';
 
-/** Matches main(), also as a host may write it. */
+/** Matches the start of a shader's main(), however it is spaced. */
 const MAIN = /\bvoid\s+main\s*\(/;
 const VARYINGS = 'varying highp vec4 farol_now;\nvarying highp vec4 farol_before;\n';
 const WRITE =

@@ -19,10 +19,10 @@ vec4 farol_weightsAt(const in ivec2 pixel) {
 //# main
 ivec2 pixel = ivec2(gl_FragCoord.xy);
 vec4 own = farol_weightsAt(pixel);
-// from below, above, left, right
+// blending weights of the neighbours below, above, left and right
 vec4 weights = vec4(own.r, farol_weightsAt(pixel + ivec2(0, 1)).g, own.b, farol_weightsAt(pixel + ivec2(1, 0)).a);
 farol_color = farol_linearAt(pixel);
-// only over the longer direction: both would blur corners
+// blends along the direction of the longer edge alone: both would blur corners
 if (max(weights.z, weights.w) > max(weights.x, weights.y)) weights.xy = vec2(0.0);
 else weights.zw = vec2(0.0);
 float sum = weights.x + weights.y + weights.z + weights.w;

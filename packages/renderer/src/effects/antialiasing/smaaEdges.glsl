@@ -7,7 +7,7 @@ uniform highp sampler2D farol_picture;
 uniform bool farol_encoded;
 layout(location = 0) out highp vec4 farol_edges;
 
-// luma and alpha
+// luma and alpha of a pixel
 vec2 farol_lumaAt(const in ivec2 pixel) {
   vec4 color = texelFetch(farol_picture, clamp(pixel, ivec2(0), ivec2(farol_frameSize) - 1), 0);
   if (!farol_encoded) color = farol_toDisplay(clamp(color, 0.0, 1.0));

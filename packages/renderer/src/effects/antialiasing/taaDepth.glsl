@@ -6,7 +6,7 @@ uniform highp sampler2D farol_pictureDepth;
 // surfaces whose depth is shifted (polygonOffset), oblique or coarse: their distances, and depth as drawn with them
 uniform highp sampler2D farol_distances;
 uniform highp sampler2D farol_distanceDepth;
-uniform highp int farol_distancesStored; // 0: there are none; 1: in perspective; 2: orthographic
+uniform highp int farol_distancesStored; // kind of stored distances: 0 none, 1 perspective, 2 orthographic
 // xy: motion (1: picture width, height); z: change of distance (m); w: 1 where objects move
 uniform highp sampler2D farol_motionMap;
 uniform highp mat4 farol_reproject; // transform of this frame's normalised device coordinates to last frame's
@@ -39,7 +39,7 @@ float farol_deviceZAt(const in float away) {
   return (farol_projectZ.y - away * farol_projectZ.x) / (farol_projectZ.w - away * farol_projectZ.z);
 }
 
-// limited to the range of half floats
+// distance of a surface from its depth (m), at most the greatest half float
 float farol_distanceOf(const in float deviceZ) {
   float z = (farol_projectZ.y - deviceZ * farol_projectZ.w) / (deviceZ * farol_projectZ.z - farol_projectZ.x);
   return clamp(-z, 1e-3, 6e4);

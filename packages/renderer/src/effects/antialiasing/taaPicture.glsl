@@ -1,6 +1,6 @@
 // The picture from a history of several cells a pixel: one bilinear read between a pixel's cells is their mean.
 // Yang et al. 2009, Amortized Supersampling
-uniform highp sampler2D farol_history; // linear filtering
+uniform highp sampler2D farol_history; // accumulated colours of the last frame, filtered linearly
 uniform int farol_cells; // history cells along a pixel's side: 1 or 2
 layout(location = 0) out highp vec4 farol_color;
 //# main

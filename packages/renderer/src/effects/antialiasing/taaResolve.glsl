@@ -22,10 +22,10 @@ uniform int farol_belief;
 // least share of the new sample, 0 to 1, where history is unreliable: in this frame, in the last
 uniform highp sampler2D farol_reactive;
 uniform highp sampler2D farol_reactiveBefore;
-uniform highp ivec2 farol_isReactive; // x, y: 1 if farol_reactive, farol_reactiveBefore are set
+uniform highp ivec2 farol_isReactive; // x, y: 1 if the textures farol_reactive and farol_reactiveBefore are bound
 layout(location = 0) out highp vec4 farol_color;
 
-/** Distances this much apart (ratio) belong to different surfaces. */
+/** Ratio of two distances above which they belong to different surfaces. */
 const float FAROL_APART = 1.08;
 /** Motion of foreground over background (pixels a frame) from which on history beside the edge is doubted. */
 const float FAROL_PASSES = 0.3;
@@ -134,7 +134,7 @@ else if (farol_hasPast) {
     if (farol_isReactive.y > 0)
       reactive = max(reactive, farol_reactiveAt(farol_reactiveBefore, ivec2(uv * farol_sizeBefore)));
     float share = weight * (still ? farol_share.y : farol_share.x);
-    // doubted history: samples farther from the cell count more
+    // where the history is doubted, samples farther from the cell's centre count more
     if (edge && !believed) share = max(share, farol_share.x * pow(weight, 0.36));
     if (beside) {
       float passes = length((way.xy - ownWay.xy) * size);

@@ -68,7 +68,7 @@ export class Decal extends Mesh {
     const material = this.surface.clone();
     material.transparent = true;
     material.depthWrite = false;
-    // three does not blend by these without
+    // three blends these modes only with premultiplied alpha
     material.premultipliedAlpha ||= material.blending === SubtractiveBlending || material.blending === MultiplyBlending;
     material.polygonOffset = true;
     material.polygonOffsetFactor = -4;

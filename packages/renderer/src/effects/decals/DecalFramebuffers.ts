@@ -15,7 +15,7 @@ export class DecalFramebuffers {
   follow(frame: Frame, gbuffer: GBuffer): void {
     const { gl, webgl } = frame;
     const handle = (texture: Texture) => textureHandle(webgl, texture)!;
-    // attachments that effects add hold light
+    // attachments that effects add to the G-buffer hold light
     const light = [gbuffer.emissive, ...gbuffer.target.textures.slice(gbufferLayout.length)];
     const groups = [light.map(handle), [gbuffer.albedo, gbuffer.normal, gbuffer.material].map(handle)];
     const all = groups.flat();

@@ -129,7 +129,7 @@ export class Decals implements FarolEffect {
     copies.take(frame, gbuffer);
     this.materials ??= this.makeMaterials(frame);
     this.framebuffers.follow(frame, gbuffer);
-    frame.bind(gbuffer.target); // for the target's viewport
+    frame.bind(gbuffer.target); // sets the viewport of the G-buffer
     setUnprojectUniforms(uniforms, frame.camera, frame.webgl);
     uniforms.farol_frameSize.value.set(frame.width, frame.height);
     uniforms.farol_surfaceDepth.value = gbuffer.depth;
@@ -183,7 +183,7 @@ export class Decals implements FarolEffect {
     light.blendDst = SrcColorFactor;
     surfaces.blendSrc = SrcAlphaFactor;
     surfaces.blendDst = OneMinusSrcAlphaFactor;
-    // keeps alpha, which holds other data
+    // the alpha channels hold other data, and are kept
     for (const one of [light, surfaces]) {
       one.blendSrcAlpha = ZeroFactor;
       one.blendDstAlpha = OneFactor;

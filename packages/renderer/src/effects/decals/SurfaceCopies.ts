@@ -9,7 +9,7 @@ import { bindFramebuffer } from '../../three/state';
 /** Copies of a G-buffer's normals and albedo, which are read while the G-buffer itself is written. */
 export class SurfaceCopies {
   private readonly normalTarget = new PassTarget({ format: RGFormat, type: HalfFloatType });
-  /** Copy of distances, for a G-buffer that stores them. */
+  /** Copy of the surfaces' distances, for a G-buffer that stores them. */
   private readonly distanceTarget = new PassTarget({ type: HalfFloatType });
   private readonly albedoTarget = new PassTarget();
   private gbuffer!: WebGLRenderTarget;

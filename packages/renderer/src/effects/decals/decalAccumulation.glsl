@@ -1,7 +1,7 @@
 // Multiplies a surface's indirect light by the ratio of its albedo with the decal to that without.
 // Farol
 #include "decalSurface"
-uniform lowp sampler2D farol_surfaceMaterial; // G-buffer; y: metalness, where the surface is a MeshStandardMaterial
+uniform lowp sampler2D farol_surfaceMaterial; // G-buffer's material; y: metalness of a MeshStandardMaterial
 uniform bool farol_environment; // whether the scene has an environment; metal reflects it and scatters no ambient light
 layout(location = 0) out highp vec4 farol_accumulation;
 layout(location = 1) out highp vec4 farol_indirect;

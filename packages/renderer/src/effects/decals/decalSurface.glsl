@@ -6,14 +6,14 @@
 #include "storedDistance"
 #include "surfaceFlags"
 uniform highp sampler2D farol_surfaceDepth;
-uniform highp sampler2D farol_surfaceNormal; // xy: octahedral, view space; zw: stored distance
+uniform highp sampler2D farol_surfaceNormal; // G-buffer; xy: normal (octahedral, view space); zw: stored distance
 uniform highp int farol_surfaceStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
 uniform lowp sampler2D farol_surfaceAlbedo; // rgb: square root of the albedo; a: flags / 255
 uniform sampler2D farol_decalMap;
 uniform sampler2D farol_decalNormalMap;
-uniform highp mat4 farol_decalInverse; // view space (m) to the decal's unit box
+uniform highp mat4 farol_decalInverse; // matrix from view space (m) to the decal's unit box
 uniform highp mat4 modelViewMatrix;
-uniform vec4 farol_decalColor; // linear colour, opacity 0 to 1
+uniform vec4 farol_decalColor; // the decal's linear colour, and opacity, 0 to 1
 uniform mat3 farol_decalMapTransform;
 uniform mat3 farol_decalNormalMapTransform;
 uniform vec4 farol_decalValues; // roughness, metalness, normal scale x, y; scale x above 1e8: no normal map
@@ -21,14 +21,14 @@ uniform int farol_decalBlending; // three's blending constant: 1 normal, 2 addit
 uniform float farol_decalFacing; // cosine of the largest angle between surface normal and decal axis
 
 struct FarolDecal {
-  vec3 color; // linear
-  float opacity; // above 0
+  vec3 color; // linear colour of the decal
+  float opacity; // opacity of the decal, above 0 to 1
   vec3 blended; // albedo of the surface under the decal, linear, 0 to 1
   vec3 normal; // normal of the surface, view space
   vec3 albedo; // albedo of the surface and of decals already on it, linear
   int flags; // flags of the surface, see surfaceFlags.glsl
   vec2 uv;
-  vec2 across; // change of uv to the next pixel
+  vec2 across; // change of the texture coordinates to the next pixel in x
   vec2 up;
 };
 
@@ -46,7 +46,7 @@ vec2 farol_smaller(const in vec3 a, const in vec3 b) {
   return dot(a, a) < dot(b, b) ? a.xy : b.xy;
 }
 
-// three's blending for premultiplied alpha
+// blends a decal over the surface below as three does with premultiplied alpha
 vec3 farol_blend(const in vec3 below, const in vec3 color, const in float opacity) {
   if (farol_decalBlending == 2) return below + color;
   if (farol_decalBlending == 3) return below * (1.0 - color);

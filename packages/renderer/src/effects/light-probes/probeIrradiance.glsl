@@ -1,6 +1,6 @@
 // Irradiance of a surface from a grid of light probes: spherical harmonics of second order in cells of a box.
 // Ramamoorthi and Hanrahan, An Efficient Representation for Irradiance Environment Maps, 2001
-uniform highp sampler3D farol_probes; // layout in effects/light-probes/ProbeGrid.ts
+uniform highp sampler3D farol_probes; // probes' spherical harmonics, laid out as in effects/light-probes/ProbeGrid.ts
 uniform vec3 farol_probesMin, farol_probesMax; // corners of the grid's box (m, world space)
 uniform vec3 farol_probeCounts;
 uniform float farol_environmentShare; // factor of environment light: 0 if the probes hold it, else 1

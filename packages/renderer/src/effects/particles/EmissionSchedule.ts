@@ -2,12 +2,12 @@ import type { ParticleSettings } from './ParticleSettings';
 
 /** Longest step of the particle simulation (s); longer times are split. */
 export const LONGEST_STEP = 1 / 30;
-/** Difference below which two times count as equal (s). */
+/** Times of emission that differ by less count as equal (s). */
 const CLOSE = 1e-9;
 
 /** One step of the simulation, at most `LONGEST_STEP` long, with the particles that begin in it. */
 export interface SimulationStep {
-  /** Length of the step (s). */
+  /** Duration of the simulation step (s). */
   seconds: number;
   /** Number of the first particle that begins, counted from the last restart. */
   first: number;
@@ -28,15 +28,15 @@ type Emission = Pick<ParticleSettings, 'capacity' | 'rate' | 'bursts' | 'delay' 
  * number % capacity.
  */
 export class EmissionSchedule {
-  /** Time since the last restart (s). */
+  /** Time since the emitter's last restart (s). */
   time = 0;
-  /** Number of particles that have begun. */
+  /** Number of particles emitted since the last restart. */
   begun = 0;
   /** Number of the first particle that may still live: all before it have ended. */
   oldest = 0;
   /** Whether particles could not begin since the restart, because `capacity` was reached. */
   wasFull = false;
-  /** Whether no particle begins any more. */
+  /** Whether the emitter has emitted its last particle. */
   isOver = false;
   private cycle = 0;
   private nextBurst = 0;
@@ -90,7 +90,7 @@ export class EmissionSchedule {
   private follow({ bursts, delay }: Emission): void {
     if (bursts === this.bursts) return;
     const isFirst = this.bursts === null;
-    // below 0 nothing begins yet
+    // until the delay is over, the time in the cycle is below 0
     if (isFirst) this.cycle = -delay;
     this.bursts = bursts;
     this.sorted = bursts.toSorted((a, b) => a.time - b.time);
@@ -113,7 +113,7 @@ export class EmissionSchedule {
     const end = duration > 0 ? duration : Infinity;
     let event = end;
     for (let i = this.nextBurst; i < sorted.length; i++) {
-      if (sorted[i].time <= this.cycle + CLOSE) continue; // at the start of the step
+      if (sorted[i].time <= this.cycle + CLOSE) continue; // a burst at the start of the step does not end it
       event = Math.min(end, sorted[i].time);
       break;
     }

@@ -81,7 +81,7 @@ export class ParticleEmitter extends MeshWithSettings {
   emitting = true;
   /** Grows when a curve or gradient gets another value. @internal */
   curvesVersion = 0;
-  /** Grows with each restart. @internal */
+  /** Number of restarts so far. @internal */
   restarts = 0;
   /** @internal */
   readonly pending = new PendingSteps();
@@ -155,7 +155,7 @@ export class ParticleEmitter extends MeshWithSettings {
     if (this.pending.schedule.wasFull && this.toldOf !== this.values.capacity) this.tellFull();
   }
 
-  /** Begins anew, from the seed, at the time 0. */
+  /** Removes all particles and begins anew at the time 0, with the same seed. */
   restart(): void {
     this.hasBegun = false;
     this.restarts++;
@@ -195,7 +195,7 @@ export class ParticleEmitter extends MeshWithSettings {
     super.updateMatrixWorld(force);
   }
 
-  /** Particles are not hit by rays. */
+  /** Does nothing: raycasters do not hit particles. */
   override raycast(): void {}
 
   override onBeforeRender(
@@ -267,7 +267,7 @@ export class ParticleEmitter extends MeshWithSettings {
 }
 
 for (const name of settingNames) {
-  // a property of every Object3D
+  // receiveShadow is a property of every Object3D
   if (name === 'receiveShadow') continue;
   Object.defineProperty(ParticleEmitter.prototype, name, {
     get(this: ParticleEmitter) {

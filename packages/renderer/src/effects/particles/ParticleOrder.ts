@@ -74,12 +74,12 @@ export class ParticleOrder {
     return this.targets[0].texture;
   }
 
-  /** Slots, rounded up to a power of two. */
+  /** Number of particle slots, rounded up to a power of two, as the sorting network needs. */
   get places(): number {
     return this.targets[0].width * this.targets[0].height;
   }
 
-  /** Sorts by the distance along the view. Binds targets. */
+  /** Sorts the particles by their distance along the view. Binds other targets. */
   sort(frame: Frame, passes: ReturnType<typeof particleSortPasses>, positions: Texture, velocities: Texture): void {
     const { uniforms } = passes.keys;
     const v = frame.camera.matrixWorldInverse.elements;

@@ -68,9 +68,9 @@ function floatTexture(data: Float32Array<ArrayBuffer>, width: number, height: nu
 }
 
 export interface ParticleTextures {
-  /** Position in the world (m), age (s). */
+  /** World position (m) and age (s) of each particle. */
   readonly positions: Texture;
-  /** Velocity (m/s), life (s). */
+  /** Velocity (m/s) and lifetime (s) of each particle. */
   readonly velocities: Texture;
 }
 
@@ -99,7 +99,7 @@ export class ParticleState {
     this.curves = floatTexture(new Float32Array(4 * CURVE_TEXELS * CURVE_ROWS), CURVE_TEXELS, CURVE_ROWS);
   }
 
-  /** Bytes of targets and textures. */
+  /** Bytes of the emitter's targets and textures on the GPU. */
   get bytes(): number {
     let bytes = this.curves.image.data!.byteLength + (this.surface?.image.data?.byteLength ?? 0);
     bytes += (this.order?.bytes ?? 0) + (this.around?.bytes ?? 0);
@@ -108,7 +108,7 @@ export class ParticleState {
     return bytes;
   }
 
-  /** Particles after the last step; null before the first. */
+  /** Textures of the particles after the last step; null before the first one. */
   get textures(): ParticleTextures | null {
     return this.particles === null ? null : { positions: this.positions, velocities: this.velocities };
   }
@@ -131,7 +131,7 @@ export class ParticleState {
     this.bakeCurves();
     emitter.begin();
     if (this.particles === null || this.slots !== emitter.capacity) {
-      // lost particles cannot be continued
+      // after a lost context the particles' state is gone: begin anew
       if (!pending.clears) {
         emitter.restart();
         emitter.begin();
@@ -215,7 +215,7 @@ export class ParticleState {
     const { schedule } = emitter.pending;
     const { capacity, size, initialRotation, spin, stretch, brightness, flipBook, render } = emitter;
     const isSorted = emitter.blending !== 'additive';
-    // sorted slots lie anywhere in the order
+    // in sorted order, slots without a particle lie among the others
     const count = isSorted ? this.order!.places : schedule.begun - schedule.oldest;
     uniforms.farol_particlePositions.value = this.positions;
     uniforms.farol_particleVelocities.value = this.velocities;
@@ -356,7 +356,7 @@ export class ParticleState {
     const { shape, inheritVelocity, space } = emitter;
     const [now, next] = this.particles!;
     const { seconds, matrix } = step;
-    // nothing begins on a mesh without a surface
+    // a mesh without triangles emits nothing
     const begins = shape.kind !== 'mesh' || this.surfaceTriangles > 0;
     uniforms.farol_beginning.value[0] = step.first % this.slots;
     uniforms.farol_beginning.value[1] = begins ? step.bursting : 0;
@@ -370,7 +370,7 @@ export class ParticleState {
     uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : isLocal ? matrix : start);
     uniforms.farol_emitterEnd.value.copy(onMesh ? shape.mesh.matrixWorld : matrix);
     const carried = uniforms.farol_carried.value.identity();
-    // an emitter without a size cannot be left again
+    // a matrix without an inverse (scale 0) cannot be undone
     if (isLocal && start.determinant() !== 0) carried.copy(start).invert().premultiply(matrix);
     from.setFromMatrixPosition(isLocal ? matrix : start);
     to.setFromMatrixPosition(matrix);

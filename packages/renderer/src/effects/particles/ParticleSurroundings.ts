@@ -21,7 +21,7 @@ import surroundingNormals from './surroundingNormals.glsl?raw';
 /** Number of normals in surroundingNormals.glsl, a texel each. */
 const NORMALS = 9;
 
-/** Matches main(), also as a host may write it. */
+/** Matches the start of a shader's main(), however it is spaced. */
 const MAIN = /\bvoid\s+main\s*\(\s*\)\s*\{/;
 const NORMAL = 'vec3 farol_axisNormal;\n#define normal farol_axisNormal\n';
 const PLACE = `gl_Position = vec4((float(farol_texelIndex) + (farol_isRightCorner ? 1.0 : 0.0)) / ${(NORMALS / 2).toFixed(1)} - 1.0,

@@ -44,7 +44,7 @@ export class Particles implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    this.hide(); // an exception may have ended the last frame
+    this.hide(); // hides what the last frame left visible, if an exception ended it
     this.frame = frame;
     this.depth.begin();
     this.loop = 'lightLoopAll';

@@ -2,7 +2,7 @@ import { Matrix4 } from 'three';
 import { EmissionSchedule, type SimulationStep } from './EmissionSchedule';
 import type { ParticleSettings } from './ParticleSettings';
 
-/** A step that the GPU has yet to make. */
+/** A simulation step that the GPU has yet to make. */
 export interface PendingStep extends SimulationStep {
   /** World matrix of the emitter at the end of the step; at its start it is that of the step before. */
   readonly matrix: Matrix4;

@@ -27,7 +27,7 @@ export class SurfaceDepth {
     return this.drawn.bytes + this.distancePass.bytes + (this.copied === null ? 0 : targetBytes(this.copied));
   }
 
-  /** Forgets the last frame. */
+  /** Begins a frame: the depth of the last one is no longer valid. */
   begin(): void {
     this.texture = this.distances = null;
     this.scale.set(1, 1);
@@ -79,7 +79,7 @@ export class SurfaceDepth {
     }
     const copied = this.copied!;
     fitTarget(copied, width, height);
-    frame.bind(copied); // allocates the target that is copied to
+    frame.bind(copied); // binding allocates the target, which depth is then copied to
     frame.copyDepth(frame.target!, copied, viewport.x, viewport.y);
     return copied.depthTexture!;
   }

@@ -193,7 +193,7 @@ export function checkParticleSetting(owner: string, name: keyof ParticleSettings
 
 function shortText(value: unknown): string {
   if (typeof value === 'number' || typeof value === 'boolean' || value === undefined) return String(value);
-  // numbers that JSON does not have by their names
+  // Infinity and NaN, which JSON does not have, by their names
   const text = JSON.stringify(value, (key, part: unknown) => {
     if (key === 'mesh' || key === 'metadata') return undefined;
     return typeof part === 'number' && !Number.isFinite(part) ? String(part) : part;

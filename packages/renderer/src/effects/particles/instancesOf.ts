@@ -20,7 +20,7 @@ export function instancesOf(geometry: BufferGeometry | null): InstancedBufferGeo
       continue;
     }
     const { data, itemSize, offset, normalized } = attribute;
-    // attributes of one buffer stay in one
+    // attributes that share an interleaved buffer share one after the copy
     const buffer = buffers.get(data) ?? new InterleavedBuffer(data.array.slice(), data.stride);
     buffers.set(data, buffer);
     instanced.setAttribute(name, new InterleavedBufferAttribute(buffer, itemSize, offset, normalized));

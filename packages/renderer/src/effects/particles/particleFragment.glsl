@@ -12,7 +12,7 @@ uniform sampler2D farol_particleMap;
 #endif
 #ifdef FAROL_SOFT
 uniform highp sampler2D farol_particleDepth; // depth of opaque surfaces
-uniform highp sampler2D farol_particleDistances; // their distances, see storedDistance.glsl
+uniform highp sampler2D farol_particleDistances; // distances of the opaque surfaces, see storedDistance.glsl
 uniform highp int farol_particleStored; // 0: no distances are stored; 1: they are, perspective; 2: orthographic
 uniform highp vec4 farol_softness; // x: 1 / fading distance (1/m); y: near plane (m); zw: texels of depth a pixel
 #endif

@@ -117,7 +117,7 @@ export function particleMaterial(
     defines,
     transparent: true,
     depthTest: true,
-    // meshes have a front and a back
+    // mesh particles hide one another, and write depth
     depthWrite: look.reactive !== true && look.render === 'mesh' && look.blending !== 'additive',
     fog: look.reactive !== true,
     toneMapped: look.reactive !== true,

@@ -2,11 +2,11 @@
 // and spheres that it bounces off.
 // Farol; dv/dt = a - k v; exponential integrator: Hochbruck and Ostermann 2010
 #include "particleNoise"
-uniform highp vec4 farol_acceleration; // xyz: m/s²; w: drag (1/s)
+uniform highp vec4 farol_acceleration; // xyz: acceleration (m/s²); w: drag (1/s)
 uniform highp vec4 farol_noise; // x: strength (m/s²); y: waves a metre; z: how far the noise has sunk (m)
 const int FAROL_COLLIDERS = 4;
 uniform int farol_colliderCount;
-// plane: unit normal, height (m); sphere: centre, radius (m)
+// colliders: unit normal and height (m) of a plane, centre and radius (m) of a sphere
 uniform highp vec4 farol_colliders[FAROL_COLLIDERS];
 uniform highp vec3 farol_bounces[FAROL_COLLIDERS]; // x: bounce, 0 to 1; y: friction, 0 to 1; z: 1 sphere, 0 plane
 

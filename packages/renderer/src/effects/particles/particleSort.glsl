@@ -1,7 +1,7 @@
 // Up to three steps of a bitonic network in one pass, farthest first. All comparators point one way: what is in order
 // stays so, and a part of the network never makes an order worse.
 // Batcher 1968, Sorting Networks and Their Applications; Kipfer and Westermann 2005, GPU Gems 2, chapter 46
-uniform highp sampler2D farol_sorted; // distance along the view (m), slot
+uniform highp sampler2D farol_sorted; // order of the step before: distance along the view (m), slot
 uniform highp ivec3 farol_partners; // of each step: XOR of the places of two partners; 0: no such step
 layout(location = 0) out highp vec2 farol_key;
 //# main

@@ -10,8 +10,8 @@ uniform highp vec3 farol_stepTimes; // s; x: length of the step; y: start of the
 uniform highp mat4 farol_emitterStart; // world matrix of the emitter at the start of the step and at its end
 uniform highp mat4 farol_emitterEnd;
 uniform highp mat4 farol_carried; // motion of the emitter in the step, for living particles that move along
-uniform highp vec4 farol_lifeAndSpeed; // least, most life (s); least, most speed (m/s)
-uniform highp vec3 farol_inherited; // inherited velocity (m/s)
+uniform highp vec4 farol_lifeAndSpeed; // least and most lifetime (s), least and most speed (m/s)
+uniform highp vec3 farol_inherited; // part of the emitter's velocity that new particles inherit (m/s)
 layout(location = 0) out highp vec4 farol_position;
 layout(location = 1) out highp vec4 farol_velocity;
 

@@ -5,7 +5,7 @@ uniform highp sampler2D farol_surroundings; // irradiance of nine normals: +X, -
 
 vec3 farol_surroundingLight(const in vec3 normal) {
   vec3 sum = vec3(0.0);
-  vec3 between[3]; // terms of an axis, half way to another
+  vec3 between[3]; // light along the directions half way between two axes
   for (int i = 0; i < 3; i++) {
     vec3 more = texelFetch(farol_surroundings, ivec2(2 * i, 0), 0).rgb;
     vec3 less = texelFetch(farol_surroundings, ivec2(2 * i + 1, 0), 0).rgb;

@@ -8,19 +8,19 @@
 #include <logdepthbuf_pars_vertex>
 uniform highp sampler2D farol_particlePositions; // by slot; xyz: world space (m); w: age (s)
 uniform highp sampler2D farol_particleVelocities; // by slot; xyz: m/s; w: life (s)
-uniform highp ivec2 farol_particleSlots; // slot of the oldest particle, slots
+uniform highp ivec2 farol_particleSlots; // slot of the oldest particle, number of slots
 uniform highp uint farol_oldestNumber;
 uniform highp vec4 farol_sizeAndRotation; // x, y: least, most diameter (m); z, w: least, most turn at birth (rad)
 uniform highp int farol_orientation; // turn of meshes: 0 random, 1 as the emitter, 2 along the velocity
 uniform highp mat3 farol_emitterTurn;
 uniform highp vec4 farol_spinAndStretch; // x, y: least, most spin (rad/s); z: stretch (s); w: brightness
-uniform highp vec3 farol_flipBook; // columns and rows of pictures; cycles a life
+uniform highp vec3 farol_flipBook; // flip book: columns and rows of pictures, cycles in a particle's life
 out highp vec4 farol_particleColor;
 out highp vec4 farol_particleUV; // xy, zw: uv in the current and the next picture of the flip book
 out highp vec3 farol_particleBall; // xy: place on the particle, -1 to 1; z: share of the next picture, 0 to 1
 out highp float farol_particleDistance; // distance along the view (m)
 #ifdef FAROL_SORTED
-uniform highp sampler2D farol_particleOrder; // far to near: distance along the view (m), slot
+uniform highp sampler2D farol_particleOrder; // particles from far to near: distance along the view (m), slot
 #endif
 #ifdef FAROL_LIT
 #include "particleSurroundings"
@@ -31,7 +31,7 @@ uniform highp sampler2D farol_particleBlue;
 flat out highp mat3x4 farol_particleLit;
 #endif
 
-// Rodrigues' formula
+// v rotated about a unit axis (Rodrigues' formula)
 vec3 farol_turn(const in vec3 v, const in vec3 axis, const in float angle) {
   return mix(axis * dot(axis, v), v, cos(angle)) + cross(axis, v) * sin(angle);
 }
@@ -66,7 +66,7 @@ vec2 farol_place = uv;
 #else
 int farol_order = gl_VertexID / 6;
 int farol_corner = gl_VertexID % 6;
-// 0 1 2, 0 2 3
+// a billboard's two triangles have the corners 0 1 2 and 0 2 3
 bool farol_isRight = farol_corner == 1 || farol_corner == 2 || farol_corner == 4;
 vec2 farol_place = vec2(farol_isRight, farol_corner == 2 || farol_corner > 3);
 #endif

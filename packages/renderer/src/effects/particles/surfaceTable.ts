@@ -41,7 +41,7 @@ export function aliasTable(weights: Float64Array): { share: Float64Array; alias:
       small.push(more);
     }
   }
-  // what rounding has left over
+  // entries that rounding has left over keep their whole share
   for (const i of [...small, ...large]) share[i] = 1;
   return { share, alias };
 }

@@ -63,7 +63,7 @@ export class WeightedBlendedOIT implements FarolEffect {
   }
 
   begin(frame: Frame): void {
-    this.isWeighing = false; // an exception may have ended the last frame
+    this.isWeighing = false; // resets the state that an exception in the last frame may have left
     this.shared = Picture.of(frame);
     this.shared.begin(frame);
   }

@@ -19,7 +19,7 @@ struct FarolArea {
   float window; // 1 up to half the light's reach, 0 from there on or behind the light
 };
 
-// The lobes of a surface.
+// The diffuse and specular lobes of a surface, as linearly transformed cosines.
 struct FarolAreaLobe {
   mat3 tangents; // transform from view space to tangent space
   vec4 ltc; // inverse transform of the specular lobe, from farol_ltcAt(…, 0)
@@ -35,7 +35,7 @@ vec4 farol_ltcAt(const in float roughness, const in float dotNV, const in float 
 // tangent space with x along the view; left-handed, as three's
 FarolAreaLobe farol_areaLobe(const in vec3 normalVS, const in vec3 viewDirVS, const in vec4 ltc) {
   vec3 across = viewDirVS - normalVS * dot(viewDirVS, normalVS);
-  // seen from straight above, any tangent will do
+  // seen along the normal, any tangent will do
   if (dot(across, across) < 1e-12)
     across = abs(normalVS.x) < 0.5
       ? vec3(1.0, 0.0, 0.0) - normalVS * normalVS.x
@@ -125,7 +125,7 @@ float farol_areaSpecular(const in FarolArea area, const in vec4 ltc) {
   return 0.0;
 }
 
-// Hill 2016, LTC Fresnel Approximation
+// Fresnel factors of an area light: Hill 2016, LTC Fresnel Approximation
 vec3 farol_areaFresnel(const in vec3 f0, const in float f90, const in float roughness, const in float dotNV) {
   vec2 weights = farol_ltcAt(roughness, dotNV, 1.0).xy;
   return f0 * weights.x + (f90 - f0) * weights.y;

@@ -12,7 +12,7 @@ export const areaRecord = {
   across: {
     /** Half the light's width; for a tube, half its axis. */
     halfWidth: 'xyz',
-    /** One of `areaShapes`. */
+    /** Shape of the area light, one of `areaShapes`. */
     shape: ['int', 'int(t.w)'],
   },
   up: {

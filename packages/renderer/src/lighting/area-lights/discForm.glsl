@@ -41,7 +41,7 @@ vec2 farol_discForm(const in vec3 centre, const in vec3 u, const in vec3 v) {
   vec3 y = v;
   float a = 1.0 / uu;
   float b = 1.0 / vv;
-  if (abs(uv) > 1e-4 * sqrt(uu * vv)) { // the ellipse's axes, by eigenvectors
+  if (abs(uv) > 1e-4 * sqrt(uu * vv)) { // the ellipse's axes are eigenvectors of the disc's projection
     float trace = uu + vv;
     float determinant = sqrt(max(uu * vv - uv * uv, 0.0));
     float p = 0.5 * sqrt(max(trace - 2.0 * determinant, 0.0));

@@ -17,7 +17,7 @@ export function makeTransforms(webgl: WebGLRenderer): DataTexture {
   data.set(first);
   data.set(second, first.length);
   const texture = new DataTexture(data, SIZE, 2 * SIZE, RGBAFormat, isFloat ? FloatType : HalfFloatType);
-  // three's own tables are not filtered when minified either
+  // as three's own tables, filtered when magnified alone
   texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
   return texture;

@@ -11,7 +11,7 @@ float farol_tubeWidth(const in mat3 m, const in vec3 centre, const in vec3 halfA
   vec3 across = cross(centre - halfAxis, centre + halfAxis);
   float size = length(across);
   if (size < 1e-9) return 0.0; // seen along its axis, a tube has no area
-  // inverse transpose, by cross products
+  // inverse transpose of the lobe's transform, by cross products
   vec3 x = cross(m[1], m[2]);
   vec3 y = cross(m[2], m[0]);
   vec3 z = cross(m[0], m[1]);

@@ -12,12 +12,12 @@ struct FarolShading {
   vec3 normalVS;
   vec3 viewDirVS;
   float dotNV; // cosine of view and normal, not clamped
-  float alphaSquared; // physical: alpha²; Blinn-Phong: shininess
-  float lambdaV; // view's part of the height-correlated Smith term
+  float alphaSquared; // physical materials: roughness to the fourth power; Blinn-Phong: shininess
+  float lambdaV; // the view's part of the height-correlated Smith visibility
   float diffuse0; // 1 - F at normal incidence, F: Fresnel reflectance of the specular layer
   float diffuse90; // part of diffuse0 lost at grazing angles: factor of Schlick's fifth power
-  vec3 diffuse; // sum of c N·L (1 - F)
-  vec3 specular; // sum of c N·L V D
+  vec3 diffuse; // diffuse sum over the lights: colour × N·L × (1 - Fresnel)
+  vec3 specular; // specular sum over the lights: colour × N·L × visibility × distribution
   vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
   FAROL_AREA_SUM
 #ifdef FAROL_VERTEX_NORMAL
@@ -158,7 +158,7 @@ void farol_addLocal(inout FarolShading s, const in int record) {
   farol_addRead(s, record, farol_lightSphere(record), farol_lightEmission(record), false);
 }
 
-// directional lights and lights without a range
+// adds directional lights, and local lights without a range
 void farol_addUnbounded(inout FarolShading s) {
   int last = farol_lightCounts.x + farol_lightCounts.y;
   for (int i = 0; i < last; i++) {

@@ -32,7 +32,7 @@ export function drawsDistance(item: RenderItem): boolean {
 
 /** Draws the distances of surfaces whose depth does not tell them. */
 export class DistancePass {
-  /** @param draws - whether an opaque item is drawn */
+  /** @param draws - whether an opaque item's distances are to be drawn */
   constructor(private readonly draws: (item: RenderItem) => boolean = drawsDistance) {}
 
   private readonly target = new PassTarget({ format: RGFormat, type: HalfFloatType, depthTexture: true });

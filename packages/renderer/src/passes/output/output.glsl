@@ -14,7 +14,7 @@ uniform float fogFar;
 
 vec4 farol_output(const in vec3 radiance, const in float fogDepth, const in bool toneMapped, const in bool fogged,
   const in bool dithered) {
-  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinity would become NaN
+  vec4 color = vec4(min(radiance, 1e9), 1.0); // infinite radiance would become NaN in later arithmetic
 #ifdef TONE_MAPPING
   if (toneMapped) color.rgb = toneMapping(color.rgb);
 #endif

@@ -89,7 +89,7 @@ export class WarmUp implements Preparation {
     const { fills = 'behind' } = this.technique;
     const { queue } = frame;
     for (let i = queue.early; i < queue.opaque.length; i++) queue.opaque[i].drawn = false;
-    // whatever the technique of this frame fills
+    // the dry pass fills what the technique of this frame fills
     dry.fills = fills;
     dry.resources.begin();
     this.left = DRAWS;

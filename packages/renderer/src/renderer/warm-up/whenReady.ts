@@ -15,9 +15,9 @@ export async function whenReady(
       throw new Error('Farol: the renderer was disposed before it was ready; make a new FarolRenderer.');
     const isComplete = last.isDrawn && last.lacking.size === 0;
     if (isComplete && !picker.isChanging) return;
-    // or disposed
+    // called too when the renderer is disposed of
     const drawn = new Promise<void>((resolve) => last.waiting.push(resolve));
-    // programs link between the frames of a change
+    // programs link between the frames of a change of technique
     if (isComplete) setTimeout(last.redraw);
     const loaded = Promise.all(Array.from(last.lacking, (part) => part.load()));
     await Promise.race([drawn, loaded.then(() => drawn)]);

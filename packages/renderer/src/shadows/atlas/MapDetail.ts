@@ -21,7 +21,7 @@ export class MapDetail {
     return this.applied;
   }
 
-  /** Number of halvings that the map is to have. */
+  /** Number of times that the side of the map is to be halved. */
   get target(): number {
     return this.wanted;
   }
@@ -50,7 +50,7 @@ export class MapDetail {
     this.wanted = this.patience > PATIENCE ? this.least : applied;
   }
 
-  /** Makes the target the map's number of halvings. */
+  /** Sets the map's present number of halvings to the target. */
   reach(): void {
     this.applied = this.wanted;
     this.patience = 0;

@@ -12,7 +12,7 @@ export interface Caster {
   /** World-space box, by `casterBox`; valid only if `hasBox`. */
   readonly box: Float64Array;
   hasBox: boolean;
-  /** World matrix, 16 numbers. */
+  /** World matrix of the caster at its last update, 16 numbers. */
   readonly matrix: Float64Array;
   /** Hash of all but the matrix that the object's shadow depends on, see `casterSignature`. */
   signature: number;
@@ -40,7 +40,7 @@ export interface MergedCaster {
   /** Index of the mesh (`Page` of MergedCasters.ts) that holds the triangles; `object`: index of the matrix in it. */
   readonly page: number;
   readonly object: number;
-  /** First of the caster's vertex indices in the page. */
+  /** First of the caster's vertex indices in the page of merged casters. */
   readonly first: number;
   /** Value of `Caster.signatureVersion` when the triangles were merged. */
   signatureVersion: number;

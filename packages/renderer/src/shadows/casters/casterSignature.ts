@@ -22,7 +22,7 @@ const UVS = ['uv', 'uv1', 'uv2', 'uv3'];
 
 let hash = 0;
 
-/** Mixes a whole number into the signature (FNV-1a hash). */
+/** Mixes an integer into the caster's signature (FNV-1a hash). */
 function mix(value: number): void {
   hash = Math.imul(hash ^ value, 16777619);
 }

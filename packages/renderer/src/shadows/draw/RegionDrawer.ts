@@ -12,7 +12,7 @@ import type { MicroShaderRegistry } from '../../microshaders';
 import { directDraw, type DirectDraw } from '../../three/directDraw';
 import { setViewport } from '../../three/state';
 
-const camera = new OrthographicCamera(); // where depth is reversed, three updates its projection
+const camera = new OrthographicCamera(); // passed to three's draw; where depth is reversed, three updates its projection
 const rectangle = new Vector4();
 
 /** Draws full-screen passes to parts of targets, inside three's `render` but outside of Farol's frame. */
@@ -42,7 +42,7 @@ export class RegionDrawer implements MeshDrawer {
     try {
       this.drawMesh(mesh, material);
     } finally {
-      // meshes of other renderers have the same geometry
+      // meshes that other renderers draw share this geometry
       drawRange.count = count;
     }
   }

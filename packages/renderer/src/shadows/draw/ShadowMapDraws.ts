@@ -152,7 +152,7 @@ export class ShadowMapDraws {
   /** Draws one face at the origin of the bound target. */
   drawAlone(slot: ShadowSlot, face: ShadowFace): void {
     this.beginFaces();
-    this.mergedCasters?.interrupt(); // the blur was drawn since the last face
+    this.mergedCasters?.interrupt(); // blurring has changed the GPU state since the last face
     this.drawFace(slot, face, 0, 0);
     testScissor(this.webgl, false);
   }
@@ -217,7 +217,7 @@ export class ShadowMapDraws {
     if (face.casters.length === 0) return;
     mergedCasters?.interrupt();
     for (const caster of face.casters) this.drawCaster(caster, slot, face);
-    // the materials of casters may have masked it
+    // materials of casters may have masked depth writes
     unmaskDepth(webgl);
   }
 

@@ -9,7 +9,7 @@ uniform highp sampler2D farol_cookieImage;
 #endif
 // texels; xy: corner, border left out; zw: size, of a cube's face
 uniform highp vec4 farol_cookieRegion;
-uniform highp float farol_cookieFlip; // 1, or -1 to mirror x
+uniform highp float farol_cookieFlip; // 1, or -1 to mirror the image in x
 uniform highp float farol_cookieLevel; // mipmap level of the image
 layout(location = 0) out highp vec4 farol_cookie;
 //# main

@@ -2,7 +2,7 @@
 // three.js r187, WebGLShadowMap and ShaderLib.depth
 uniform highp sampler2D farol_hostMapAtlas;
 uniform highp vec4 farol_hostMapRegion; // xy: corner (texels); zw: texels of the region for one of the map
-uniform highp float farol_hostMapFar; // depth written where there is no caster
+uniform highp float farol_hostMapFar; // depth in the host's map where there is no caster
 layout(location = 0) out highp vec4 farol_hostMap;
 //# main
 ivec2 at = ivec2(gl_FragCoord.xy * farol_hostMapRegion.zw + farol_hostMapRegion.xy);

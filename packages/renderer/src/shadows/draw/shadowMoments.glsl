@@ -2,7 +2,7 @@
 // three.js r187 vsm; Donnelly and Lauritzen 2006, Variance Shadow Maps
 uniform highp sampler2D farol_momentSource;
 uniform highp vec4 farol_momentRegion; // texels; xy: corner of the region that is drawn; zw: size of the map
-uniform highp vec3 farol_momentBlur; // x: blur radius (texels); y: samples
+uniform highp vec3 farol_momentBlur; // x: blur radius (texels); y: number of samples
 layout(location = 0) out highp vec4 farol_moments;
 //# main
 vec2 at = gl_FragCoord.xy - farol_momentRegion.xy;

@@ -10,7 +10,7 @@ import { maskFeatures, maskFeaturesChunk } from './maskFeatures';
 export class MaskShaders {
   /** Variant of the chunk `lightMask`. 0: no shadows, cookies or layers; 1: shadows and cookies; 2: layers too. */
   private level = 0;
-  /** Bits of `maskFeatures` that shaders have code for. */
+  /** Kinds of masks that the shaders have code for, as bits of `maskFeatures`. */
   private features = 0;
   private neededFeatures = 0;
   private readonly before: MicroShader;

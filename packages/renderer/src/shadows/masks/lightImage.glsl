@@ -16,7 +16,7 @@ vec3 farol_planeVS = vec3(0.0);
 
 // Copy of an image, or a face of the copy of a cube.
 struct FarolImage {
-  vec4 region; // by farol_maskCookie
+  vec4 region; // region of the cookie in the atlas, by farol_maskCookie
   ivec2 faces; // number of faces across and up: 1 and 1, of a cube 3 and 2
   ivec2 face; // column and row of the face in the copy of a cube
 };
@@ -113,7 +113,7 @@ vec3 farol_planeNormal(const in vec3 positionVS, const in vec3 normalVS, const i
   return size > 0.0 ? farol_planeVS / size : normalVS;
 }
 
-// matrix: from view space to the map
+// position of a pixel and its neighbours in the map of a mask record; matrix: from view space to the map
 FarolQuad farol_quadOf(const in int record, const in mat4 matrix, const in vec4 coord, const in vec3 positionVS,
   const in vec3 normalVS) {
   vec2 span = farol_maskPixelSpan(record);

@@ -7,7 +7,7 @@
 #include "maskRecord"
 #include "lightImage"
 #include "targetPixel"
-uniform highp mat3 farol_worldAxes; // view space to world space, rotation only
+uniform highp mat3 farol_worldAxes; // rotation from view space to world space
 uniform highp sampler2DShadow farol_shadowAtlas;
 
 // the five sample offsets of three's PCF disk, before the disk is turned
@@ -47,7 +47,7 @@ vec2 farol_diskTurn() {
 }
 
 #ifdef FAROL_ONE_TURN
-vec2 farol_turn; // farol_diskTurn(), found once a pixel
+vec2 farol_turn; // rotation of the disk of samples: farol_diskTurn(), found once a pixel
 #define FAROL_TURN farol_turn
 #else
 #define FAROL_TURN farol_diskTurn()
@@ -58,7 +58,7 @@ struct FarolDisk {
   vec3 middle;
   vec3 alongX; // change along the disk's axes: place in the atlas (0 to 1) and depth
   vec3 alongY;
-  vec4 bounds; // least and most x and y of samples
+  vec4 bounds; // samples are clamped to these least and most x and y (place in the atlas)
 };
 
 // without branches, so that other lighting is computed while samples are fetched
@@ -155,15 +155,15 @@ FarolDisk farol_cubeDisk(const in vec3 region, const in float border, const in v
 
 // Values of a mask that every pixel reads, see maskLayout.ts.
 struct FarolMask {
-  int lookup; // FAROL_LOOKUP_…
-  int cookie; // FAROL_COOKIE_…
+  int lookup; // way to sample the shadow map: FAROL_LOOKUP_…
+  int cookie; // kind of cookie: FAROL_COOKIE_…
 #ifdef FAROL_LIGHT_PROFILES
   bool hasProfile;
 #endif
   bool isExtended;
-  vec3 region; // corner, width of a face (texels)
-  float border; // texels
-  float normalBias; // m
+  vec3 region; // corner of the map's region in the atlas, width of a face (texels)
+  float border; // border round a cube's face (texels)
+  float normalBias; // offset of the lookup along the surface's normal (m)
   vec4 filtering;
 };
 
@@ -227,7 +227,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 #else
     float depth = mask.filtering.x + mask.filtering.y / max(max(abs(coord.x), abs(coord.y)), abs(coord.z));
 #endif
-    inside = depth >= 0.0 && depth <= 1.0; // between the near and far planes
+    inside = depth >= 0.0 && depth <= 1.0; // whether the surface is between the shadow camera's near and far planes
 #if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
     if (mask.lookup == FAROL_LOOKUP_CUBE_BASIC)
       lit = farol_shadowTap(farol_cubeTexel(mask.region, mask.border, farol_cubeFace(coord.xyz), true), depth);
@@ -237,7 +237,7 @@ float farol_litAt(const in int record, const in FarolMask mask, const in bool is
 #ifdef FAROL_SHADOW_MAPS
     vec3 across = coord.xyz / coord.w + vec3(0.0, 0.0, mask.filtering.x);
     inside = all(greaterThanEqual(across.xy, vec2(0.0))) && all(lessThanEqual(across, vec3(1.0)));
-    vec2 extent = vec2(mask.region.z, 0.0); // height, cascades
+    vec2 extent = vec2(mask.region.z, 0.0); // height of the map (texels), number of its cascades
     if (mask.isExtended) extent = farol_maskHeightAndCascades(record);
     vec4 region = farol_cascadeRegion(record, vec4(mask.region, extent.x), across, int(extent.y));
 #if ( FAROL_SHADOW_LOOKUPS & 1 ) != 0 // basic
@@ -274,7 +274,7 @@ float farol_softTap(const in FarolMask mask, const in vec3 place) {
     clamp(depth, 0.0, 1.0));
 }
 
-// directions of a disk's samples: Vogel's spiral
+// i-th sample of a disk, by Vogel's spiral
 vec2 farol_spiral(const in int i, const in vec2 turn) {
   float angle = 2.3999632297 * float(i);
   return cos(angle) * turn + sin(angle) * vec2(-turn.y, turn.x);
@@ -291,7 +291,7 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
   vec3 right = normalize(cross(forward, abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
   vec3 up = cross(right, forward);
   float facing = min(dot(normal, forward), -0.05);
-  float size = mask.filtering.z / away; // angular size of the light, seen from the surface
+  float size = mask.filtering.z / away; // size of the light over its distance, as seen from the surface
   vec2 turn = FAROL_TURN;
   float blockers = 0.0;
   float distances = 0.0; // distance of blockers, as parts of the distance to the surface
@@ -300,7 +300,7 @@ float farol_softShadow(const in FarolMask mask, const in vec3 fromLight, const i
     float part = (float(i) + 0.5) / float(FAROL_SEARCHES);
     vec2 at = farol_spiral(i, turn) * (part * min(2.0 * size, 1.0));
     vec3 direction = forward + at.x * right + at.y * up;
-    // to the plane of the surface
+    // end of the search: where the direction meets the plane of the surface
     vec3 end = direction * (away * clamp(facing / min(dot(normal, direction), -0.02), 0.3, 2.0));
     if (farol_softTap(mask, end * 0.99) > 0.5) continue;
     float near = 0.0;

@@ -4,7 +4,7 @@
 #define FAROL_SHADOW_MAPS
 #define FAROL_SHADOW_CUBES
 #define FAROL_SHADOW_CASCADES
-#define FAROL_SHADOW_LOOKUPS 7 // bits: 1 basic, 2 PCF, 4 variance
+#define FAROL_SHADOW_LOOKUPS 7 // ways of sampling shadow maps that the scene uses, as bits: 1 basic, 2 PCF, 4 variance
 #define FAROL_LIGHT_COOKIES
 #define FAROL_UNSHADOWED_MASKS
 #define FAROL_UNBOUNDED_MASKS

@@ -4,7 +4,7 @@ import { type RecordLayout, texelOffsets } from '../../lights/recordLayout';
 /** Ways in which shaders sample a light's shadow map. */
 export const shadowLookups = { none: 0, basic: 1, pcf: 2, cubeBasic: 3, cubePcf: 4, variance: 5, soft: 6 } as const;
 
-/** Kinds of cookie. `profile`: a photometric profile, with the cookie that `profileAcross` tells. */
+/** Kinds of cookie, an image that a light projects. `profile`: a photometric profile, whose cookie is `profileCookie`. */
 export const cookieShapes = { none: 0, map: 1, cube: 2, profile: 3 } as const;
 
 /**
@@ -28,13 +28,13 @@ export const maskRecord = {
   columnZ: {},
   columnW: {},
   place: {
-    /** Corner of the map's region (texels). */
+    /** Corner of the shadow map's region in the atlas (texels). */
     corner: 'xy',
-    /** Width of a face (texels). */
+    /** Width of the shadow map, or of a face of its cube (texels). */
     width: ['int', `int(t.z) & ${(1 << PLACE_BITS.lookup) - 1}`],
-    /** One of `shadowLookups`. */
+    /** Way in which the shadow map is sampled, one of `shadowLookups`. */
     lookup: ['int', `int(t.z) >> ${PLACE_BITS.lookup} & 7`],
-    /** One of `cookieShapes`. */
+    /** Kind of the light's cookie, one of `cookieShapes`. */
     cookieShape: ['int', `int(t.z) >> ${PLACE_BITS.cookie} & 3`],
     /** Whether `extent` counts; for a cube, whether `position` counts, since the light has left its map. */
     isExtended: ['bool', `(int(t.z) & ${1 << PLACE_BITS.extended}) != 0`],
@@ -49,16 +49,16 @@ export const maskRecord = {
    * an axis; radius of the filter, as part of a face; of an area light (`soft`) half its size (m). Last the shadow's intensity.
    */
   filtering: { intensity: 'w' },
-  /** Size of the map, not for a cube; sampling of its cookie. */
+  /** Size of the shadow map, unless it is a cube; sampling of the light's cookie. */
   extent: {
-    /** Texels up the map, and number of its cascades. */
+    /** Height of the shadow map (texels), and number of its cascades. */
     heightAndCascades: 'xy',
     /** Whether `ShadowBounds` has depth bounds for the map. */
     hasBounds: ['bool', 't.z != 0.0'],
     /** Sampling of the cookie's copy, see `imageFilter`; below 0 the texture itself is sampled: -1 - its sampler. */
     cookieFilter: ['int', 'int(t.w)'],
   },
-  /** Region of the photometric profile: corner, size (texels). */
+  /** Region of the photometric profile in the atlas: corner, size (texels). */
   profile: {},
   /**
    * Region of the cookie: corner, size of its first level, or of a face of it, without borders (texels). With three
@@ -66,7 +66,7 @@ export const maskRecord = {
    */
   cookie: {},
   layers: {
-    /** Layers that the light reaches, 16 bits and 16 bits; 0 for all. */
+    /** Layers whose objects the light reaches: low 16 bits, high 16 bits; 0 for all. */
     layers: 'xy',
     /**
      * Step from a pixel to the next, across and up: change of the view ray at distance 1; negative: of an orthographic
@@ -87,7 +87,7 @@ export const maskRecord = {
   secondFit: { profileDown: 'xyz' },
 } as const satisfies RecordLayout;
 
-/** Offsets of a mask's texels (floats). */
+/** Offset (floats) of each texel of a mask from the mask's first float. */
 export const MASK = texelOffsets(maskRecord);
 
 export const RECORDS_PER_MASK = Object.keys(maskRecord).length / TEXELS_PER_RECORD;

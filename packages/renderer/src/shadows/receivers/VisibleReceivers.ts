@@ -46,7 +46,7 @@ export class VisibleReceivers {
   private objects = new Float64Array(GROUP * 64);
   private objectsUsed = 0;
   private readonly widest = new WeakMap<ShadowSlot, Widest>();
-  /** Whether a receiver has no bounds. */
+  /** Whether a visible object that receives shadows has no bounds. */
   private isUnbounded = false;
 
   /**

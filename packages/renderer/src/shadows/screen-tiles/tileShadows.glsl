@@ -18,10 +18,10 @@ const int FAROL_MOST_BLOCKS = 6; // largest side of the region of a map that a t
 
 vec3 farol_corners[8]; // corners of a box round the tile's surfaces (view space, m)
 #ifdef FAROL_SHADOW_CUBES
-vec3 farol_worldCorners[8]; // farol_corners, turned to world axes (m)
+vec3 farol_worldCorners[8]; // the tile's corners relative to the camera, along the world's axes (m)
 #endif
 
-// finds the corners; false where they are not known
+// finds the corners of a tile's surfaces; false where the tile has none
 bool farol_findCorners(const in ivec2 tile) {
   ivec2 block = tile * 2;
   ivec2 last = min(block + 1, (ivec2(farol_size) + 3) / 4 - 1);
@@ -98,7 +98,7 @@ bool farol_compareCube(const in int record, const in FarolMask mask, inout Farol
   vec3 centre = farol_worldAxes * farol_maskPosition(record);
   float bias = abs(mask.normalBias);
   int face = int(farol_cubeFace(0.5 * (farol_worldCorners[0] + farol_worldCorners[7]) - centre).z);
-  // corners across, up and along the face's axis
+  // corners relative to a cube's face: across, up and along its axis
   bool isX = face < 2;
   bool isY = face == 2 || face == 3;
   float side = (face & 1) == 0 ? 1.0 : -1.0;

@@ -36,7 +36,7 @@ export class AreaShadowLight extends PointLight {
     stand.layers.mask = light.layers.mask;
     stand.size = 0.5 * Math.sqrt(light.width * light.height);
     const { shadowMapSize, shadowNormalBias } = (light.userData.farol ?? {}) as FarolLightData;
-    // NaN stands for the default
+    // a map size of NaN stands for the default size
     stand.shadow.mapSize.setScalar(MathUtils.clamp(Math.round(shadowMapSize!) || TEXELS, LEAST_TEXELS, MOST_TEXELS));
     stand.shadow.normalBias = shadowNormalBias! >= 0 ? shadowNormalBias! : NORMAL_BIAS;
     return stand;

@@ -67,12 +67,12 @@ export class ShadowSlot implements AtlasTenant {
 
   /** Region of the map in the atlas; written by the atlas. */
   readonly placement = new AtlasPlacement();
-  /** State of the region's content. */
+  /** State of the shadow map in its region of the atlas. */
   readonly map = new AtlasMap();
   /** Halvings of the map, since pictures show no more; set by `chooseDetail` and the atlas. */
   readonly detail = new MapDetail();
 
-  // set in each frame, when slots are collected
+  // fields below: set in each frame, when slots are collected
   /** The scene in which the light was last lit. */
   root: Object3D | null = null;
   /** Last frame in which the light was lit. */
@@ -85,16 +85,16 @@ export class ShadowSlot implements AtlasTenant {
   cookie: CookieSlot | null = null;
   /** Photometric profile that scales the light; null for none. */
   profile: CookieSlot | null = null;
-  /** Layers of the casters, as bits. */
+  /** Layers of the objects that cast shadows by this light, as bits. */
   layers = 1;
 
-  // set in each frame, when maps are assigned
+  // fields below: set in each frame, when maps are assigned
   /** Whether the light has a map that can be sampled. */
   hasShadow = false;
   /** Record of the light's mask, counted from the frame's first mask; -1 for none. */
   record = -1;
 
-  // set for each draw, by `plan`
+  // fields below: set by `plan`, for each draw of the map
   /** Space that the map covers (world space, m), see `Reach`. */
   readonly reach = makeReach();
   /** Faces with a drawn part, as bits. */

@@ -1,4 +1,4 @@
-/** Number of depths that 16 bits tell apart. */
+/** Number of depth values of a 16-bit shadow map. */
 const STEPS = 65536;
 /** Least number of depth steps in a bias, so that single steps do not show. */
 const BIAS_STEPS = 16;

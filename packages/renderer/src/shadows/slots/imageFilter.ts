@@ -14,10 +14,10 @@ export function imageLevels(texture: Texture, width: number, height: number, cop
   const { minFilter, generateMipmaps } = texture;
   if (minFilter === NearestFilter || minFilter === LinearFilter) return 1;
   const all = 1 + Math.floor(Math.log2(Math.max(width, height)));
-  // compressed cubes have theirs in each face
+  // compressed cube textures have mipmaps in each face
   const given = Array.isArray(texture.image) ? texture.image[0].mipmaps : texture.mipmaps;
   const there = generateMipmaps ? all : Math.max(1, given?.length ?? 1);
-  // a smaller copy begins with a later level
+  // a smaller copy begins with a later mipmap level
   return Math.max(1, there - Math.round(Math.log2(width / copied)));
 }
 

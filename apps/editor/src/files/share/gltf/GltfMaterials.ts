@@ -16,7 +16,7 @@ import type { LeftOut } from './LeftOut';
 
 /** Properties of a mesh that affect how its material is written. */
 export interface MaterialUse {
-  /** Object and material, for messages. */
+  /** Names of an object and its material, for messages. */
   readonly user: string;
   readonly object: string;
   readonly hasUV: boolean;

@@ -7,13 +7,13 @@ const MIME_TYPE = 'application/x-ies-lm-63';
 /** A light with a photometric profile, as glTF stores it. */
 export interface ProfileLight {
   readonly profile: PhotometricProfile;
-  /** Factor of the profile's intensities. */
+  /** Factor on the profile's intensities (candela values). */
   readonly multiplier: number;
   /** Colour of the light (linear RGB, 0 to 1). */
   readonly color: readonly number[];
 }
 
-/** The used part of GLTFExporter's writer. */
+/** Parts of GLTFExporter's writer that profiles use. */
 export interface ProfileWriter {
   readonly json: { extensions?: Record<string, unknown> };
   readonly extensionsUsed: Record<string, boolean>;

@@ -32,7 +32,7 @@ function unitNormals(attribute: Attribute): Attribute {
   return copy ?? attribute;
 }
 
-/** A float copy of an attribute. */
+/** Copies an attribute into one of floats. */
 function copyOf(attribute: Attribute): BufferAttribute {
   const { count, itemSize } = attribute;
   const copy = new BufferAttribute(new Float32Array(count * itemSize), itemSize);
@@ -79,7 +79,7 @@ function edgesOf(geometry: BufferGeometry): number[] {
   return edges;
 }
 
-/** A copy with one normal per face. */
+/** Copies a geometry, with one normal per face. */
 function withFaces(source: BufferGeometry): BufferGeometry {
   const faces = source.index ? source.toNonIndexed() : source.clone();
   faces.deleteAttribute('tangent');

@@ -120,12 +120,12 @@ function FollowPart({ tool, value }: PartProps): ReactNode {
 
 interface PartRowProps {
   readonly label: string;
-  /** Share, 0 to 1. */
+  /** Value of the row, a share from 0 to 1. */
   readonly value: number;
   onChange(value: number): void;
 }
 
-/** A share, shown as a percentage. */
+/** Row for a share, shown as a percentage. */
 function PartRow({ label, value, onChange }: PartRowProps): ReactNode {
   return (
     <NumberRow

@@ -1,4 +1,4 @@
-/** Triangles of a cluster. */
+/** Triangles of a cluster of merged casters. */
 export const CLUSTER_TRIANGLES = 64;
 /** Clusters of a group: clusters that follow one another lie close together. */
 export const CLUSTERS_PER_GROUP = 8;
@@ -14,7 +14,7 @@ export class ClusterOrder {
   /** Ranges of `order` still to be halved, as pairs of first and last (exclusive). */
   private readonly open: number[] = [];
 
-  /** @param centres - of the triangles, 3 numbers each */
+  /** @param centres - centres of the triangles, 3 numbers each */
   constructor(private readonly centres: Float32Array) {
     const count = centres.length / 3;
     this.order = new Uint32Array(count);

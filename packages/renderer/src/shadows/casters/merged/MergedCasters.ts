@@ -53,7 +53,7 @@ const FEW_ABSENT = 64;
 const GRID = 128;
 
 const clipFromWorld = new Matrix4();
-const anyCamera = new PerspectiveCamera(); // three changes its projection where depth is reversed
+const anyCamera = new PerspectiveCamera(); // passed to three's draw; where depth is reversed, three changes its projection
 /** Group of no triangles: three binds all that a draw needs, and draws nothing. */
 const NO_TRIANGLES: GeometryGroup = { start: 0, count: 0 };
 /** Group with which three compiles the program, and makes no draw call. */
@@ -212,7 +212,7 @@ export class MergedCasters {
     }
   }
 
-  /** Uploads the matrices, and compiles the program if needed. */
+  /** Uploads the casters' matrices, and compiles the program of merged casters if needed. */
   prepare(): void {
     const { gl, pages, material, webgl } = this;
     if (!isCompiled(webgl, material)) {
@@ -235,7 +235,7 @@ export class MergedCasters {
     this.bound = -1;
   }
 
-  /** Draws the triangles of a face into the viewport. */
+  /** Draws the merged triangles that a shadow face needs into the viewport. */
   draw(face: ShadowFace): void {
     const { gl, webgl, matrixFloats } = this;
     const { x, y, z } = this.origin;

@@ -83,6 +83,6 @@ function makeGeometry(vertices: number, indices: number): BufferGeometry {
   position.usage = index.usage = DynamicDrawUsage;
   geometry.setAttribute('position', position);
   geometry.setIndex(index);
-  geometry.boundingSphere = new Sphere(); // three sorts by the sphere
+  geometry.boundingSphere = new Sphere(); // three sorts draws by the bounding sphere
   return geometry;
 }
