@@ -42,6 +42,15 @@ export interface ShadowMaskMaterials {
   readonly twin: TwinKind;
 }
 
+/** A material as the frame of that number found it. */
+interface MaterialLook {
+  frame: number;
+  ownShader: boolean;
+  shading: ItemShading;
+  isPlainOpaque: boolean;
+  isOrderSensitive: boolean;
+}
+
 /** Objects that a frame draws, in the three lists of three.js. Items are pooled. */
 export class RenderQueue {
   readonly opaque: RenderItem[] = [];
@@ -69,9 +78,10 @@ export class RenderQueue {
   hasLitTransparents = false;
   /** Material of the last item of this frame, and what it was seen to be; null before the first. */
   private material: Material | null = null;
-  private ownShader = false;
-  private shading: ItemShading = 'unlit';
-  private isPlainMaterial = false;
+  private look!: MaterialLook;
+  /** Looks of materials; those of earlier frames are renewed. */
+  private readonly looks = new WeakMap<Material, MaterialLook>();
+  private frame = 0;
   private used = 0;
   private opaques = 0;
   private transmissives = 0;
@@ -79,6 +89,7 @@ export class RenderQueue {
 
   clear(): void {
     this.used = 0;
+    this.frame++;
     this.material = null;
     this.covers = true;
     this.ordered = false;
@@ -124,15 +135,15 @@ export class RenderQueue {
     item.groupOrder = groupOrder;
     item.renderOrder = object.renderOrder;
     item.z = z;
-    if (material !== this.material) this.look(material);
-    const { ownShader, shading } = this;
+    if (material !== this.material) this.lookAt(material);
+    const { isOrderSensitive, isPlainOpaque, ownShader, shading } = this.look;
     const lit = shading === 'lit';
     item.shading = shading;
     item.ownShader = ownShader;
     const isStep = isStepOfHost(object, groupOrder !== 0 || object.renderOrder !== 0);
     if (list !== this.opaque) item.route = 'forward';
-    else if (!isStep && this.isPlainMaterial) item.route = lit && !ownShader ? 'split' : 'plain';
-    else item.route = isStep || isOrderSensitive(material) ? 'ordered' : 'forward';
+    else if (!isStep && isPlainOpaque) item.route = lit && !ownShader ? 'split' : 'plain';
+    else item.route = isStep || isOrderSensitive ? 'ordered' : 'forward';
     item.layered = this.layers !== 0 && object.layers.mask !== this.layers;
     item.drawn = false;
     if (list === this.opaque) {
@@ -149,17 +160,24 @@ export class RenderQueue {
     else list[this.transmissives++] = item;
   }
 
-  /** Looks at the material of the items that follow; none of the host's code runs between items. */
-  private look(material: Material): void {
-    const nodes = hasNodes(material);
-    const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
-    const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
-    if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
-      this.refused.look(material as ShaderMaterial);
+  /** Looks at the material of the items that follow, once a frame: none of the host's code runs between items. */
+  private lookAt(material: Material): void {
+    let look = this.looks.get(material);
+    if (look === undefined) this.looks.set(material, (look = {} as MaterialLook));
+    if (look.frame !== this.frame) {
+      const nodes = hasNodes(material);
+      const ownShader = nodes || threeChunks.shading || hasOwnShader(material) || isGouraud(material);
+      const shading = nodes ? 'nodes' : this.shadingOf(material, ownShader);
+      if (ownShader && shading !== 'lit' && !nodes && (material as ShaderMaterial).lights === true)
+        this.refused.look(material as ShaderMaterial);
+      look.frame = this.frame;
+      look.ownShader = ownShader;
+      look.shading = shading;
+      look.isPlainOpaque = isPlainOpaque(material);
+      look.isOrderSensitive = isOrderSensitive(material);
+    }
     this.material = material;
-    this.ownShader = ownShader;
-    this.shading = shading;
-    this.isPlainMaterial = isPlainOpaque(material);
+    this.look = look;
   }
 
   /** How an item without nodes is shaded. @param ownShader - whether its shader is not three's as it is */

@@ -1,6 +1,7 @@
 import type { Light } from 'three';
 import type { RecordSettings } from '../lighting/LightRecords';
 import type { LightTable } from '../lighting/LightTable';
+import type { PlainPoints } from '../lights/plainPoints';
 
 /** An XR session as a frame sees it: lights are found and shadow maps drawn with the first eye, for all of them. */
 export interface Session {
@@ -8,12 +9,12 @@ export interface Session {
   eye: number;
   /**
    * Lights that may have a mask and that any eye sees. Leaves the table as collected for the first eye.
-   * @param places - world positions of the lights (m), as `LightTable.collect` takes them
+   * @param points - what the lights give, as `LightTable.collect` takes them
    */
   masked(
     table: LightTable,
     lights: readonly Light[],
     settings: RecordSettings,
-    places: readonly number[] | null,
+    points: PlainPoints | null,
   ): readonly Light[];
 }

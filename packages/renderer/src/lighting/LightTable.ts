@@ -9,6 +9,7 @@ import {
   RECORDS_PER_ROW,
   TEXELS_PER_RECORD,
 } from '../lights/lightRecord';
+import type { PlainPoints } from '../lights/plainPoints';
 import type { PictureSize } from '../lights/PictureSize';
 import { VisibleLights } from '../lights/VisibleLights';
 import { type LightMasks, LightRecords, type RecordSettings } from './LightRecords';
@@ -93,9 +94,9 @@ export class LightTable extends VisibleLights {
     lights: readonly Light[],
     camera: Camera,
     settings: RecordSettings,
-    places: readonly number[] | null = null,
+    points: PlainPoints | null = null,
   ): void {
-    super.collect(lights, camera, settings, places);
+    super.collect(lights, camera, settings, points);
     this.bounded = this.boundeds.length;
   }
 

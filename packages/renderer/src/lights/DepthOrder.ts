@@ -1,12 +1,15 @@
+/** Depths that are told apart, from the nearest light to the farthest. */
+const KEYS = 4096;
+
 /**
- * Sorts lights near to far. Allocates only to grow; radix sort of 16-bit depths, twice 8 bits, so that
- * lights of equal depth keep their order.
+ * Sorts lights near to far, by counting. Allocates only to grow; lights of equal depth, within 1 / KEYS of the range of
+ * depths, keep their order.
  */
 export class DepthOrder {
   private order = new Uint32Array(64);
-  private other = new Uint32Array(64);
   private keys = new Uint16Array(64);
-  private readonly counts = new Uint32Array(256);
+  /** Number of lights of each depth, then the place of the next one. */
+  private readonly places = new Uint32Array(KEYS);
 
   /**
    * @param count - lights
@@ -14,8 +17,11 @@ export class DepthOrder {
    * @returns indices of the lights, nearest first; valid until the next call; at least `count` long
    */
   sort(count: number, data: ArrayLike<number>, stride: number, offset: number): Uint32Array {
-    this.reserve(count);
-    const { keys } = this;
+    if (this.order.length < count) {
+      this.order = new Uint32Array(count * 2);
+      this.keys = new Uint16Array(count * 2);
+    }
+    const { keys, order, places } = this;
     let near = Infinity;
     let far = -Infinity;
     for (let i = 0; i < count; i++) {
@@ -23,38 +29,16 @@ export class DepthOrder {
       if (depth < near) near = depth;
       if (depth > far) far = depth;
     }
-    const scale = far > near ? 65535 / (far - near) : 0;
-    for (let i = 0; i < count; i++) {
-      keys[i] = (-data[i * stride + offset] - near) * scale;
-      this.order[i] = i;
-    }
-    this.pass(count, 0);
-    this.pass(count, 8);
-    return this.order;
-  }
-
-  private pass(count: number, shift: number): void {
-    const { counts, keys, order, other } = this;
-    counts.fill(0);
-    for (let i = 0; i < count; i++) counts[(keys[i] >> shift) & 255]++;
+    const scale = far > near ? (KEYS - 1) / (far - near) : 0;
+    places.fill(0);
+    for (let i = 0; i < count; i++) places[(keys[i] = ((-data[i * stride + offset] - near) * scale) | 0)]++;
     let sum = 0;
-    for (let i = 0; i < 256; i++) {
-      const n = counts[i];
-      counts[i] = sum;
-      sum += n;
+    for (let key = 0; key < KEYS; key++) {
+      const lights = places[key];
+      places[key] = sum;
+      sum += lights;
     }
-    for (let k = 0; k < count; k++) {
-      const i = order[k];
-      other[counts[(keys[i] >> shift) & 255]++] = i;
-    }
-    this.order = other;
-    this.other = order;
-  }
-
-  private reserve(count: number): void {
-    if (this.order.length >= count) return;
-    this.order = new Uint32Array(count * 2);
-    this.other = new Uint32Array(count * 2);
-    this.keys = new Uint16Array(count * 2);
+    for (let i = 0; i < count; i++) order[places[keys[i]]++] = i;
+    return order;
   }
 }

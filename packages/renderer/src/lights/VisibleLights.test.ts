@@ -10,6 +10,7 @@ import {
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { lightRange } from './lightData';
+import { POINT, readPoint } from './plainPoints';
 import { createRandom, randomDirection } from './testScenes';
 import { VisibleLights } from './VisibleLights';
 
@@ -156,7 +157,7 @@ describe.each(
   });
 });
 
-it('has plain point lights as their class has them, with places read before or not', () => {
+it('has plain point lights as their class has them, read before or not', () => {
   const random = createRandom(23);
   const camera = placed(perspective({ reversed: false }), random);
   const pick = <T>(usual: T, ...rare: T[]): T => (random() < 0.9 ? usual : rare[Math.floor(random() * rare.length)]);
@@ -172,11 +173,12 @@ it('has plain point lights as their class has them, with places read before or n
     light.updateMatrixWorld();
     return light;
   });
-  const places = lights.flatMap(({ matrixWorld }) => matrixWorld.elements.slice(12, 15));
+  const points = new Float64Array(lights.length * POINT);
+  lights.forEach((light, i) => readPoint(light, points, i * POINT));
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => undefined);
-  const figures = (withPlaces: boolean): unknown[] => {
+  const figures = (isRead: boolean): unknown[] => {
     const visible = new VisibleLights();
-    visible.collect(lights, camera, settings, withPlaces ? places : null);
+    visible.collect(lights, camera, settings, isRead ? points : null);
     const { boundeds, unboundeds, coverage, sphereCount, coneCount, spheres, cones } = visible;
     const used = boundeds.length * 4;
     const bounds = [...spheres.subarray(0, used), ...cones.subarray(0, used)];
@@ -191,4 +193,19 @@ it('has plain point lights as their class has them, with places read before or n
   expect(warnings).toBeGreaterThan(10);
   expect(plain[2]).toBeGreaterThan(100);
   expect((plain[1] as Light[]).length).toBeGreaterThan(5);
+});
+
+it.each<[string, number, (light: PointLight) => unknown]>([
+  ['as it is made', 2, () => 0],
+  ['that casts a shadow', NaN, (light) => (light.castShadow = true)],
+  ['with settings of its own', NaN, ({ userData }) => (userData.farol = {})],
+  ['with an image', NaN, ({ userData }) => (userData.farolMap = {})],
+  ['with a profile', NaN, ({ userData }) => (userData.farolProfile = {})],
+  ['whose colour is no number', NaN, ({ color }) => (color.g = NaN)],
+])('reads a point light %s: its decay, or NaN', (_, decay, change) => {
+  const light = new PointLight(0x808080, 3, 4);
+  change(light);
+  const points = new Float64Array(POINT).fill(7);
+  readPoint(light, points, 0);
+  expect(points[7]).toBe(decay);
 });

@@ -7,12 +7,14 @@ import {
   type PointLight,
   Vector3,
 } from 'three';
-import { hasCookie, isPlainPoint, LightFacts, type MaskSettings } from './classifyLight';
+import { hasCookie, LightFacts, type MaskSettings } from './classifyLight';
 import { fetching } from './fetching';
-import { fieldCount, type LightFieldData, rangeOf } from './lightData';
-import { boundLight, viewFrustumPlanes, type ViewSpace } from './spheres';
+import { fieldCount, type LightFieldData } from './lightData';
+import { type PlainPoints, POINT, readPoint } from './plainPoints';
+import { boundLight, sphereCoverage, sphereOutsidePlanes, viewFrustumPlanes, type ViewSpace } from './spheres';
 
 const up = new Vector3();
+const position = new Vector3();
 
 /**
  * The lights of a frame by class, in view space: those that have a value which is no number, give no light, or reach
@@ -55,6 +57,8 @@ export class VisibleLights {
   /** Shadows, light layers and area lights of the last frame whose lights were collected. */
   protected settings: MaskSettings | null = null;
   private kept = 0;
+  /** Read by `collect` where none were read before. */
+  private ownPoints: PlainPoints = new Float64Array(0);
   private readonly facts = new LightFacts();
   private readonly space: ViewSpace = { view: new Matrix4(), projection: [], planes: new Float64Array(24) };
 
@@ -62,29 +66,31 @@ export class VisibleLights {
    * Takes the lights of a frame. World matrices must be up to date.
    * @param lights - managed ones that are visible to the camera's layers
    * @param camera - gives view space and the frustum
-   * @param places - world positions of the lights (m), three numbers each, read before. Default: read here
+   * @param points - what the lights give, read before. Default: read here
    */
-  collect(
-    lights: readonly Light[],
-    camera: Camera,
-    settings: MaskSettings,
-    places: readonly number[] | null = null,
-  ): void {
+  collect(lights: readonly Light[], camera: Camera, settings: MaskSettings, points: PlainPoints | null = null): void {
     const { facts, space } = this;
     space.view = camera.matrixWorldInverse;
     space.projection = camera.projectionMatrix.elements;
     viewFrustumPlanes(space.projection, space.planes);
     this.settings = settings;
     this.clear(lights);
+    // layers are a mask
+    const read = settings.layers === null ? points : null;
+    const from = read ?? this.reserveOwn(lights.length);
     let fetched = 0;
     for (let i = 0; i < lights.length; i++) {
       const light = lights[i];
-      if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
-      if (
-        isPlainPoint(light, settings) &&
-        this.addPoint(light, places ?? light.matrixWorld.elements, places ? i * 3 : 12)
-      )
+      if (read === null) {
+        if (i === fetched) fetched = fetching.fetcher?.fetchEmissions(lights, i) ?? lights.length;
+        if (settings.layers?.separates(light) === true) from[i * POINT + 7] = NaN;
+        else readPoint(light, from, i * POINT);
+      }
+      // NaN differs from itself
+      if (from[i * POINT + 7] === from[i * POINT + 7]) {
+        this.addPoint(light, from, i * POINT);
         continue;
+      }
       if (!facts.classify(light, settings)) continue;
       const { kind } = facts;
       if (facts.range > 0) {
@@ -123,6 +129,12 @@ export class VisibleLights {
     this.hasNormalBias ||= light.castShadow && ((light as PointLight).shadow?.normalBias ?? 0) !== 0;
   }
 
+  /** @returns `ownPoints`, with room for a number of lights */
+  private reserveOwn(count: number): PlainPoints {
+    if (this.ownPoints.length < count * POINT) this.ownPoints = new Float64Array(count * 2 * POINT);
+    return this.ownPoints;
+  }
+
   private addField(light: LightFieldData): void {
     this.fields.push(light);
     this.singles--;
@@ -154,35 +166,42 @@ export class VisibleLights {
     ambient[9 + c] += slope * up.z;
   }
 
-  /**
-   * Adds a plain point light, unless it gives no light or reaches nothing that is seen.
-   * @param from - numbers of which three, from `first` on, are the light's world position
-   * @returns false for a light with a value that is not finite
-   */
-  private addPoint(light: PointLight, from: readonly number[], first: number): boolean {
-    const { emissions } = this;
-    const { color, decay, intensity } = light;
-    const { r, g, b } = color;
-    const sum = from[first] + from[first + 1] + from[first + 2] + r + g + b + intensity + decay;
-    if (!Number.isFinite(sum)) return false;
-    if (intensity === 0 || (r === 0 && g === 0 && b === 0)) return true;
-    const range = rangeOf(light.distance);
+  /** Adds a plain point light, unless it gives no light or reaches nothing that is seen. */
+  private addPoint(light: Light, from: PlainPoints, first: number): void {
+    const r = from[first + 4];
+    const g = from[first + 5];
+    const b = from[first + 6];
+    if (r === 0 && g === 0 && b === 0) return;
+    const range = from[first + 3];
     const at = this.kept * 4;
     if (range === 0) this.unboundeds.push(light);
-    else if (this.addBounded(light, range, from, first)) {
-      emissions[at] = r * intensity;
-      emissions[at + 1] = g * intensity;
-      emissions[at + 2] = b * intensity;
-      emissions[at + 3] = decay >= 0 ? decay : -1;
-    } else return true;
+    else {
+      const { cones, emissions, spheres } = this;
+      const { planes, projection, view } = this.space;
+      const { x, y, z } = position.fromArray(from, first).applyMatrix4(view);
+      if (sphereOutsidePlanes(planes, x, y, z, range)) return;
+      spheres[at] = x;
+      spheres[at + 1] = y;
+      spheres[at + 2] = z;
+      spheres[at + 3] = range;
+      cones[at] = cones[at + 1] = 0;
+      cones[at + 2] = 1;
+      cones[at + 3] = -1;
+      emissions[at] = r;
+      emissions[at + 1] = g;
+      emissions[at + 2] = b;
+      emissions[at + 3] = from[first + 7] >= 0 ? from[first + 7] : -1;
+      this.coverage += sphereCoverage(-z, range, projection);
+      this.sphereCount++;
+      this.boundeds[this.kept++] = light;
+    }
     this.visible++;
-    return true;
   }
 
   /** @returns false for a light that reaches nothing that is seen */
-  private addBounded(light: Light, range: number, from?: readonly number[], first?: number): boolean {
+  private addBounded(light: Light, range: number): boolean {
     const at = this.kept * 4;
-    const coverage = boundLight(light, range, this.space, this.spheres, this.cones, at, from, first);
+    const coverage = boundLight(light, range, this.space, this.spheres, this.cones, at);
     if (coverage < 0) return false;
     this.coverage += coverage;
     if (this.cones[at + 3] > -1) this.coneCount++;

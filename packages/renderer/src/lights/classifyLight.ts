@@ -131,11 +131,6 @@ export function mayBeMasked(light: Light, masks: MaskSettings): boolean {
   );
 }
 
-/** True for a point light as three has it: with neither a mask nor `userData.farol`. */
-export function isPlainPoint(light: Light, masks: MaskSettings): light is PointLight {
-  return (light as AnyLight).isPointLight === true && light.userData.farol === undefined && !mayBeMasked(light, masks);
-}
-
 /** True if a directional, point or spot light gives nothing to any surface. */
 function isBlackLight(light: Light): boolean {
   if (light.intensity === 0) return true;

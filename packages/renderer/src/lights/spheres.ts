@@ -100,7 +100,6 @@ export interface ViewSpace {
  * @param range - (m)
  * @param bounds - gets the view-space sphere [x, y, z, r] (m) at `at`, r its range
  * @param axes - gets the view-space [axis to the light, cosine of the cutoff] at `at`; cosine -1 for a sphere
- * @param from - numbers of which three, from `first` on, are the light's world position (m). Default: of its matrix
  * @returns share of the picture that the sphere covers, 0 to 1; -1 for a light that reaches nothing that is seen
  */
 export function boundLight(
@@ -110,10 +109,8 @@ export function boundLight(
   bounds: Float64Array,
   axes: Float64Array,
   at: number,
-  from: readonly number[] = light.matrixWorld.elements,
-  first = 12,
 ): number {
-  const { x, y, z } = position.fromArray(from, first).applyMatrix4(view);
+  const { x, y, z } = position.setFromMatrixPosition(light.matrixWorld).applyMatrix4(view);
   if (sphereOutsidePlanes(planes, x, y, z, range)) return -1;
   if ((light as SpotLight).isSpotLight === true && (light as SpotLight).angle < WIDEST_CONE) {
     const { angle } = light as SpotLight;

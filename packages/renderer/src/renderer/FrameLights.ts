@@ -65,8 +65,8 @@ export class FrameLights {
     masks.areas = finder.areas;
     if (finder.areas !== null) finder.areas.threshold = settings.areaLightThreshold;
     layers?.begin(scene, settings.lightLayers);
-    const { all, places } = finder.found;
-    const known = moves ? null : places;
+    const { all, points } = finder.found;
+    const known = moves ? null : points;
     const { session } = frame;
     // the maps of all eyes are drawn with the first
     const masked = session?.eye === 0 && shadows !== null ? session.masked(table, all, masks, known) : table.masked;

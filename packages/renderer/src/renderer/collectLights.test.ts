@@ -1,5 +1,6 @@
 import { Camera, Group, LightProbe, Mesh, Object3D, PointLight, RectAreaLight, Scene } from 'three';
 import { describe, expect, it } from 'vitest';
+import { POINT } from '../lights/plainPoints';
 import { collectLights, FoundLights } from './collectLights';
 
 const nothingLeft = { shadows: false, cookies: false, areas: false, all: false };
@@ -124,7 +125,7 @@ describe('collectLights', () => {
         });
         expect(names(found.all)).toEqual(names(collect(root).all));
         found.all.forEach(({ matrixWorld: { elements } }, n) =>
-          expect(found.places.slice(n * 3, n * 3 + 3)).toEqual(elements.slice(12, 15)),
+          expect([...found.points.slice(n * POINT, n * POINT + 3)]).toEqual(elements.slice(12, 15)),
         );
       }
     }

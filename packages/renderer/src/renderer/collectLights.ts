@@ -1,6 +1,7 @@
 import { type Camera, type Light, Matrix4, Object3D, type Scene } from 'three';
 import { fetching } from '../lights/fetching';
 import { hasCookie, hasProfile, isAreaLight, isManagedLight, type LeftToThree } from '../lights/classifyLight';
+import { type PlainPoints, POINT, readPoint } from '../lights/plainPoints';
 
 /** Lights of a frame, in arrays that keep their length so that they need not grow again. */
 export class FoundLights {
@@ -8,8 +9,8 @@ export class FoundLights {
   readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
   count = 0;
-  /** World positions (m) of these lights, three numbers each; longer where earlier frames had more. */
-  readonly places: number[] = [];
+  /** What these lights give; longer where earlier frames had more. */
+  points: PlainPoints = new Float64Array(0);
   /**
    * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
    */
@@ -93,22 +94,31 @@ function visitChildren(
     const child = children[i];
     const isLight = (child as Light).isLight === true;
     if (isLight && i >= fetched) fetched = fetching.fetcher?.fetchPlaces(children, i) ?? children.length;
-    if (matrices !== KEPT) {
-      if (!isLight || child.children.length > 0 || child.updateMatrixWorld !== updateMatrixWorld) {
-        child.updateMatrixWorld(matrices === FORCED);
-      } else if (unmoved && child.parent === parent && child.matrixAutoUpdate && child.matrixWorldAutoUpdate) {
-        child.updateMatrix();
-        child.matrixWorld.copy(child.matrix);
-        child.matrixWorldNeedsUpdate = false;
-      } else updateOne(child, matrices === FORCED);
+    if (isLight && child.children.length === 0) {
+      if (matrices !== KEPT) updateLight(child as Light, unmoved ? parent : null, matrices === FORCED);
+      if (!child.visible || take(child as Light, camera, left, found)) continue;
+      found.rest.push(child);
+      continue;
     }
+    if (matrices !== KEPT) child.updateMatrixWorld(matrices === FORCED);
     if (!child.visible) continue;
-    const isFound = isLight && take(child as Light, camera, left, found);
-    if (isFound && child.children.length === 0) continue;
-    if (isFound) found.nested.push(child as Light);
+    if (isLight && take(child as Light, camera, left, found)) found.nested.push(child as Light);
     found.rest.push(child);
     visitBelow(child, camera, left, found);
   }
+}
+
+/**
+ * Updates the matrices of a light without children, as its own `updateMatrixWorld` does.
+ * @param unmoved - its parent, if the world matrix of that is the identity
+ */
+function updateLight(light: Light, unmoved: Object3D | null, force: boolean): void {
+  if (light.updateMatrixWorld !== updateMatrixWorld) light.updateMatrixWorld(force);
+  else if (unmoved !== null && light.parent === unmoved && light.matrixAutoUpdate && light.matrixWorldAutoUpdate) {
+    light.updateMatrix();
+    light.matrixWorld.copy(light.matrix);
+    light.matrixWorldNeedsUpdate = false;
+  } else updateOne(light, force);
 }
 
 function visit(object: Object3D, camera: Camera, left: LeftToThree, found: FoundLights): void {
@@ -128,16 +138,23 @@ function visitBelow({ children }: Object3D, camera: Camera, left: LeftToThree, f
 function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLights): boolean {
   // an array of cameras may not see what one of its cameras does
   if (!light.layers.test(camera.layers)) return true;
-  if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
-  if (!isManagedLight(light, left)) {
-    found.left++;
-    if (!isAreaLight(light)) return false;
-    found.hasArea = true;
-    // three would warn of one that casts shadows in each frame: it is dark until its code is there
-    return light.castShadow;
+  const at = found.count * POINT;
+  if (found.points.length === at) {
+    const { points } = found;
+    found.points = new Float64Array(at * 2 + 64 * POINT);
+    found.points.set(points);
   }
-  const { elements } = light.matrixWorld;
-  for (let i = 0; i < 3; i++) found.places[found.count * 3 + i] = elements[12 + i];
+  // one that is read as a plain point light has no mask
+  if (!readPoint(light, found.points, at) || left.all) {
+    if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
+    if (!isManagedLight(light, left)) {
+      found.left++;
+      if (!isAreaLight(light)) return false;
+      found.hasArea = true;
+      // three would warn of one that casts shadows in each frame: it is dark until its code is there
+      return light.castShadow;
+    }
+  }
   found.all[found.count++] = light;
   return true;
 }

@@ -2,6 +2,7 @@ import type { ArrayCamera, Camera, Light, Object3D, WebGLRenderer } from 'three'
 import type { Session } from '../../frame/Session';
 import type { RecordSettings } from '../../lighting/LightRecords';
 import type { LightTable } from '../../lighting/LightTable';
+import type { PlainPoints } from '../../lights/plainPoints';
 import { drawCameras, type DrawByCamera } from '../drawCameras';
 
 /** Draws the frames of an XR session by the cameras of three's WebXRManager, one for each eye. */
@@ -35,14 +36,14 @@ export class XRDraws implements Session {
     table: LightTable,
     lights: readonly Light[],
     settings: RecordSettings,
-    places: readonly number[] | null,
+    points: PlainPoints | null,
   ): readonly Light[] {
     const { known, lights: masked } = this;
     const { cameras } = this.webgl.xr.getCamera();
     known.clear();
     masked.length = 0;
     for (let i = cameras.length - 1; i >= 0; i--) {
-      table.collect(lights, cameras[i], settings, places);
+      table.collect(lights, cameras[i], settings, points);
       for (const light of table.masked) {
         if (known.has(light)) continue;
         known.add(light);

@@ -33,7 +33,7 @@ function fetchPlaces(objects: readonly Object3D[], first: number): number {
     // a vector's numbers are objects of their own, a matrix's lie in three lines of the cache
     sum += position.x + position.y + position.z + quaternion.x + quaternion.y + quaternion.z + quaternion.w;
     sum += scale.x + scale.y + scale.z + local[0] + local[8] + local[15] + world[0] + world[8] + world[15];
-    sum += layers.mask + children.length;
+    sum += layers.mask + children.length + emissionSum(light);
   }
   sums[0] = sum;
   return end;
@@ -46,11 +46,14 @@ function fetchEmissions(lights: readonly Light[], first: number): number {
   for (let i = first; i < end; i++) {
     const light = lights[i];
     if (!isLocal(light)) continue;
-    const { color, intensity, distance, decay, userData } = light;
-    sum += color.r + color.g + color.b + intensity + distance + decay + (userData.farol === undefined ? 0 : 1);
+    sum += emissionSum(light);
   }
   sums[0] = sum;
   return end;
+}
+
+function emissionSum({ color, intensity, distance, decay, userData }: PointLight): number {
+  return color.r + color.g + color.b + intensity + distance + decay + (userData.farol === undefined ? 0 : 1);
 }
 
 function isLocal(object: Object3D): object is PointLight {
