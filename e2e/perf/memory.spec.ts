@@ -85,3 +85,45 @@ test('info tells the bytes of everything: their sum is that of all textures and 
     if (told.gbuffer > 0) expect.soft(gbufferPixel, said).toBe(quality === 'lite' ? 14 : 20);
   }
 });
+
+test('with the quality lite all targets and shadow maps of 32 lights take at most 64 MB at 1920 × 1080', async ({
+  page,
+}) => {
+  test.setTimeout(120_000);
+  const measured = await page.evaluate(async () => {
+    const { perf, testPage } = window;
+    const { three, farol: package_, shadowScene } = testPage;
+    await package_.FarolRenderer.preload();
+    const webgl = new three.WebGLRenderer({ antialias: false });
+    const [width, height] = [1920, 1080];
+    webgl.setSize(width, height, false);
+    webgl.shadowMap.enabled = true;
+    perf.drawNothing(); // what is held does not hang on it
+    const { scene, camera } = shadowScene(width, height, { caster: 'spot' });
+    for (let i = 0; i < 32; i++) {
+      const light = i % 2 > 0 ? new three.SpotLight(0xffffff, 9, 12, 0.7) : new three.PointLight(0xffffff, 9, 12);
+      light.castShadow = true;
+      light.shadow.mapSize.setScalar(1024);
+      light.position.set(i / 4 - 4, 3, 1);
+      scene.add(light);
+    }
+    return (['auto', 'tiled-deferred', 'clustered-deferred', 'clustered-forward'] as const).map((technique) => {
+      const before = perf.textureBytes();
+      const farol = new package_.FarolRenderer(webgl, { technique, quality: 'lite' });
+      for (let i = 0; i < 4; i++) farol.render(scene, camera);
+      const counted = perf.textureBytes() - before;
+      const { targetBytes, shadows, memory } = farol.info;
+      const drawn = shadows.drawn + shadows.kept;
+      const perPixel = memory.gbuffer / (width * height);
+      farol.dispose();
+      return { technique, counted, targetBytes, drawn, perPixel };
+    });
+  });
+  for (const { technique, counted, targetBytes, drawn, perPixel } of measured) {
+    const said = `${technique}: ${(targetBytes / 1e6).toFixed(1)} MB, ${(counted / 1e6).toFixed(1)} counted`;
+    test.info().annotations.push({ type: 'memory', description: said });
+    expect.soft(drawn, said).toBeGreaterThanOrEqual(32);
+    expect.soft(Math.max(targetBytes, counted), said).toBeLessThanOrEqual(64e6);
+    expect.soft(perPixel, `${said}, G-buffer and depth`).toBeLessThanOrEqual(18);
+  }
+});

@@ -10,7 +10,7 @@ drawing (SVG) of each chart. Prints a table of each case beside what apps/lab/re
   --link FRAGMENT     in place of --preset: what the Lab's "Copy link" gives, from its # on, in quotes
   --regret            in place of --preset: all presets by auto and the techniques that it could draw by, and what auto
                       loses; ends with 1 where that is more than 5% in a case, or 2% on average
-  --techniques a,b    competitors: the techniques, auto, stock, multipass, three-webgpu, playcanvas, babylon
+  --techniques a,b    competitors: the techniques, auto, lite, stock, multipass, three-webgpu, playcanvas, babylon
   --rivals            the other engines too (npm run rivals installs them)
   --lights 10,100     in place of the preset's, for its series over lights
   --size 1280x720     of the picture in pixels; default the preset's

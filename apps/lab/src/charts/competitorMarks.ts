@@ -27,6 +27,7 @@ const chosen: Readonly<Record<string, CompetitorMark>> = {
   'forward-plus': mark('#7a4a1e', '#cf9f70', 'triangle', true),
   'clustered-deferred': mark('#00704f', '#2cc79b', 'hexagon'),
   'clustered-forward': mark('#26922a', '#7ce07c', 'hexagon', true),
+  lite: mark('#6b5b00', '#d8c63a', 'star', true),
   stock: mark('#565f6c', '#aab4c2', 'cross'),
   multipass: mark('#80868f', '#858d9a', 'times'),
   'three-webgpu': mark('#4a44c4', '#9d97ff', 'plus'),

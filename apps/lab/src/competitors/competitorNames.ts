@@ -30,6 +30,7 @@ const techniqueCompetitors = Object.fromEntries(
 /** Competitors by key, in the order of menus and charts: Farol's techniques, then the others. */
 export const competitorNames = {
   ...techniqueCompetitors,
+  lite: { label: 'Farol: lite', kind: 'farol', help: 'Automatic, with the quality ‘lite’.' },
   stock: {
     label: 'three: WebGLRenderer',
     kind: 'three',

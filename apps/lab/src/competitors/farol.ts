@@ -1,4 +1,4 @@
-import { FarolRenderer, type TechniqueName } from '@farol/renderer';
+import { type FarolOptions, FarolRenderer, type TechniqueName } from '@farol/renderer';
 import { webglProblem } from '../stage/deviceLimits';
 import type { Competitor, Drawing } from './Competitor';
 import { competitorNames } from './competitorNames';
@@ -7,8 +7,9 @@ import { createWebGL } from './createWebGL';
 /** Frames by one technique after which `auto` counts as settled. */
 const SETTLED = 12;
 
-/** Farol by one of its techniques; its code is fetched before a frame is timed. */
-export function farol(name: TechniqueName): Competitor {
+/** Farol by one of its techniques and a quality; its code is fetched before a frame is timed. */
+export function farol(technique: TechniqueName, quality: Required<FarolOptions>['quality'] = 'full'): Competitor {
+  const name = quality === 'lite' ? 'lite' : technique;
   return {
     name,
     ...competitorNames[name],
@@ -20,7 +21,7 @@ export function farol(name: TechniqueName): Competitor {
       signal.throwIfAborted();
       const { renderer, gl, check, dispose } = createWebGL(canvas, scene);
       const { three, camera } = scene;
-      const drawn = new FarolRenderer(renderer, { technique: name });
+      const drawn = new FarolRenderer(renderer, { technique, quality });
       if (particles) drawn.effects = [new particles.Particles()];
       let last = '';
       let same = 0;
@@ -32,7 +33,7 @@ export function farol(name: TechniqueName): Competitor {
       };
       return {
         gl,
-        ...(name === 'auto' && { isSettled }),
+        ...(technique === 'auto' && { isSettled }),
         render: () => drawn.render(three, camera),
         check,
         technique: () => ({ name: drawn.info.technique, reason: drawn.info.reason }),
@@ -48,7 +49,7 @@ export function farol(name: TechniqueName): Competitor {
         setPassTimes: (on) => void (drawn.timing = on),
         leaveTechnique() {
           drawn.technique = drawn.info.technique === 'deferred' ? 'clustered-forward' : 'deferred';
-          return () => void (drawn.technique = name);
+          return () => void (drawn.technique = technique);
         },
         dispose() {
           drawn.dispose();

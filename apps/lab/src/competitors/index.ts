@@ -20,6 +20,7 @@ const rival = async (name: RivalName): Promise<Competitor> =>
 /** Competitors by key; large ones are fetched when they first draw. A new one is a file and a line here. */
 export const competitors: Readonly<Record<CompetitorName, Fetch>> = {
   ...farolCompetitors,
+  lite: async () => farol('auto', 'lite'),
   stock: async () => stock,
   multipass: async () => multipass,
   'three-webgpu': async () => (await import('./threeWebGPU')).threeWebGPU,

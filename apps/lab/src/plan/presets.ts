@@ -10,9 +10,9 @@ export interface Preset {
   readonly configuration: Configuration;
 }
 
-/** Keys of all competitors but the other engines, which are installed on demand. */
+/** Keys of all competitors but the other engines, which are installed on demand, and 'lite', whose picture is another. */
 export const ordinaryCompetitors: readonly string[] = Object.entries(competitorNames)
-  .filter(([, { kind }]) => kind !== 'rival')
+  .filter(([name, { kind }]) => kind !== 'rival' && name !== 'lite')
   .map(([name]) => name);
 
 const thorough: Effort = { rounds: 3, turn: 400, changes: false, longestFrame: 10_000, limit: null };

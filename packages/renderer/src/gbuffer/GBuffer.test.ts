@@ -3,7 +3,8 @@ import { expect, it } from 'vitest';
 import { GBuffer } from './GBuffer';
 import { formatOf } from './gbufferLayout';
 
-const webgl = { getContext: () => ({ getParameter: () => 8 }) } as unknown as WebGLRenderer;
+const extensions = { has: () => true };
+const webgl = { extensions, getContext: () => ({ getParameter: () => 8 }) } as unknown as WebGLRenderer;
 const extra = { name: 'extra', format: RGFormat, type: UnsignedByteType, bytes: 2 };
 
 /** Bytes of a pixel, by the layout, and by the targets without depth. */

@@ -40,7 +40,9 @@ export class GBuffer {
     });
     layout.forEach((row, i) => {
       const { name } = row;
-      const { format, type } = formatOf(row, isLite);
+      // floats of 11 bits need whole float targets
+      const isSmall = isLite && (name !== 'accumulation' || webgl.extensions.has('EXT_color_buffer_float'));
+      const { format, type } = formatOf(row, isSmall);
       const texture = this.target.textures[i];
       texture.name = `G-buffer ${name}`;
       texture.format = name === 'normal' && storesDistance ? RGBAFormat : format;

@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three';
-import { drawBuffersOf, lacksFloatTargets } from './checkDevice';
+import { drawBuffersOf } from './checkDevice';
 
 /** Values of `FarolOptions.quality`. */
 export const qualities = ['auto', 'full', 'lite'] as const;
@@ -10,7 +10,7 @@ export function isWeakDevice(webgl: WebGLRenderer): boolean {
   const { maxTextureSize, getMaxPrecision } = webgl.capabilities;
   const { deviceMemory = 8, maxTouchPoints } = navigator as Navigator & { readonly deviceMemory?: number };
   return (
-    lacksFloatTargets(webgl) !== null ||
+    !webgl.extensions.has('EXT_color_buffer_float') ||
     drawBuffersOf(webgl.getContext() as WebGL2RenderingContext) < 8 ||
     maxTextureSize < 8192 ||
     getMaxPrecision('highp') !== 'highp' ||

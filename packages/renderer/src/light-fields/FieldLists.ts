@@ -44,6 +44,7 @@ export class FieldLists {
     farol_fieldSlices: {} as FieldSlices['farol_fieldSlices'],
     farol_size: { value: new Vector2() },
     farol_beyond: { value: 1e38 },
+    farol_plainReach: { value: 1.0001 },
     farol_coarseMask: { value: null as Texture | null },
     farol_tileDepth: { value: null as Texture | null },
     farol_fieldTileDepth: { value: null as Texture | null },

@@ -13,8 +13,8 @@ export interface FarolOptions {
   view?: View;
   /**
    * 'lite': G-buffers of 14 bytes a pixel and depth in place of 20, with materials that these do not hold drawn forward, and
-   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no float colour buffers
-   * or fewer than 8 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or at most
+   * shadow maps within 10 bytes a pixel of the picture. 'auto': 'lite' on a device that draws to no colour buffers of
+   * whole floats or to fewer than 8 colour buffers at once, has no textures of 8,192 texels a side, no `highp` in fragment shaders, or at most
    * 2 GB of memory, and on one that is touched and has no finer pointer (phones, tablets, headsets); else 'full'. Default
    * 'auto'.
    */

@@ -1,5 +1,5 @@
 // Specular lobes of one light: visibility times distribution, and Fresnel's weight.
-// Walter et al. 2007 (GGX); Heitz 2014 (height-correlated Smith); Blinn 1977; Schlick 1994, as three.js r187 has them
+// Walter et al. 2007 (GGX); Heitz 2014, Hammon 2017 (Smith); Blinn 1977; Schlick 1994, as three.js r187 has them
 //? farol_smithLambda(0.25, 1.0) == 1.0
 //? farol_ggxLobe(1.0, 1.0, 1.0, 1.0, 1.0) == 0.07957747
 //? farol_ggxLobe(1.0, farol_smithLambda(1.0, 0.5), 0.5, 0.5, 0.8) == 0.15915494
@@ -14,9 +14,15 @@ float farol_smithLambda(const in float alphaSquared, const in float cosine) {
 // V = 0.5 / (gv + gl), D = alpha² / (pi d²); lambdaV: farol_smithLambda of dotNV
 float farol_ggxLobe(const in float alphaSquared, const in float lambdaV, const in float dotNV, const in float dotNL,
   const in float dotNH) {
-  float lambdaL = farol_smithLambda(alphaSquared, dotNL);
+#ifdef FAROL_LITE
+  // Hammon's approximation of the same: no root of what differs from light to light
+  float alpha = sqrt(alphaSquared);
+  float shadowing = dotNL * (2.0 * dotNV * (1.0 - alpha) + alpha) + dotNV * alpha;
+#else
+  float shadowing = dotNL * lambdaV + dotNV * farol_smithLambda(alphaSquared, dotNL);
+#endif
   float d = dotNH * dotNH * (alphaSquared - 1.0) + 1.0;
-  return 0.1591549431 * alphaSquared / (max(dotNL * lambdaV + dotNV * lambdaL, 1e-6) * d * d);
+  return 0.1591549431 * alphaSquared / (max(shadowing, 1e-6) * d * d);
 }
 
 // V = 0.25, D = (shininess / 2 + 1) / pi (n·h)^shininess

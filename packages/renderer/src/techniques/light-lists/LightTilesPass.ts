@@ -12,6 +12,11 @@ import { wordTarget } from '../../gpu/wordTarget';
 import { textureHandle } from '../../three/handles';
 
 const LIGHTS_PER_QUAD = 128;
+/**
+ * Part of its range in which a plain point light is listed with the quality 'lite': beyond, light that falls off with the square
+ * of the distance is at most 0.4% of that at half of the range.
+ */
+const LITE_REACH = 0.97;
 /** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
 /** Shared uniforms of the pass: without the lists, which it must not read while writing them. */
@@ -43,6 +48,7 @@ export class LightTilesPass implements Pass {
     ...unprojectUniforms(),
     farol_size: { value: new Vector2() },
     farol_beyond: { value: 1e38 },
+    farol_plainReach: { value: 1 },
     farol_coarseMask: { value: null as Texture | null },
     farol_tileDepth: { value: null as Texture | null },
     farol_sceneDepth: { value: null as Texture | null },
@@ -118,6 +124,7 @@ export class LightTilesPass implements Pass {
     setUnprojectUniforms(own, frame.camera, frame.webgl);
     own.farol_size.value.set(frame.width, frame.height);
     own.farol_beyond.value = queue.reachesFar ? Math.max(-1e30, queue.farthest) : 1e38;
+    own.farol_plainReach.value = frame.isLite ? LITE_REACH : 1.0001;
     own.farol_coarseMask.value = this.coarse.target.texture;
     own.farol_tileDepth.value = this.depths.target.texture;
     own.farol_blocks.value = this.blocks.target.texture;

@@ -12,6 +12,7 @@ interface TiledUniforms extends GBufferUniforms {
 export class TiledOutputPass extends OutputPass<TiledUniforms> {
   readonly reads = ['gbuffer', 'light-lists', 'overdraw'] as const;
   private lists: LightLists | null = null;
+  private isLite = false;
 
   constructor() {
     const uniforms = { ...gbufferUniforms(), dfgLUT: { value: null } };
@@ -19,14 +20,16 @@ export class TiledOutputPass extends OutputPass<TiledUniforms> {
   }
 
   protected read(frame: Frame): void {
-    setGBufferUniforms(this.uniforms, frame.resources.get('gbuffer'), frame);
+    const gbuffer = frame.resources.get('gbuffer');
+    setGBufferUniforms(this.uniforms, gbuffer, frame);
     const lists = frame.resources.get('light-lists');
-    if (lists === this.lists) return;
+    if (lists === this.lists && gbuffer.isLite === this.isLite) return;
     this.lists = lists;
+    this.isLite = gbuffer.isLite;
     // gbufferRead comes first: the loop's lightImage expands FAROL_POSITION_AT, which gbufferRead defines
     this.recompose({
       fragment: ['gbufferRead', lists.loop, 'tiledOutput'],
-      defines: { ...lists.defines, FAROL_ONE_TURN: '' },
+      defines: { ...lists.defines, FAROL_ONE_TURN: '', ...(this.isLite && { FAROL_LITE: '' }) },
     });
   }
 }

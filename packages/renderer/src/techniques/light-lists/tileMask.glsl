@@ -10,6 +10,7 @@ uniform highp usampler2D farol_tileDepth;
 uniform vec2 farol_size;
 // distance (m) from which on depth is that of empty pixels; -1e30: depth gives no distances
 uniform highp float farol_beyond;
+uniform highp float farol_plainReach; // part of its range in which a plain point light is listed
 layout(location = 0) out highp uvec4 farol_mask;
 
 struct FarolTile {
@@ -64,7 +65,7 @@ FarolTile farol_tileAt(const in ivec2 tile, const in int shift) {
 }
 
 bool farol_touches(const in FarolTile tile, const in vec4 sphere, const in int light) {
-  float radius = sphere.w * 1.0001;
+  float radius = sphere.w * (light < farol_tileRun.w << 7 ? farol_plainReach : 1.0001);
   float k = mix(1.0, -sphere.z, farol_perspective);
   vec4 sides = vec4(sphere.xy - tile.slopes.xy * k, tile.slopes.zw * k - sphere.xy) * tile.scales;
   if (min(min(sides.x, sides.y), min(sides.z, sides.w)) < -radius) return false;
