@@ -116,6 +116,8 @@ const xrPage = {
   techniquesInTurn,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },
+  engine: () => import('@farol/engine'),
+  engineXR: () => import('@farol/engine/xr'),
 };
 
 declare global {

@@ -28,6 +28,18 @@ declare global {
   }
 }
 
+/** Adds the buttons of sessions in a headset, where there is one. */
+async function addXR({ app, messages }: Viewer): Promise<void> {
+  const { addXRButtons, stageOf } = await import('@farol/engine/xr');
+  const labels = { 'immersive-vr': 'Enter VR', 'immersive-ar': 'Enter AR' };
+  await addXRButtons(
+    parent,
+    labels,
+    () => stageOf(app),
+    ({ message }) => messages.show('xr', message),
+  );
+}
+
 const parent = document.getElementById('app')!;
 try {
   const viewer = new Viewer(parent, location.search);
@@ -41,6 +53,7 @@ try {
   new StoppedFlight(viewer);
   new TouchOrbit(viewer);
   acceptDrops(viewer);
+  if ('xr' in navigator) void addXR(viewer);
   watchContext(viewer);
   addEventListener('keydown', (event) => {
     if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -60,7 +60,7 @@ const names = {
       'ComponentRegistry',
       'builtinComponents',
     ],
-    ...['AudioListener', 'AudioSource', 'EventTrigger', 'audioOutput'],
+    ...['AudioListener', 'AudioSource', 'EventTrigger', 'audioOutput', 'Grabbable', 'XRRig'],
   ],
   animation: [
     'ClipError',

@@ -16,6 +16,7 @@ import {
   watchPixelRatio,
 } from '@farol/engine';
 import { deserialize, FileError, type ForeignAddress, readSceneFile } from '@farol/engine/files';
+import type { XRStage } from '@farol/engine/xr';
 import { registerSceneAssets } from '@farol/scenes';
 import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -107,6 +108,21 @@ function sayWhenMuted(): void {
   document.body.append(line);
 }
 
+/** Adds the buttons of sessions in a headset, where there is one. @param other - parts of the stage that are not the App's */
+async function addXR(app: App, other: Partial<XRStage> = {}): Promise<void> {
+  const { addXRButtons, stageOf } = await import('@farol/engine/xr');
+  const place = document.createElement('div');
+  place.className = 'xr';
+  document.body.append(place);
+  const labels = { 'immersive-vr': t('Enter VR'), 'immersive-ar': t('Enter AR') };
+  await addXRButtons(
+    place,
+    labels,
+    () => ({ ...stageOf(app), ...other }),
+    ({ message }) => say(message),
+  );
+}
+
 /** Adds an orbiting camera for the viewer, when the scene's camera cannot be moved by the user. */
 function orbit(app: App): (width: number, height: number) => void {
   const camera = new PerspectiveCamera(50, 1, 0.05, 2000);
@@ -130,15 +146,18 @@ function orbit(app: App): (width: number, height: number) => void {
     controls.target.copy(middle);
   }
   controls.enableDamping = true;
+  const xr = { camera, advance: (seconds: number) => app.scene.update(seconds) };
+  if ('xr' in navigator) void addXR(app, xr);
   let last = 0;
   const frame = (now: number): void => {
+    requestAnimationFrame(frame);
+    if (app.picture.inXR) return;
     const { scene } = app;
     scene.pointerCamera = camera;
     scene.update(last === 0 ? 0 : Math.min((now - last) / 1000, 0.1));
     last = now;
     controls.update();
     app.picture.render(scene, camera, scene.activeCamera);
-    requestAnimationFrame(frame);
   };
   requestAnimationFrame(frame);
   return (width, height) => {
@@ -173,6 +192,7 @@ export function showScene(app: App, { name }: Scene, walks: boolean): void {
   let resized: (width: number, height: number) => void = () => {};
   if (walks) {
     app.start();
+    if ('xr' in navigator) void addXR(app);
     new TouchControls(app.canvas, document.body, () => app.scene, t('Jump'));
   } else resized = orbit(app);
   const resize = (): void => {

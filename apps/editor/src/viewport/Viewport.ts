@@ -72,7 +72,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   private readonly endings: (() => void)[] = [];
   private readonly pictureCamera: PictureCamera;
   private readonly place: CanvasPlace;
-  protected readonly loop: FrameLoop;
+  readonly loop: FrameLoop;
   private ownPainter: Painter | null = null;
 
   /** @throws Error when the browser has no WebGL 2 */

@@ -116,9 +116,9 @@ export class App {
     return this.isPlaying;
   }
 
-  /** Starts the loop: each display frame updates the scene and draws it. */
+  /** Starts the loop: each display frame updates the scene and draws it. While an XR session presents, the session draws. */
   start(): void {
-    if (this.running) return;
+    if (this.running || this.picture.inXR) return;
     this.lastFrame = 0;
     this.request = requestAnimationFrame(this.frame);
   }
@@ -189,6 +189,7 @@ export class App {
   /** Keeps the canvas as large as an element. */
   private follow(parent: HTMLElement): void {
     const fit = (): void => {
+      if (this.picture.inXR) return; // the canvas is the session's
       const width = Math.max(1, parent.clientWidth);
       const height = Math.max(1, parent.clientHeight);
       if (width === this.aspectWidth && height === this.aspectHeight) return;
@@ -204,6 +205,7 @@ export class App {
   }
 
   private setSize(width: number, height: number, pixelRatio?: number): void {
+    if (this.picture.inXR) return;
     this.aspectWidth = Math.max(1, width);
     this.aspectHeight = Math.max(1, height);
     if (pixelRatio !== undefined) this.webgl.setPixelRatio(pixelRatio);
@@ -242,7 +244,7 @@ export class App {
   }
 
   private readonly redrawAtRest = (): void => {
-    if (!this.running && !this.isDisposed) this.render();
+    if (!this.running && !this.isDisposed && !this.picture.inXR) this.render();
   };
 
   private readonly frame = (now: number): void => {

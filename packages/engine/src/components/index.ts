@@ -8,6 +8,7 @@ import { Camera } from './Camera';
 import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { Grabbable } from './Grabbable';
 import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
@@ -20,6 +21,7 @@ import { RandomMovement } from './RandomMovement';
 import { RigidBody } from './RigidBody';
 import { Room } from './Room';
 import { Wall } from './Wall';
+import { XRRig } from './XRRig';
 
 /** The built-in components, in the order of the Add menu. */
 const components = [
@@ -44,6 +46,8 @@ const components = [
   AudioSource,
   AudioListener,
   EventTrigger,
+  XRRig,
+  Grabbable,
 ];
 
 for (const each of components) registry.register(each);

@@ -48,6 +48,8 @@ export class PictureRenderer {
   readonly effects: PictureEffects;
   /** Whether bloom, depth of field, grading and vignette are drawn. Default true. */
   showsEffects = true;
+  /** Whether a headset shows the pictures; set while a session lasts. */
+  inXR = false;
   private readonly redraw: () => void;
   private readonly failed: (error: unknown) => void;
   private readonly followsRendering: boolean;
@@ -59,6 +61,7 @@ export class PictureRenderer {
   private quality: Scene['settings']['quality'] = 'auto';
   private frameBudget = 'off';
   private isFetching = false;
+  private toldXR = false;
   private chain: PictureChain | null = null;
   private waitsFor: Promise<void> | null = null;
   private readonly last: LastPicture;
@@ -192,7 +195,7 @@ export class PictureRenderer {
     const exposureBefore = webgl.toneMappingExposure;
     webgl.toneMapping = toneMapping;
     webgl.toneMappingExposure = exposure;
-    const code = webgl.getRenderTarget() === null ? this.ask() : null;
+    const code = webgl.getRenderTarget() === null || this.inXR ? this.ask() : null;
     code?.surroundings.toneMap(scene.three, toneMapping, exposure);
     try {
       painter.render(scene.three, camera);
@@ -235,6 +238,12 @@ export class PictureRenderer {
     const { look } = this;
     const { bloom, grading, vignette } = settings;
     const has = this.showsEffects && (bloom || grading || vignette || look.depthOfField);
+    // the eyes are drawn straight to the session's layer
+    if (this.inXR) {
+      if (has && !this.toldXR) console.warn('Farol: bloom, grading, vignette and depth of field are left out in XR.');
+      this.toldXR ||= Boolean(has);
+      return null;
+    }
     // three applies tone mapping only when it draws to the canvas
     const isApart = this.farol.webgl.getRenderTarget() !== null && look.toneMapping !== NoToneMapping;
     if (!has && !isApart) return null;

@@ -2,6 +2,8 @@ import type { Texts } from '@farol/editing';
 
 /** Spanish texts of panels, dialogs and controls. */
 export const panels: Texts = {
+  'Enter VR': 'Entrar en RV',
+  'Enter AR': 'Entrar en RA',
   'This panel has stopped: {message}': 'Este panel se ha detenido: {message}',
   'Show it again': 'Mostrarlo de nuevo',
   'No mesh': 'Sin malla',

@@ -8,6 +8,7 @@ import { isTouchScreen } from '../../viewport/isTouchScreen';
 import { keyText } from '../../ui/keyText';
 import { useSoundWaits } from '../../ui/useAudioOutput';
 import { useKeyBindings } from '../../ui/useKeyBindings';
+import { XRButtons } from './XRButtons';
 import './playFrame.css';
 
 /** Frame round the viewport while the scene plays or is paused, with a note on what becomes of edits. */
@@ -40,6 +41,7 @@ export function PlayFrame(): ReactNode {
               ? t('{keys} stops and puts everything back', { keys })
               : t('Stop puts everything back; {keys} plays on', { keys })}
         </span>
+        <XRButtons />
         {soundWaits && <span>{t('Click for sound')}</span>}
       </p>
     </div>

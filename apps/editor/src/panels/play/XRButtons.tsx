@@ -1,0 +1,40 @@
+import { t } from '@farol/editing';
+import type { XRMode } from '@farol/engine/xr';
+import { type ReactNode, useEffect, useState } from 'react';
+import { Button } from '../../ui/Button';
+import { useEditor } from '../../ui/EditorContext';
+
+const fetchXR = () => import('@farol/engine/xr');
+
+/** Buttons that show the playing scene in a headset; none where there is no headset. */
+export function XRButtons(): ReactNode {
+  const editor = useEditor();
+  const [modes, setModes] = useState<readonly XRMode[]>([]);
+  useEffect(() => {
+    if ('xr' in navigator) editor.attempt(async () => setModes(await (await fetchXR()).xrModes()));
+  }, [editor]);
+  const enter = async (mode: XRMode): Promise<void> => {
+    const { viewport, document } = editor;
+    const { loop, picture, lookThrough, rayCamera } = viewport;
+    const { playInXR } = await fetchXR();
+    await playInXR(
+      {
+        picture,
+        scene: document.scene,
+        camera: lookThrough?.three ?? rayCamera,
+        advance: (seconds) => document.simulation.advance(seconds),
+        pause: () => loop.stop(),
+        resume: () => loop.start(),
+      },
+      mode,
+    );
+  };
+  return modes.map((mode) => (
+    <Button
+      key={mode}
+      label={mode === 'immersive-vr' ? t('Enter VR') : t('Enter AR')}
+      look="small framed"
+      onClick={() => editor.attempt(() => enter(mode))}
+    />
+  ));
+}
