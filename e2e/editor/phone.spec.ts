@@ -60,7 +60,7 @@ const lookAt = (page: Page): Promise<Look | null> =>
     return all === 0 ? null : { height: rows / all / 128, red: sums[0] / all, blue: sums[2] / all };
   });
 
-test('a phone shows the scene, follows a moved object and a recoloured lamp, and is counted', async ({
+test('a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted', async ({
   page,
   browser,
   watch,
@@ -86,6 +86,11 @@ test('a phone shows the scene, follows a moved object and a recoloured lamp, and
   const phone = await context.newPage();
   phone.on('pageerror', (error) => watch.problems.push(`phone: ${error.message}`));
   phone.on('console', (message) => message.type() === 'error' && watch.problems.push(`phone: ${message.text()}`));
+  let lose: () => Promise<void> = async () => {};
+  await phone.routeWebSocket(/farol-live/, (socket) => {
+    socket.connectToServer();
+    lose = () => socket.close();
+  });
   await phone.goto(address);
   await expect(dialog.getByText('1 looks')).toBeVisible();
   await expect.poll(async () => (await lookAt(phone))?.height ?? 1, { timeout: 60_000 }).toBeLessThan(0.47);
@@ -100,6 +105,8 @@ test('a phone shows the scene, follows a moved object and a recoloured lamp, and
   await page.getByLabel('Position y').press('Enter');
   await expect.poll(async () => (await lookAt(phone))?.height ?? 0).toBeGreaterThan(0.53);
 
+  // what was edited while the connection was away comes with the next one
+  await lose();
   await page.getByRole('treeitem', { name: 'Lamp' }).click();
   await inspectorFollows(page);
   await page.getByRole('region', { name: 'Light' }).getByRole('button', { name: 'Colour', exact: true }).click();

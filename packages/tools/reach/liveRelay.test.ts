@@ -163,5 +163,6 @@ describe('the token of an address', () => {
     expect(has('/')).toBeNull();
     expect(has('/?token=wrong', 'farol-token=')).toBeNull();
     expect(has('/?token=')).toBeNull();
+    expect(has('//')).toBeNull();
   });
 });

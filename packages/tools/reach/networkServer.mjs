@@ -27,7 +27,7 @@ export const networkAddresses = () =>
  * @returns {'address' | 'cookie' | null} where it has it
  */
 export function tokenIn({ url, headers }, token) {
-  if (isSecret(new URL(url ?? '/', 'https://host').searchParams.get('token'), token)) return 'address';
+  if (isSecret(new URLSearchParams((url ?? '').split('?')[1]).get('token'), token)) return 'address';
   const cookies = (headers.cookie ?? '').split(/; */).map((each) => each.split('='));
   return cookies.some(([name, value]) => name === COOKIE && isSecret(value, token)) ? 'cookie' : null;
 }
@@ -57,8 +57,16 @@ export async function serveToNetwork({ app, relay, token, port, host = '0.0.0.0'
       return void response.end('This address needs its token: open the whole address that npm start printed.\n');
     }
     if (place === 'address')
-      response.setHeader('set-cookie', `${COOKIE}=${token}; Path=/; Secure; HttpOnly; SameSite=Strict`);
+      response.setHeader('set-cookie', `${COOKIE}=${token}; Path=/; Secure; HttpOnly; SameSite=Lax`);
     response.setHeader('referrer-policy', 'no-referrer');
+    // apps know no such parameter; the phone's page keeps it, so that its address can be handed on
+    if (place === 'address' && !request.url?.startsWith('/live.html')) {
+      const [path, query] = (request.url ?? '/').split('?');
+      const left = new URLSearchParams(query);
+      left.delete('token');
+      // one slash: two would name another host
+      return void response.writeHead(302, { location: `/${path.replace(/^\/+/, '')}?${left}` }).end();
+    }
     app.middlewares(request, response);
   });
   server.on('upgrade', (request, socket, head) => {
