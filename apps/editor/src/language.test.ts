@@ -94,9 +94,6 @@ function otherTexts(): string[] {
       .filter(([path]) => !ownFiles.has(path))
       .flatMap(([path, source]) => propertyTexts(path, source, 'help', 'label')),
     ...below('packages/renderer/src/renderer').flatMap(([path, source]) => propertyTexts(path, source, 'reason')),
-    ...below('packages/renderer/src/renderer/budget').flatMap(([path, source]) =>
-      propertyTexts(path, source, 'unknown', 'held', 'slow', 'fast', 'least', 'largest', 'trial'),
-    ),
     ...below('apps/editor/src/plugins').flatMap(([path, source]) =>
       propertyTexts(path, source, 'help', 'label', 'title'),
     ),
