@@ -94,6 +94,9 @@ function otherTexts(): string[] {
       .filter(([path]) => !ownFiles.has(path))
       .flatMap(([path, source]) => propertyTexts(path, source, 'help', 'label')),
     ...below('packages/renderer/src/renderer').flatMap(([path, source]) => propertyTexts(path, source, 'reason')),
+    ...below('packages/renderer/src/renderer/budget')
+      .filter(([path]) => path.endsWith('reasons.ts'))
+      .flatMap(([path, source]) => Object.values(tableOf(path, source))),
     ...below('apps/editor/src/plugins').flatMap(([path, source]) =>
       propertyTexts(path, source, 'help', 'label', 'title'),
     ),

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { checkBudget } from '../FrameBudget';
-import { BudgetController, REASONS } from './BudgetController';
+import { BudgetController } from './BudgetController';
+import { REASONS } from './reasons';
 
 const FRAME = 16.7;
 

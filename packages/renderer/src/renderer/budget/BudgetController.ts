@@ -1,4 +1,5 @@
 import type { BudgetSource, FrameBudget } from '../FrameBudget';
+import { REASONS } from './reasons';
 
 /** Change of the scale from one frame to the next: too little to be seen. */
 const STEP = 1 / 64;
@@ -24,16 +25,6 @@ const MOST = 1.06;
 const [TRIAL, BLAME] = [8, 240];
 /** Intervals before a larger scale is tried: at first and at least, after a failure and at most. */
 const [PACE, LEAST_PACE, PATIENCE, MOST_PATIENCE] = [30, 4, 60, 480];
-
-export const REASONS = {
-  unknown: 'the time of a frame is not known yet',
-  held: 'frames take the time of the budget at this scale',
-  slow: 'frames took longer than the budget',
-  fast: 'frames took less than the budget',
-  least: 'frames take longer than the budget at the least scale',
-  largest: 'frames take less than the budget at the largest scale',
-  trial: 'a larger scale is tried',
-} as const;
 
 /**
  * Finds the scale at which frames take the time of a budget, from times of frames and the scales that they were drawn at. A

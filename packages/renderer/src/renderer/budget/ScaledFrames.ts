@@ -24,6 +24,7 @@ import type { GpuTimer } from '../timer/GpuTimer';
 import { BudgetController } from './BudgetController';
 import { Enlargement } from './Enlargement';
 import { FrameClock } from './FrameClock';
+import { WHOLE } from './reasons';
 
 /** Pixels of a picture below which, along a side, nothing is scaled. */
 const SMALL = 32;
@@ -115,11 +116,10 @@ export class ScaledFrames {
 
   /** Reason why a target is drawn at full size; null if it can be scaled. */
   private wholeReason({ target, level, several, width, height, webgl }: Frame): string | null {
-    if (target === null && (this.buffered ??= hasOutputBuffer(webgl))) return 'effects of three have its output buffer';
-    if (several) return 'the target has several textures';
-    if (target !== null && (level > 0 || 'isWebGLCubeRenderTarget' in target || target.depth > 1))
-      return 'the target is part of a cube, an array or mipmaps';
-    return Math.min(width, height) < SMALL ? 'the picture is small' : null;
+    if (target === null && (this.buffered ??= hasOutputBuffer(webgl))) return WHOLE.buffered;
+    if (several) return WHOLE.several;
+    if (target !== null && (level > 0 || 'isWebGLCubeRenderTarget' in target || target.depth > 1)) return WHOLE.part;
+    return Math.min(width, height) < SMALL ? WHOLE.small : null;
   }
 
   private redirect(frame: Frame, target: WebGLRenderTarget, scale: number): void {

@@ -1,0 +1,18 @@
+/** Reasons for the scale of a frame. */
+export const REASONS = {
+  unknown: 'the time of a frame is not known yet',
+  held: 'frames take the time of the budget at this scale',
+  slow: 'frames took longer than the budget',
+  fast: 'frames took less than the budget',
+  least: 'frames take longer than the budget at the least scale',
+  largest: 'frames take less than the budget at the largest scale',
+  trial: 'a larger scale is tried',
+};
+
+/** Reasons why a frame is drawn at full size. */
+export const WHOLE = {
+  buffered: 'effects of three have its output buffer',
+  several: 'the target has several textures',
+  part: 'the target is part of a cube, an array or mipmaps',
+  small: 'the picture is small',
+};
