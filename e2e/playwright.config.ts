@@ -36,7 +36,11 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   timeout: isWhole ? 480_000 : 240_000,
   expect: { timeout: 30_000 },
-  reporter: process.env.PLAYWRIGHT_JSON_OUTPUT_NAME ? [['list'], ['json']] : [['list']],
+  reporter: [
+    ['list'],
+    ['./support/AssertionReporter.ts'],
+    ...(process.env.PLAYWRIGHT_JSON_OUTPUT_NAME ? [['json'] as const] : []),
+  ],
   use: {
     viewport: { width: 640, height: 360 },
     trace: 'off',

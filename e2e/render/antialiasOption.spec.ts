@@ -42,7 +42,7 @@ test('where canvas or target ask for samples, techniques that shade a G-buffer s
 }) => {
   const found = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, edgeScene, effects, three } = window.testPage;
+      const { Bench, compareImages, edgeScene, effects, techniqueInTurn, three } = window.testPage;
       const { scene, camera } = edgeScene(width, height);
       const on = (bench: InstanceType<typeof Bench>, draw: () => void) => {
         const gl = bench.webgl.getContext();
@@ -57,7 +57,8 @@ test('where canvas or target ask for samples, techniques that shade a G-buffer s
       const toCanvas = () => on(smooth, () => farol.render(scene, camera));
       const stock = on(smooth, () => webgl.render(scene, camera));
       const drawn: Record<string, { off: number; on: number; bySMAA: number; passes: number }> = {};
-      for (const technique of ['deferred', 'tiled-deferred', 'clustered-deferred'] as const) {
+      const shading = ['deferred', 'tiled-deferred', 'clustered-deferred'] as const;
+      for (const technique of techniqueInTurn(1, shading)) {
         farol.technique = technique;
         farol.antialias = false;
         farol.effects = [];

@@ -13,6 +13,8 @@ interface Sampling extends CheckedSampling {
   readonly name: string;
   /** Other lights throw textures of their own before, so that no sampler is left and the image is copied. */
   readonly isCopied?: boolean;
+  /** Whether the slice has it: one copied image, one of the nearest texel, and one whose limits are the strictest. */
+  readonly inSlice?: boolean;
   /** Beside stock three, by forward techniques, by lists over a G-buffer, by light volumes (dB). */
   readonly measured: readonly [number, number, number];
   /** Limits on a GPU (H100), which chooses levels and weighs texels by rules of its own. */
@@ -27,6 +29,7 @@ const samplings: readonly Sampling[] = [
     name: 'mipmaps, copied',
     min: 'LinearMipmapLinear',
     isCopied: true,
+    inSlice: true,
     measured: [56, 44, 44],
     onGPU: [51, 44, 44],
   },
@@ -38,8 +41,15 @@ const samplings: readonly Sampling[] = [
     wrap: 'Repeat',
     measured: [41, 22, 22],
   },
-  { name: 'the nearest texel', min: 'Nearest', mag: 'Nearest', measured: [42, 21, 21] },
-  { name: 'linear, without mipmaps, repeated', min: 'Linear', wrap: 'Repeat', side: 8, measured: [131, 59, 59] },
+  { name: 'the nearest texel', min: 'Nearest', mag: 'Nearest', inSlice: true, measured: [42, 21, 21] },
+  {
+    name: 'linear, without mipmaps, repeated',
+    min: 'Linear',
+    wrap: 'Repeat',
+    side: 8,
+    inSlice: true,
+    measured: [131, 59, 59],
+  },
   { name: 'mirrored', min: 'LinearMipmapLinear', wrap: 'MirroredRepeat', side: 8, measured: [108, 59, 59] },
   {
     name: 'mipmaps, anisotropy, copied',
@@ -69,9 +79,12 @@ const samplings: readonly Sampling[] = [
   },
 ];
 
-for (const [turn, { name, measured, onGPU = measured, isCopied = false, ...sampling }] of samplings.entries()) {
+for (const [
+  turn,
+  { name, measured, onGPU = measured, isCopied = false, inSlice, ...sampling },
+] of samplings.entries()) {
   const least = process.env.FAROL_GPU ? onGPU : measured;
-  test(`a spot light's map is sampled as in stock three: ${name}${turn % 3 > 0 ? ' @verify' : ''}`, async ({
+  test(`a spot light's map is sampled as in stock three: ${name}${inSlice ? '' : ' @verify'}`, async ({
     benchPage: page,
   }) => {
     const { pairs, matters } = await page.evaluate(

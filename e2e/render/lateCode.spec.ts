@@ -2,6 +2,7 @@ import type { LazyPart } from '@farol/renderer';
 import type { Page } from '@playwright/test';
 import type { LateCase } from '../pages/lateCases';
 import { hold, openLazy } from '../support/lateCode';
+import { inTurn } from '../support/parts';
 import { expect, test } from '../support/test';
 
 declare global {
@@ -58,33 +59,43 @@ test('after compileAsync the first frame on the canvas lacks no code and compile
   pagesURL,
 }) => {
   await openLazy(page, pagesURL);
-  const results = await page.evaluate(async () => {
-    const { farol, LateCase } = window.testPage;
+  // in the slice another third of the parts than above
+  const parts = inTurn(await partsOf(page), 1, 3);
+  const results = await page.evaluate(async (parts) => {
+    const { LateCase } = window.testPage;
     const results: [string, { pending: readonly string[]; programs: number }][] = [];
-    for (const part of farol.FarolRenderer.parts) results.push([part, await (await LateCase.of(part)).drawCompiled()]);
+    for (const part of parts) results.push([part, await (await LateCase.of(part)).drawCompiled()]);
     return results;
-  });
+  }, parts);
+  expect(results.length).toBeGreaterThan(1);
   for (const [part, frame] of results) expect.soft(frame, part).toEqual({ pending: [], programs: 0 });
 });
 
 test('what will need code has it fetched before the first frame', async ({ page, pagesURL }) => {
   await openLazy(page, pagesURL);
-  const needs = ["'auto'", 'a technique', 'a view', 'a LightField', 'an area light'] as const;
-  for (const need of needs) {
-    const fetched = page.waitForRequest('**/*');
-    await page.evaluate(async (need) => {
-      const { Bench, farol, lightFields, setLightOptions, three } = window.testPage;
-      // fetches light lists, since 'auto' is the default; awaited so that the other needs are told apart from it
-      if (need === "'auto'") {
-        new Bench(8, 8);
-        await farol.FarolRenderer.preload(['light-grid']);
-      }
+  const seen: string[] = [];
+  page.on('request', (request) => seen.push(request.url()));
+  // files by what needs them
+  const needs = {
+    "'auto'": /clusteredPasses/,
+    'a technique': /multipass/,
+    'a view': /\/views/,
+    'a LightField': /makeLightFields/,
+    'an area light': /area-lights/,
+  };
+  for (const [need, file] of Object.entries(needs)) {
+    const isFetched = (): boolean => seen.some((url) => file.test(url));
+    expect(isFetched(), `${need}, before`).toBe(false);
+    await page.evaluate((need) => {
+      const { Bench, lightFields, setLightOptions, three } = window.testPage;
+      // 'auto' is the default
+      if (need === "'auto'") new Bench(8, 8);
       if (need === 'a technique') new Bench(8, 8).farol.technique = 'forward';
       if (need === 'a view') new Bench(8, 8).farol.view = 'normal';
       if (need === 'a LightField') new lightFields.LightField(1);
       if (need === 'an area light') setLightOptions(new three.RectAreaLight(), { shape: 'disc' });
     }, need);
-    await fetched;
+    await expect.poll(isFetched, need).toBe(true);
   }
 });
 

@@ -78,7 +78,7 @@ for (const [kind, depth, caster, measured, inSlice] of table) {
   });
 }
 
-test('a spot light throws its map where depth is reversed, as in stock three', async ({ benchPage: page }) => {
+test('a spot light throws its map where depth is reversed, as in stock three @verify', async ({ benchPage: page }) => {
   const { reversed, psnr, matters } = await page.evaluate(() => {
     const { Bench, compareImages, shadowScene, three } = window.testPage;
     const bench = new Bench(64, 48, { renderer: { reversedDepthBuffer: true } });

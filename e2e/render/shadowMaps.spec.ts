@@ -277,13 +277,13 @@ test('casters, lights and techniques that change back and forth compile nothing 
   benchPage: page,
 }) => {
   const compiled = await page.evaluate(() => {
-    const { Bench, shadowScene, three } = window.testPage;
+    const { Bench, shadowScene, techniquesInTurn, three } = window.testPage;
     const bench = new Bench(48, 32);
     bench.webgl.shadowMap.enabled = true;
     const { scene, camera, lights } = shadowScene(48, 32, { caster: 'mixed' });
     const box = new three.Mesh(new three.BoxGeometry(), new three.MeshStandardMaterial());
     box.castShadow = true;
-    const techniques = ['forward', 'tiled-deferred', 'clustered-forward'] as const;
+    const techniques = techniquesInTurn(0, ['forward', 'tiled-deferred', 'clustered-forward']);
     const added = new three.SpotLight(0xffffff, 20, 10, 0.5);
     added.castShadow = true;
     added.position.set(0, 4, 3);

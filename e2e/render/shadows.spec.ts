@@ -96,7 +96,7 @@ test('shadows of all kinds of light at once, by every technique', async ({ bench
   }
 });
 
-test('cookies: a spot light throws its map as in stock three, with and without shadows, and a point light its cube', async ({
+test('cookies: a spot light throws its map as in stock three, with and without shadows, and a point light its cube @verify', async ({
   benchPage: page,
 }) => {
   const { pairs, cube } = await page.evaluate(
