@@ -128,7 +128,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Key of the cases whose times grow along a line; along an axis of names each case is its own. */
+  /** Key that cases share which differ only along a numeric axis, where times grow; along an axis of names each has its own. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
