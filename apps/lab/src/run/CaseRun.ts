@@ -186,7 +186,7 @@ export class CaseRun {
     }
   }
 
-  /** Counts and passes, then frames after changes. */
+  /** Measures the counts and passes of a frame, then frames after changes of the scene. */
   private async takeRest({ row, stage, name }: Open): Promise<void> {
     row.counts = await stage.count(name);
     row.passes = await stage.passes(name);

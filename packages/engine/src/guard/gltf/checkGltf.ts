@@ -7,7 +7,7 @@ import type { GltfJson } from './readGltfJson';
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
-/** Morph targets of one primitive, which are layers of a texture, and vertices of all. */
+/** Greatest number of morph targets of a primitive (layers of a texture), and of vertices of all morph targets. */
 const TARGETS = 2048;
 const TARGET_VERTICES = 100_000_000;
 
