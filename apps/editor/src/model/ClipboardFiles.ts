@@ -2,7 +2,7 @@
 
 const NAME = 'farol-clipboard';
 
-/** Exports of this file, which is imported when first needed. */
+/** Functions that keep the files of copied objects; their code is fetched late. */
 export interface ClipboardFiles {
   readFile(name: string): Promise<Blob | null>;
   writeFiles(files: ReadonlyMap<string, Blob>): Promise<void>;

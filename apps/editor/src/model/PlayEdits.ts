@@ -57,7 +57,7 @@ export class PlayEdits {
     });
   }
 
-  /** Labels of edits that are not field values, such as an added object; they can only be kept with all others. */
+  /** Labels of edits other than of field values, such as an added object; these can only be kept together with all edits. */
   get others(): readonly string[] {
     return this.all.filter((command) => !(command instanceof SetFields)).map(({ label }) => label);
   }

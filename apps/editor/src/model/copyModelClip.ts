@@ -106,7 +106,7 @@ function keysOf(track: KeyframeTrack, isTurn: boolean): ClipKey[] {
       add(time, valueAt(time, (last?.value as Vector3Tuple | undefined) ?? [0, 0, 0]));
       return;
     }
-    // one sample after another, so that angles continue from the angles before
+    // samples in order of time, so that angles continue from those of the sample before
     const samples: ClipKey[] = [last];
     for (let n = 1; n <= SAMPLES; n++) {
       const at = n === SAMPLES ? time : times[i - 1] + ((time - times[i - 1]) * n) / SAMPLES;

@@ -89,7 +89,7 @@ export class BoxSelect {
     return (this.find ??= (await import('./pickBox')).pickBox);
   }
 
-  /** Selects what is in the box. @param adds - to what is selected */
+  /** Selects the objects in the box. @param adds - whether to add them to the selection */
   private select(find: typeof pickBox, adds: boolean): void {
     const { document, camera, bounds } = this.viewport;
     const { scene, selection } = document;

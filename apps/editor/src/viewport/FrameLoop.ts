@@ -3,7 +3,7 @@ export interface FrameWork {
   /** Advances time. @param seconds - since the last animation frame; 0 at first @returns whether to draw */
   advance(seconds: number): boolean;
   draw(): void;
-  /** Called with what `draw` throws. */
+  /** Called with an error that `draw` has thrown. */
   failed(error: unknown): void;
   /** Called instead of `draw` while nothing changes. */
   rest(): void;

@@ -15,7 +15,7 @@ export interface PickSurface {
   readonly mode: GizmoMode;
   /** Rectangle of the active view on the page. */
   readonly bounds: Bounds;
-  /** The three camera of that view. */
+  /** three's camera of the active view. */
   readonly camera: Camera;
   readonly onError: (error: unknown) => void;
   /** The visible GameObject at a point. @param point - normalised device coordinates */

@@ -43,7 +43,7 @@ export interface ChartRow {
 
 export interface RowsChart {
   readonly rows: readonly ChartRow[];
-  /** Bars one below the other in a row. */
+  /** Number of bars in a row, one below the other. */
   readonly lanes: number;
   readonly type: 'log' | 'linear';
   readonly domain: readonly [number, number];

@@ -5,7 +5,7 @@ export const installCommand = 'npm run rivals';
 export interface InstalledRivals {
   /** Versions of their packages by competitor's key; empty if they are not installed. */
   readonly versions: Readonly<Record<string, string>>;
-  /** Whether the page's server can install them, like that of `npm start`. */
+  /** Whether the page's server can install competitors, as that of `npm start` can. */
   readonly canInstall: boolean;
 }
 

@@ -128,7 +128,7 @@ export class CaseRun {
     each.over = true;
   }
 
-  /** Key of the cases whose times grow along a line; along an axis of names each case is its own. */
+  /** Key that cases share which differ only along a numeric axis, where times grow; along an axis of names each has its own. */
   private get line(): string {
     const { series, index } = this.world;
     return isNamed(series.axis) ? `${series.name} ${index}` : series.name;
@@ -186,7 +186,7 @@ export class CaseRun {
     }
   }
 
-  /** Counts and passes, then frames after changes. */
+  /** Measures the counts and passes of a frame, then frames after changes of the scene. */
   private async takeRest({ row, stage, name }: Open): Promise<void> {
     row.counts = await stage.count(name);
     row.passes = await stage.passes(name);

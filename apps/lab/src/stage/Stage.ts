@@ -15,7 +15,7 @@ export interface Opened {
   picture: ImageData;
 }
 
-/** Samples of one turn (ms). */
+/** Frame times (ms) that a competitor measured in one of its turns. */
 export interface Turn {
   /** Wall time of a frame, by batches of frames with one wait each; the cost of the wait is subtracted. */
   frame: number[];

@@ -30,7 +30,7 @@ void main() {
   for (int i = 0; i < SAMPLES; i++) {
     int which = farol_firstSample + i;
     vec3 along = farol_hemisphere(normal, farol_sample2(texel, which, 1));
-    // smooth normals lean away from the face: rays go up from it all the same
+    // smooth normals may lean away from the face's: rays must still leave on the face's front
     float height = dot(along, face);
     if (height < 0.0) along -= 2.0 * height * face;
     vec3 light = vec3(0.0);

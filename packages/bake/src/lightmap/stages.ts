@@ -64,7 +64,7 @@ const softSamples = (samples: number): number =>
 const gatherSamples = (samples: number, index: number): number =>
   SAMPLES_OF_A_DRAW * Math.ceil(Math.min(samples, Math.max(16, samples / 2 ** index)) / SAMPLES_OF_A_DRAW);
 
-/** Direct light: of lights that are baked whole, and of lights of which only reflections are baked. */
+/** Stages of direct light: from lights that are baked whole, and from lights of which only reflections are baked. */
 export function directStages(source: StageSource, tables: readonly [LightTable, LightTable]): Stage[] {
   const { samples, bounces, fine } = source;
   return tables.flatMap((table, i) => {

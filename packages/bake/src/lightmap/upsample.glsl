@@ -41,7 +41,7 @@ void main() {
       float facing = max(dot(texelFetch(farol_texelNormals, block, 0).xyz, normal), 0.0);
       float weight = tent.x * tent.y / (dot(away, away) + 0.01) * pow(facing, 16.0) * (1.0 - smoothstep(1.8, 2.6, far));
       weight *= exp(-abs(dot(path, normal)) / farol_texelSize);
-      // what stands for the texel's block, where nothing fits
+      // the texel's own block counts a little, in case no neighbour fits
       if (x == 0 && y == 0) weight += 1e-6;
       else if (weight < 1e-6) continue;
       whole += weight;

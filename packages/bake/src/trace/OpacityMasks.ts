@@ -26,7 +26,7 @@ export interface Opacity {
 
 const opaque: Opacity = { layer: -1, test: 0, opacity: 1 };
 
-/** Opacity of materials: of those with maps as layers of a texture. */
+/** Opacity of materials; opacity maps are layers of one array texture. */
 export class OpacityMasks {
   readonly target: WebGLArrayRenderTarget;
   private readonly byMaterial = new Map<Material, Opacity>();

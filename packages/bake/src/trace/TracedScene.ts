@@ -103,7 +103,7 @@ function cornersTable({ lightmapUVs, mapUVs }: MergedTriangles, order: Uint32Arr
   return table;
 }
 
-/** Triangles that shine, by their places in the table, with the cumulated share of the power of all. */
+/** Emissive triangles, by their indices in the table, each with the cumulated share of all emitted power. */
 function emittersOf({ ranges, positions }: MergedTriangles, order: Uint32Array, rangeOf: Int32Array) {
   const luminances = ranges.map(({ material, lightmap }) => (lightmap < 0 ? 0 : emittedLuminance(material)));
   const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];

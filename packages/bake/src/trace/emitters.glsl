@@ -1,6 +1,6 @@
 // Light of surfaces that shine by themselves, by a point on them chosen by power
 // Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation, 9.2
-uniform highp sampler2D farol_emitters; // one a triangle that shines: cumulated share of the power, triangle
+uniform highp sampler2D farol_emitters; // for each emissive triangle: cumulated share of all power, index
 uniform int farol_emitterCount;
 uniform float farol_emitterPower; // sum of luminance × area over all emissive triangles
 uniform highp sampler2DArray farol_emission;

@@ -23,7 +23,7 @@ float farol_falloff(const in float distance, const in float range, const in floa
 struct FarolArrival {
   vec3 irradiance;
   vec3 always; // light that is given through walls too
-  vec3 path; // from the point to the light, with what makes shadows soft
+  vec3 path; // vector from the point to a (random) point of the light (m)
   bool isEndless;
 };
 

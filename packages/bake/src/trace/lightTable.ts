@@ -11,7 +11,7 @@ const MOST_CELLS = 32;
 /** Lights on the GPU: a table, and for each cell of a grid those that reach it. */
 export interface LightTable {
   readonly count: number;
-  /** Whether shadows of any have soft edges, so that one sample is not enough. */
+  /** Whether any light casts shadows with soft edges, which need more than one sample. */
   readonly hasSoft: boolean;
   /** Whether any light casts hard shadows. */
   readonly hasHard: boolean;

@@ -3,7 +3,7 @@ import type { StaticMesh } from '../scene/StaticMesh';
 import type { UnwrappedMesh } from './UnwrapRequest';
 import { unwrapStaticMeshes } from './unwrapStaticMeshes';
 
-/** Factor by which lightmaps that are not kept are coarser. */
+/** Factor by which lightmaps are coarser that serve the bake alone. */
 const COARSER = 4;
 
 /** Meshes that reflect light without a lightmap of their own: each copy is one. */

@@ -8,7 +8,7 @@ import type { SurfaceToUnwrap, Unwrapped, UnwrappedMesh, UnwrapRequest } from '.
 export interface UnwrappedMeshes {
   /** Second UVs of the meshes that get a lightmap, null for others. */
   readonly unwrapped: (UnwrappedMesh | null)[];
-  /** The surface that each of those was cut from, null for others: the same one for equal meshes. */
+  /** Surface from which the charts of each mesh were cut, shared by equal meshes; null for meshes without a lightmap. */
   readonly surfaces: (SurfaceToUnwrap | null)[];
   /** Texels per metre, one number per lightmap. */
   readonly texelsPerMetre: readonly number[];

@@ -7,7 +7,7 @@ const lines = new WeakMap<object, { newest: object }>();
  */
 export const currentOf = <Owner extends object>(owner: Owner): Owner => (lines.get(owner)?.newest ?? owner) as Owner;
 
-/** Lets an owner be `currentOf` another, and of all that one replaced. */
+/** Records that an owner replaces another: `currentOf` then returns it, for all that the other one replaced too. */
 export function replaceOwner(before: object, owner: object): void {
   const line = lines.get(before) ?? { newest: before };
   line.newest = owner;

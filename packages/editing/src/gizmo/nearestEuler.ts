@@ -10,7 +10,7 @@ const rest = new Quaternion();
 const part = new Quaternion();
 const axis = new Vector3();
 
-/** Angle nearest to another one, among those that differ by whole turns. */
+/** Adds whole turns to an angle (rad), so that it is nearest to another angle. */
 const nearest = (angle: number, before: number): number => angle - TURN * Math.round((angle - before) / TURN);
 
 const distance = (angles: Vector3Tuple, before: Vector3Tuple): number =>

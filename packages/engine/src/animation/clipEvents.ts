@@ -66,7 +66,7 @@ export function passEvents(
   const last = Math.floor(to / period);
   const first = Math.floor(from / period);
   const passes = Math.min(Math.abs(last - first), MOST_PASSES);
-  // one pass more at each end, for events that rounding puts into a neighbouring pass
+  // one loop of the clip more at each end, for events that rounding puts into a neighbouring one
   for (let n = -1; n <= passes + 1; n++) {
     const start = (last - direction * (passes - n)) * period;
     if (isPingPong && direction < 0) pass(start, true);

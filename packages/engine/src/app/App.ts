@@ -194,7 +194,7 @@ export class App {
       const height = Math.max(1, parent.clientHeight);
       if (width === this.aspectWidth && height === this.aspectHeight) return;
       this.setSize(width, height);
-      // another size empties the canvas: it is filled again before it is seen
+      // resizing empties the canvas: it is drawn again before the browser shows it
       this.render();
     };
     this.setSize(parent.clientWidth, parent.clientHeight);

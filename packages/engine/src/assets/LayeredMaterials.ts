@@ -7,7 +7,7 @@ import type { TextureHost } from './writeSurfaceMaps';
 export interface LayerUser {
   /** Name of the surface; null for none. */
   readonly surfaceName: string | null;
-  /** Called when another surface, or another text of it, is to be used. */
+  /** Called when the material gets another surface, or its surface another text. */
   surfaceChanged(): void;
 }
 

@@ -7,7 +7,7 @@ const reflections = new WeakMap<Material, Color>();
 
 function reflect(this: Material, shader: WebGLProgramParametersWithUniforms): void {
   shader.uniforms.ambientReflection = { value: reflections.get(this) };
-  // the renderer's name for what the ambient colours of lights are multiplied by
+  // name by which the renderer's shaders read the reflectance of ambient light
   shader.fragmentShader = `uniform vec3 ambientReflection;\n#define FAROL_AMBIENT_FACTOR ambientReflection\n${shader.fragmentShader.replace(
     AFTER,
     `${AFTER}\n\treflectedLight.indirectDiffuse *= ambientReflection;`,

@@ -39,7 +39,7 @@ async function loaderFor(
   return { loader, dispose: () => disposables.forEach((each) => each.dispose()) };
 }
 
-/** A `data:` address: its bytes, or null for what is damaged and for what is none. */
+/** Bytes of a `data:` address; null for a damaged one and for other addresses. */
 function bytesOfData(uri: string): Uint8Array | null {
   const [, base64, data = ''] = /^data:[^,]*?(;\s*base64\s*)?,([^]*)$/i.exec(uri) ?? [];
   try {

@@ -20,7 +20,7 @@ interface Voice {
   revision: number;
 }
 
-/** three moves these with what they hang on: here they follow without hanging on the scene. */
+/** Moves one of three's audio objects, which is not in the scene, to a world matrix. */
 function follow(audio: Object3D, matrix: Matrix4): void {
   audio.matrixWorld.copy(matrix);
   audio.updateMatrixWorld();
@@ -60,7 +60,7 @@ export class SceneAudio implements SceneSystem {
       const source = sources[i];
       if (source.isPlaying && this.isAtEnd(source)) {
         source.stop();
-        // the last of it is still on its way to the ear
+        // the last of the sound is still being output
         this.voices.delete(source);
       }
       isPlaying ||= source.isPlaying;

@@ -1,4 +1,4 @@
-/** Baked light as data: what is baked of a scene, and the file of it. The baker itself is `@farol/bake`. */
+/** Baked light as data: its sources in a scene, and its file. The baker itself is `@farol/bake`. */
 export type { BakeData, LightmapData, LightmappedMesh, ProbeData } from '../assets/bake/BakeData';
 export { BakedLight } from '../assets/bake/BakedLight';
 export { bakeFields } from '../settings/bakeFields';

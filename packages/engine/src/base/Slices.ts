@@ -1,4 +1,4 @@
-/** How long a loop may hold the page before others have their turn (ms). */
+/** Time for which a long loop may run before other tasks of the page have their turn (ms). */
 const SLICE = 20;
 
 /** Cuts a long loop into slices: the page answers between them, and may cancel the work. */

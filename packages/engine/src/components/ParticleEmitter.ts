@@ -156,7 +156,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter || !scene) return;
     const { time } = emitter;
     emitter.set(particleCode()!.changedSetting(field, this, this.parts));
-    // some settings restart the emitter; at a standstill the new ones show at once then
+    // a setting that restarts the emitter makes emission begin at the present time
     if (time > 0 && emitter.time === 0) this.beganAt = scene.time;
     else if (time === 0 && emitter.prewarm > 0) emitter.restart();
   }

@@ -111,7 +111,7 @@ export class AuthoredState {
     this.isRestoring = true;
     try {
       if (this.isTouched) this.restoreStructure();
-      // values of a component that was replaced are older than those noted of its replacement: set last
+      // a replaced component's values are older than its replacement's, so they are set last
       for (const [noted, values] of [...this.fields].toReversed()) {
         const owner = currentOf(noted);
         for (const [name, value] of values) if (Object.hasOwn(owner.fields, name)) trySet(owner, name, value);
@@ -155,7 +155,7 @@ export class AuthoredState {
     // parents first: an object that was put below its own child leaves it before it gets children
     arrange(scene, this.roots);
     for (const [object, { children }] of this.objects) arrange(object, children);
-    // what was moved into its place meanwhile is no addition
+    // objects that were moved into a removed object's place are no additions
     for (const each of added) if (!this.objects.has(each)) each.dispose();
     for (const [object, record] of this.objects) this.restoreObject(object, record);
     for (const asset of scene.assets.fieldAssets()) {

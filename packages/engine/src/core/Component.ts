@@ -152,7 +152,7 @@ export abstract class Component extends FieldOwner {
     return this.simulated !== null;
   }
 
-  /** Shows every authored value again; `Scene.reset` does it for all components. */
+  /** Replaces simulated values by the authored ones; `Scene.reset` calls it for all components. */
   endSimulation(): void {
     const { simulated } = this;
     if (!simulated) return;

@@ -8,7 +8,7 @@ class LazyEuler extends Euler {
   /** The quaternion changed since the angles were computed. */
   isStale = false;
 
-  // set by the constructor of Euler, before fields of this class would be
+  // declared only: Euler's constructor sets the property, and a field's initial value would replace it
   declare private ownX: number;
   declare private ownY: number;
   declare private ownZ: number;

@@ -6,7 +6,7 @@ import { checkFieldValue, type Field, type FieldValue, sameValue } from '@farol/
  */
 export type StoredValues = Readonly<Record<string, FieldValue>>;
 
-/** The entry of a view in what holds it: 'height' of 'surface.height'. */
+/** Name of a value within the field that stores it: 'height' of 'surface.height'. */
 export const entryOf = (name: string): string => name.slice(name.indexOf('.') + 1);
 
 const isEntry = (field: Field): boolean => field.kind !== 'asset';

@@ -63,7 +63,7 @@ function matrixBetween(object: GameObject, above: GameObject): Matrix4 {
   return matrix;
 }
 
-/** The meshes that a collider of an object is fitted to, of those that are loaded. */
+/** Loaded meshes that a collider of an object is fitted to. */
 export function meshParts(object: GameObject, scene: Scene): MeshPart[] {
   const parts: MeshPart[] = [];
   for (const drawn of drawnObjects(object)) {

@@ -4,7 +4,7 @@ import type { Scene } from '../core/Scene';
 export class LastPicture {
   /** Scene of the last picture; null before the first. */
   scene: Scene | null = null;
-  /** Whether a frame was asked for that is not begun. */
+  /** Whether a frame was asked for and has not begun yet. */
   isStale = false;
   isDisposed = false;
   /** Called once each, after the next frame or when the renderer is disposed. */

@@ -18,7 +18,7 @@ const late = new Map(
   ]),
 );
 
-/** Keeps `FarolRenderer.effects` at what a scene asks for; the code of each is fetched when it is first asked for. */
+/** Keeps `FarolRenderer.effects` at the effects that a scene asks for; the code of an effect is fetched when first asked for. */
 export class PictureEffects {
   /** Effects of plugins, by the names that scenes ask for them by. Call `addedChanged` after a change. */
   readonly added = new Map<string, () => FarolEffect>();
@@ -93,7 +93,7 @@ export class PictureEffects {
   private refresh(): void {
     const { farol, settings } = this;
     if (settings === null) return;
-    farol.antialias = false; // edges are smoothed by what the settings name
+    farol.antialias = false; // an effect named by the scene's settings smooths edges instead
     this.names = this.isSuspended ? [] : this.wanted(settings);
     const missing = this.names.flatMap((name) => late.get(name) ?? []).filter(({ code }) => code === null);
     if (missing.length > 0) {

@@ -18,7 +18,7 @@ export interface FieldOverride {
 /** Everything by which an instance differs from its prefab. */
 export interface PrefabOverrides {
   readonly fields: readonly FieldOverride[];
-  /** Names of other differences: 'Lamp (active)', 'Lamp/Light added', 'Bulb removed'. */
+  /** Differences between instance and prefab that are not field values: 'Lamp (active)', 'Lamp/Light added', 'Bulb removed'. */
   readonly others: readonly string[];
 }
 

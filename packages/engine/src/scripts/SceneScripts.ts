@@ -46,7 +46,7 @@ class Entry {
 
   constructor(readonly asset: ScriptAsset) {}
 
-  /** The function of the present text, else that of the last text that could be compiled before it. */
+  /** Compiled function of the script's present text, or of the last text that could be compiled. */
   get newest(): ScriptFunction | null {
     const { source } = this.asset;
     const result = this.results.get(source);
@@ -226,7 +226,7 @@ export class SceneScripts {
       for (const entry of entries) {
         if (entry.pending === null && !entry.results.has(entry.asset.source)) void this.compile(entry);
       }
-      // one that comes may be imported by others
+      // a script whose text has just been compiled may be imported by others
       if (entries.some(({ isWaiting }) => isWaiting)) return this.tell();
     }
     this.apply();
@@ -331,7 +331,7 @@ export class SceneScripts {
     this.entryOf.set(type, entry);
   }
 
-  /** Gives components the class that there is now for them. */
+  /** Replaces components of a script's earlier class by ones of its present class. */
   private update(components: readonly Component[]): void {
     for (const component of components) {
       const { componentClass, typeName } = component;

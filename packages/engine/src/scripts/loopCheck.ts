@@ -4,7 +4,7 @@ export const LOOP_LIMIT = 2000;
 /** Turns of promises, each with a loop, without a pause of the page, from which on they count as one that does not end. */
 const TURNS = 100;
 
-/** Since when scripts run in this turn (ms); 0 when no loop has asked yet. */
+/** Time at which scripts began to run in this task of the page (ms); 0 until a loop asks. */
 let since = 0;
 /** Since when the page had no pause (ms); 0 when no loop has asked since. */
 let begun = 0;

@@ -44,7 +44,7 @@ export function scriptClass({ name, exports }: ScriptModule, source: string, had
   }
   scriptClasses.add(type);
   try {
-    // what cannot be made must not take the place of what can
+    // a class whose constructor throws must not replace one that works
     new type();
   } catch (error) {
     throw asScriptError(error, name);

@@ -8,7 +8,7 @@ export const isTypeScript = (name: string): boolean => !/\.m?js$/.test(name);
 /** The address that stack traces name for a script: `farol-scripts/` and its name. */
 export function scriptUrl(name: string): string {
   const file = /\.(m?js|ts)$/.test(name) ? name : `${name}.ts`;
-  // what would end the address within a stack trace
+  // characters that would end the address within a stack trace
   return FOLDER + encodeURIComponent(file).replaceAll('(', '%28').replaceAll(')', '%29').replaceAll('%2F', '/');
 }
 

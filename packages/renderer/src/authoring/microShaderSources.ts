@@ -9,7 +9,7 @@ const files = import.meta.glob<string>('../**/*.glsl', {
 const builtin = new Set(builtinMicroShaders.map(({ name }) => name));
 const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1, -'.glsl'.length);
 
-/** The text of each built-in microshader as it was written, comments and all, by name; line for line that which is drawn with. */
+/** Text of each built-in microshader as written, with comments, by name; its lines are those of the text that is compiled. */
 export const microShaderSources: Readonly<Record<string, string>> = Object.fromEntries(
   Object.entries(files)
     .map(([path, text]) => [nameOf(path), text] as const)

@@ -88,7 +88,7 @@ export class Picture {
       this.users++;
       return;
     }
-    this.users = 1; // an exception in the last frame may have left a count
+    this.users = 1; // counts from 1 anew: an exception in the last frame may have left another number of users
     const { webgl } = frame;
     this.hostTarget = frame.target;
     this.hostFace = frame.face;

@@ -55,7 +55,7 @@ type MaterialCallback = (
   p: GeometryGroup | null,
 ) => void;
 
-/** Code of twins and draws that is fetched late; null while it is not there, and then it is fetched. */
+/** Twins and draws whose code is late: each method returns null until its code is loaded, and fetches it. */
 export interface LateDraws {
   /** Forward twins of materials with Gouraud shading. */
   gouraudTwins(view: View): ForwardTwins | null;

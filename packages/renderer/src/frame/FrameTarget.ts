@@ -179,7 +179,7 @@ export class FrameTarget {
     this.copy(framebufferHandle(this.webgl, from)!, to, this.gl.DEPTH_BUFFER_BIT, x, y);
   }
 
-  /** @param x - first pixel of what is copied, of `from`, with y */
+  /** @param x - left pixel of the copied rectangle of `from`; y likewise */
   private copy(from: WebGLFramebuffer, to: WebGLRenderTarget, bits: number, x = 0, y = 0): void {
     const { gl, webgl } = this;
     const { z: width, w: height } = to.viewport;

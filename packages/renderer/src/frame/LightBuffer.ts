@@ -16,6 +16,6 @@ export interface LightBufferUniforms extends ThinGBufferUniforms {
 export interface LightBuffer {
   /** Uniforms of lightBufferFilter.glsl that read this buffer. */
   readonly uniforms: LightBufferUniforms;
-  /** Kinds by which lit materials take their direct light from it; set `farol_object` for each draw. */
+  /** Kinds of twins that take their direct light from the light buffer; set `farol_object` for each draw. */
   readonly twins: (view: string) => ForwardTwins;
 }

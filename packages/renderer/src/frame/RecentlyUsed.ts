@@ -9,7 +9,7 @@ const MOST = 3;
  */
 export class RecentlyUsed<Key> {
   private current: Key | null = null;
-  /** When the others were last used (ms), in that order. */
+  /** Time of last use (ms) of each object but the one in use, in the order of these times. */
   private readonly others = new Map<Key, number>();
   private timer: ReturnType<typeof setTimeout> | null = null;
 

@@ -76,7 +76,7 @@ export class RenderQueue {
   ordered = false;
   /** True if a lit object is transmissive or transparent. */
   hasLitTransparents = false;
-  /** Material of the last item of this frame, and what it was seen to be; null before the first. */
+  /** Material of the frame's last item, whose properties are cached; null before the first. */
   private material: Material | null = null;
   private look!: MaterialLook;
   /** Looks of materials; those of earlier frames are renewed. */

@@ -99,7 +99,7 @@ export class ResourceTable {
   }
 
   /**
-   * Value written last.
+   * Value of a resource, as last written in this frame.
    * @throws Error when nobody has written it in this frame, or the pass does not declare it in `reads`
    */
   get<R extends HandedResource>(name: R): Resources[R] {

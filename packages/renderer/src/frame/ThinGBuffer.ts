@@ -13,7 +13,7 @@ export interface ThinGBufferUniforms extends UnprojectUniforms {
   farol_fit: IUniform<Vector4>;
 }
 
-/** Surfaces with no more than lights need to know of them. */
+/** Target with the surfaces' properties that lighting needs, and no more. */
 export interface ThinGBuffer {
   /**
    * Attachment 0: normal, specular lobe and object; 1, where depth is too coarse for positions, or shadow maps are looked

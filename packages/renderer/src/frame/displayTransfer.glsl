@@ -15,12 +15,12 @@ vec3 farol_toDisplay(const in vec3 radiance) {
     vec3(greaterThan(radiance, vec3(0.0031308))));
 }
 
-// what a colour is multiplied by: alpha, or more where light was added to what is seen through
+// factor by which a colour was multiplied: alpha, or more where light was added to a transparent surface
 float farol_multiplier(const in vec4 color) {
   return color.a < 1.0 ? max(max(color.r, max(color.g, color.b)), max(color.a, 1e-6)) : 1.0;
 }
 
-// of colours multiplied by alpha, as a canvas holds them: what they were before that is transferred
+// linear RGB of a colour that is multiplied by alpha, as in a canvas: converts the colour before that
 vec4 farol_toLinear(const in vec4 encoded) {
   float multiplier = farol_multiplier(encoded);
   return vec4(farol_toLinear(encoded.rgb / multiplier) * multiplier, encoded.a);

@@ -4,7 +4,7 @@ const { onBeforeRender, onAfterRender } = Object3D.prototype;
 
 type Callback = (...all: never[]) => void;
 
-/** Callbacks of which it is known whether they draw. */
+/** Whether a host's callback draws, for callbacks of which this is known. */
 const drawing = new WeakMap<Callback, boolean>();
 
 /**
@@ -60,7 +60,7 @@ export class CallbackWatch {
 
   constructor(private readonly webgl: WebGLRenderer) {}
 
-  /** To be called before a callback, and `end` after it, also where it throws. */
+  /** Call before a host's callback; call `end` after it, also when it throws. */
   begin(callback: Callback): void {
     if (drawing.get(callback) === true) return;
     const { webgl } = this;

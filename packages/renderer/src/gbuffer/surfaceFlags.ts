@@ -1,4 +1,4 @@
-// The microshader surfaceFlags.glsl is made from these tables: gbufferChunks.test.ts.
+// Tables from which gbufferChunks.test.ts makes the microshader surfaceFlags.glsl.
 
 /** three's lighting model of a surface, in the low two bits of its flags. */
 export const shadingModels = { unlit: 0, standard: 1, phong: 2, lambert: 3 } as const;

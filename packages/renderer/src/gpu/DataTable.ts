@@ -6,7 +6,7 @@ import { bindTexture, unbindTexture } from '../three/state';
 /** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of these textures, with the range of data that it lacks. */
+/** One of the table's textures, with the range of data that is not uploaded to it yet. */
 interface Slot {
   texture: DataTexture;
   fresh: boolean;

@@ -23,7 +23,7 @@ export class PassTarget {
     return this.made;
   }
 
-  /** The target, with this size (texels). */
+  /** Returns the target, resized to this size (texels). */
   of(width: number, height: number): WebGLRenderTarget {
     const target = (this.made ??= this.make());
     fitTarget(target, width, height);

@@ -9,7 +9,7 @@ const WIDTH = 128;
 /** Number of textures used in turn, so that none is written while the GPU may read it for an earlier frame. */
 const TURNS = 3;
 
-/** One of these textures, with the version of the array that it holds. */
+/** One of the array's textures, with the version of the array that it holds. */
 interface Turn {
   readonly texture: DataTexture;
   seen: number;

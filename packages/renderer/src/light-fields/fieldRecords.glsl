@@ -1,4 +1,4 @@
-// The light table that shaders read: the records that the CPU wrote, with those of fields among them.
+// Makes the light table that shaders read: records that the CPU wrote, with those of light fields among them.
 // Farol; layout in lights/lightRecord.ts
 uniform highp sampler2D farol_hostTable;
 uniform highp sampler2D farol_fieldSpheres;

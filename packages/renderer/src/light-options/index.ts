@@ -1,4 +1,4 @@
-// What lights can have that three.js has not.
+// Options of lights beyond three.js.
 export type { AreaLightShape, FarolAttenuation, FarolLightData, LinearRGB } from '../lights/lightData';
 export type { LightOptions } from './LightOptions';
 export { setLightOptions, storeLightOptions } from './setLightOptions';

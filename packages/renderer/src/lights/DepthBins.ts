@@ -153,7 +153,7 @@ export class DepthBins {
     const { bins, order, next, first, last, count } = this;
     const start = this.deepWords * 32;
     bins.fill(0xffff);
-    // each bin is set once: `next` leads over the bins that are set
+    // each bin is set once: `next` skips the bins that are set
     for (let bin = 0; bin <= BINS; bin++) next[bin] = bin;
     for (let rank = start; rank < count; rank++) {
       const end = last[order[rank]];

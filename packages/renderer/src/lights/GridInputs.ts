@@ -10,7 +10,7 @@ export class GridInputs {
   private cones = new Float64Array(0);
 
   /**
-   * Compares inputs with those kept, and keeps them; parameters as for `LightGrid.update`.
+   * Compares inputs with those of the last update, and stores them; parameters as for `LightGrid.update`.
    * @returns whether one differs
    */
   readonly replace: (...inputs: Required<Parameters<LightGrid['update']>>) => boolean = (

@@ -140,10 +140,10 @@ function isBlackLight(light: Light): boolean {
   return ambient === undefined && specular === undefined;
 }
 
-/** A light as a frame has it; one object, for one light after another. */
+/** Facts about a light in the present frame; one object is filled for one light after another. */
 export class LightFacts {
   kind: LightClass = 'other';
-  /** Distance (m) from which on it gives nothing; 0 for one without a range. */
+  /** Distance (m) beyond which the light gives nothing; 0 for a light without a range. */
   range = 0;
   /** Whether a shadow map, an image, a profile or layers may take something of it. */
   isMasked = false;

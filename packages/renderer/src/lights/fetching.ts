@@ -3,7 +3,7 @@ import type { Light } from 'three';
 /** A light, or an object above one. */
 type Placed = NonNullable<Light['parent']>;
 
-/** Readers of what many lights have in memory, ahead of its use. */
+/** Reads properties of many lights in a row ahead of their use, so that their memory is in the cache. */
 export interface LightFetcher {
   /**
    * Reads what an update of the matrices of some lights needs.

@@ -28,7 +28,7 @@ export function hasDepthTwin(material: Material): boolean {
   return !(material.polygonOffset && material.polygonOffsetUnits > 1) && hasDistanceTwin(material);
 }
 
-/** True for materials of which a twin can be made that writes depth, or distance, for itself. */
+/** Whether a twin of the material can write depth, or distance, in its own shader. */
 export function hasDistanceTwin(material: Material): boolean {
   const m = material as Material & { isShaderMaterial?: boolean };
   const { side } = m;

@@ -17,7 +17,7 @@ const followed = new WeakMap<Material, Uniforms>();
  * @returns uniforms of the twin: three's, with those of the page's last shader as prototype
  */
 export function withHostUniforms(webgl: WebGLRenderer, source: Material, before: Uniforms, after: Uniforms): Uniforms {
-  // those of a ShaderMaterial are the page's anyway, and may be replaced at any time
+  // uniforms of a ShaderMaterial are the page's own, which may replace them at any time
   if ('uniforms' in source) return Object.create(after) as Uniforms;
   let own = added.get(source);
   if (own === undefined) added.set(source, (own = {}));

@@ -215,7 +215,7 @@ export class MicroShaderRegistry<Program = WebGLProgram> implements MicroShaderS
     for (const listener of [...this.listeners]) listener(affected);
   }
 
-  /** Number that grows whenever one of these chunks or of their dependencies is replaced; 0 before. */
+  /** Number that grows whenever one of the named chunks, or a dependency of one, is replaced; 0 at first. */
   revision(names: readonly string[]): number {
     let revision = 0;
     if (this.replacements > 0) for (const name of names) revision = Math.max(revision, this.revisionOf(name));

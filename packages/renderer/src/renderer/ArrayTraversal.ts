@@ -15,7 +15,7 @@ export class ArrayTraversal {
   private array: Seeing | null = null;
   private camera!: Seeing;
 
-  /** @param seenBy - array that contains the camera; nothing is done for any other */
+  /** @param seenBy - array that contains the camera; for another camera nothing is done */
   begin(camera: Camera, seenBy: Camera): void {
     if ((seenBy as Seeing).isArrayCamera !== true) return;
     projectionView.multiplyMatrices(seenBy.projectionMatrix, seenBy.matrixWorldInverse);

@@ -35,7 +35,7 @@ import type { Technique } from '../frame/Technique';
 import { TechniquePicker } from './TechniquePicker';
 import { TechniqueSet } from './TechniqueSet';
 
-/** Up to this many draws and lights cost less than having the GPU begin with them. */
+/** Below this many draws and lights, `gl.flush()` costs more than it gains. */
 const FEW = 16;
 
 /**
@@ -71,7 +71,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private viewName: View = 'final';
   private xr: XRDraws | null = null;
   private disposed = false;
-  /** True within `render`: three then draws what the host's callbacks draw by this renderer. */
+  /** True within `render`: a nested `render`, called by a host's callback, is then drawn by three. */
   private isDrawing = false;
   private readonly effectList: EffectList;
   private readonly draws: SceneDraws;
@@ -146,7 +146,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     if (this.technique === name) this.technique = 'auto';
   }
 
-  /** @throws Error when it is no list of effects, or two of them conflict, such as two that move the camera */
+  /** @throws Error when set to no list of effects, or to effects that conflict, such as two that move the camera */
   get effects(): readonly FarolEffect[] {
     return this.effectList.asked;
   }

@@ -5,7 +5,7 @@ import { viewCode } from './lazyCode';
 
 /** Fetches and holds the passes of views that no technique draws. */
 export class LazyViews {
-  /** Passes of those views; null until their code is loaded. */
+  /** Passes of the views that techniques do not draw; null until their code is loaded. */
   passes: ViewPasses | null = null;
 
   constructor(private readonly microshaders: MicroShaderRegistry) {}

@@ -158,7 +158,7 @@ export class SceneView {
     this.failed = true;
   };
 
-  /** Empties the transmissive list, so that three draws nothing of it: Farol does. */
+  /** Empties three's list of transmissive items, which Farol draws. */
   dropTransmissive(): void {
     this.list.transmissive.length = 0;
   }
@@ -234,7 +234,7 @@ export class SceneView {
   }
 
   /**
-   * Takes one of three's render lists for all frames, and gives it to three whatever its depth of nested renders.
+   * Reserves one of three's render lists for all frames, whatever the depth of nested renders.
    */
   private takeList(): void {
     this.lists = renderListsOf(this.webgl);

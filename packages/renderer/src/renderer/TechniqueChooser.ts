@@ -35,7 +35,7 @@ export interface Choice {
 const FEW_LIGHTS = 2;
 /** FEW_LIGHTS for a scene in which a pixel is drawn about once. */
 const FEW_LIGHTS_OVER_FEW_OBJECTS = 4;
-/** Up to this many opaque items a pixel is drawn about once. */
+/** Up to this many opaque items, each pixel is shaded about once. */
 const FEW_OBJECTS = 8;
 /** Mean number of lights over a pixel from which on a G-buffer pays. */
 const MANY_OVER_A_PIXEL = 3;
@@ -57,7 +57,7 @@ const VERY_MANY_LIGHTS = 200;
  */
 const MANY_OBJECTS = 1000;
 const MANY_LIGHTS_OVER_MANY_OBJECTS = 50;
-/** A choice stays until its bound is passed by this factor, this many frames in a row. */
+/** Factor by which a bound must be passed, for some frames in a row, before another technique is chosen. */
 const SLACK = 1.3;
 const PATIENCE = 8;
 /** Frames in a row in which another technique is best, by however little, after which the choice no longer stays. */
@@ -92,7 +92,7 @@ const choices: Record<ChosenTechnique, Choice> = {
  * frames, or is far better while the scene is new. Without allocation.
  */
 export class TechniqueChooser<P extends Preparation = Preparation> {
-  /** Choice that the user draws by as soon as it is ready; null when the choice is to stay. */
+  /** Technique to draw by as soon as its programs are ready; null when the present one is to stay. */
   next: Choice | null = null;
   /** Makes `next` ready. Set by the user; dropped when `next` changes. */
   preparation: P | null = null;

@@ -44,7 +44,7 @@ export class TechniqueSet {
     return lazy ?? (lightOrder === 'by-grid' ? gridCode : lightOrder === 'by-depth' ? tileCode : undefined);
   }
 
-  /** @throws Error when a pass reads what none before it writes, or the technique's code is not there */
+  /** @throws Error when a pass reads a resource that no earlier pass writes, or the technique's code is not loaded */
   passesOf(name: string): Pass[] {
     let passes = this.lists.get(name);
     if (passes === undefined) {

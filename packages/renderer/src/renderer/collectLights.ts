@@ -9,7 +9,7 @@ export class FoundLights {
   readonly all: Light[] = [];
   /** Number of lights of this frame in `all`. */
   count = 0;
-  /** What these lights give; longer where earlier frames had more. */
+  /** Place, colour and range of each light in `all`, see `readPoint`; longer where earlier frames had more. */
   points: PlainPoints = new Float64Array(0);
   /**
    * Managed lights that three's traversal would meet: not children of the root itself, or with children of their own.
@@ -144,14 +144,14 @@ function take(light: Light, camera: Camera, left: LeftToThree, found: FoundLight
     found.points = new Float64Array(at * 2 + 64 * POINT);
     found.points.set(points);
   }
-  // one that is read as a plain point light has no mask
+  // a light that is read as a plain point light has no mask
   if (!readPoint(light, found.points, at) || left.all) {
     if (found.seeksMasks && (light.castShadow || hasCookie(light) || hasProfile(light))) found.masks++;
     if (!isManagedLight(light, left)) {
       found.left++;
       if (!isAreaLight(light)) return false;
       found.hasArea = true;
-      // three would warn of one that casts shadows in each frame: it is dark until its code is there
+      // an area light that casts shadows is dark until its code is loaded: three would warn of it in each frame
       return light.castShadow;
     }
   }

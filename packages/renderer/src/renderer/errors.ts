@@ -1,6 +1,6 @@
 import { nearestName } from '../microshaders/nearestName';
 
-/** An error for a name that is not in a list, with the list and the name of it that may have been meant. */
+/** Error for an unknown name: it lists the known names, and the nearest of them. */
 export function unknownName(kind: string, name: unknown, known: readonly string[]): Error {
   const near = nearestName(String(name), known);
   return new Error(

@@ -33,7 +33,7 @@ export const microShaders = {
   ...tileMicroShaders,
 };
 
-/** Runs work as a pass of the frame, listed by this name in `FarolInfo.passes`. */
+/** Runs a function as a pass of the frame, which `FarolInfo.passes` lists under a name. */
 interface PassRunner {
   run(name: string, work: () => void): void;
 }

@@ -35,7 +35,7 @@ export class MaterialSurfaces implements WornSurfaces {
   private stamp = 0;
   /** Values of all surfaces that the material uses or has used. */
   private readonly known = new Map<Surface, Worn>();
-  /** Uniforms of these surfaces, by their names in shaders. */
+  /** Uniforms of the material's surfaces, by their names in shaders. */
   private readonly uniforms: Record<string, IUniform> = {};
 
   /** `Surface.version` of each surface for which `uniforms` is complete. */

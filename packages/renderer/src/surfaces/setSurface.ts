@@ -47,7 +47,7 @@ export function setSurface(material: Material, surface: Surface | null, values: 
 }
 
 /**
- * Gives a material one more surface, applied after those that it wears; else as `setSurface`.
+ * Adds a surface to a material, applied after its other surfaces; else as `setSurface`.
  * @returns the values of the added one
  */
 export function addSurface(material: Material, surface: Surface, values: SurfaceValues = {}): SurfaceUniforms {

@@ -1,7 +1,7 @@
 import { gridCode } from './techniqueCode';
 import type { Technique } from '../frame/Technique';
 
-/** Stands for the technique that `TechniqueChooser` picks for each frame. */
+/** The technique 'auto': `TechniqueChooser` picks another technique for each frame. */
 export const auto: Technique = {
   label: 'Automatic',
   help: 'Picks the fastest technique for what is in view, and says why.',

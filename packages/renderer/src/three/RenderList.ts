@@ -23,7 +23,7 @@ export interface RenderList {
 
 /** three's WebGLRenderLists. */
 export interface RenderLists {
-  /** @param depth - of nested renders, as three counts it: one too many for each of its frames that an exception has ended */
+  /** @param depth - nesting depth of renders, as three counts it: one too many for each frame that an exception has ended */
   get(scene: Object3D, depth: number): RenderList;
 }
 

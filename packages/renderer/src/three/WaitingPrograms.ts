@@ -10,7 +10,7 @@ export interface Program {
   isReady(): boolean;
 }
 
-/** three's own list, `WebGLRenderer.info.programs`, to which it pushes what it compiles. */
+/** three's list `WebGLRenderer.info.programs`, to which three pushes the programs that it compiles. */
 export type ProgramList = Program[];
 
 /** Programs that were set to compile and that nothing has waited for yet. */
@@ -67,7 +67,7 @@ export function programsOf(webgl: WebGLRenderer): ProgramList {
   return webgl.info.programs as unknown as ProgramList;
 }
 
-/** Calls a function with each program that three starts to compile. @returns ends that */
+/** Calls a function with each program that three starts to compile. @returns function that ends the calls */
 export function watchNewPrograms(programs: ProgramList, tell: (program: Program) => void): () => void {
   programs.push = (program: Program) => {
     tell(program);

@@ -1,6 +1,6 @@
 import type { IUniform, Light, Material, RenderTarget, Texture, WebGLRenderer } from 'three';
 
-// What three's WebGLProperties keeps of textures, targets and materials. All of it is gone once a lost context is restored.
+// Entries of three's WebGLProperties for textures, targets and materials; gone once a lost context is restored.
 
 interface TextureProperties {
   readonly __webglTexture?: WebGLTexture;

@@ -3,7 +3,7 @@ import { replacePart } from './replaceChunk';
 import { sumsLights } from './ThreeChunks';
 import { TwinRefusal } from './TwinRefusal';
 
-/** Since three 0.186; before, three looked the compensation up for each light. */
+/** GLSL by which three computes multiscattering compensation once a pixel, since 0.186; before, once a light. */
 const MULTISCATTERING_GATE =
   '#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )';
 const FIRST_LOOP = '#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )';

@@ -7,7 +7,7 @@ export interface KeyPlace<K extends TimedKey> {
   readonly index: number;
 }
 
-/** Inserts a key, after others at its time. */
+/** Inserts a key into a sorted list, after other keys of the same time. */
 export function insertKey<K extends TimedKey>(keys: readonly K[], key: K): KeyPlace<K> {
   const after = keys.findIndex(([time]) => time > key[0]);
   const index = after < 0 ? keys.length : after;

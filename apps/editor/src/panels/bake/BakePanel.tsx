@@ -62,7 +62,7 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const editor = useEditor();
   const { document, commands } = editor;
   const { scene } = document;
-  // not counted during a bake, when other meshes stand in for those of the scene
+  // nothing is counted during a bake: other meshes then stand in for those of the scene
   const counts = usePoll(
     useCallback(() => {
       const { objects, lights, instanced } = bakeSources(document.scene);

@@ -3,7 +3,7 @@ import { Color } from 'three';
 
 const colour = new Color();
 
-/** Runs through all hues: the light, and what is drawn of it. */
+/** Moves through all hues: the light, and the mesh that shows the light. */
 export default class Rainbow extends component({
   speed: number(0.1, { unit: 'Hz', step: 0.01, help: 'How often a second it runs through all hues.' }),
   hue: number(0, { min: 0, max: 1, step: 0.01, help: 'The hue that it begins with.' }),

@@ -46,7 +46,7 @@ export interface HandleHost {
   readonly canvas: HTMLCanvasElement;
   /** Rectangle of the active view on the page. */
   readonly bounds: Bounds;
-  /** Camera for raycasting in that view. */
+  /** Camera of the active view, for raycasting. */
   readonly rayCamera: Camera;
   readonly gizmo: { readonly snapping: boolean; readonly snapSteps: { readonly translate: number } };
   invalidate(): void;

@@ -48,7 +48,7 @@ export class ShownBake {
   private readonly lights: ReadonlySet<string>;
   private readonly grid: ProbeGrid | null;
   private readonly dressed = new Map<Mesh, Dressed>();
-  /** With each lightmap, by what they have the rest from. */
+  /** Materials with a lightmap, by the material that they are made from. */
   private readonly materials = new Map<Material, (Material | undefined)[]>();
   private readonly moved: MovedObjects;
 

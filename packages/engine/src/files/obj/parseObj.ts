@@ -6,7 +6,7 @@ import { cutPolygon } from './cutPolygon';
 import { LineReader } from './LineReader';
 import { floatList, integerList, type NumberList } from './NumberList';
 
-/** Corners that follow one another in a file, of one group and one material. */
+/** Consecutive corners of an OBJ file with one group and one material. */
 export interface ObjRun {
   /** Name of the group, or of the object where the group has none. */
   readonly name: string;

@@ -65,7 +65,7 @@ export async function checkExr(bytes: ArrayBuffer): Promise<void> {
   const view = new DataView(bytes);
   const prefix = isMultiPart ? 4 : 0;
   const head = isTiled ? 20 : 8;
-  /** Bytes of all blocks: those that share bytes come to any size. */
+  /** Sum of the blocks' sizes (bytes): more than the file has, if blocks share bytes. */
   let sum = 0;
   let at = header.end + table * 8;
   if (at > bytes.byteLength) fail('its list of blocks is cut short');

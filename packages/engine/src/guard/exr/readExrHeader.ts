@@ -43,7 +43,7 @@ export interface ExrHeader {
   readonly block: { readonly width: number; readonly height: number };
   /** Number of compressed blocks of rows in the picture. */
   readonly blocks: number;
-  /** Places of blocks before these: tiles of smaller levels. */
+  /** Number of offsets in the table of blocks, tiles of smaller levels included. */
   readonly table: number;
   /** Offset of the first byte after the headers. */
   readonly end: number;

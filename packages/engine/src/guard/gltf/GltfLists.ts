@@ -4,7 +4,7 @@ import type { GltfJson } from './readGltfJson';
 
 type JsonRecord = Record<string, unknown>;
 
-/** Lists of a glTF that others name by index, with what one of each is called. */
+/** Lists of a glTF whose items are named by index, with the noun for one item. */
 const names = {
   accessors: 'accessor',
   animations: 'animation',
@@ -26,7 +26,7 @@ export type GltfListName = keyof typeof names;
 /** Lists and objects within one another: extras may hold anything, and three copies them. */
 const DEEPEST = 128;
 
-/** Reads the JSON of a glTF as what it must be. Each method throws an Error of one sentence. */
+/** Reads typed values from the JSON of a glTF. Each method throws an Error of one sentence for another type. */
 export class GltfLists {
   private readonly lists = new Map<GltfListName, JsonRecord[]>();
 

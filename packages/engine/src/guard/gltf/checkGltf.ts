@@ -7,7 +7,7 @@ import type { GltfJson } from './readGltfJson';
 const FREE = 64 * 2 ** 20;
 const RATIO = 100;
 
-/** Morph targets of one primitive, which are layers of a texture, and vertices of all. */
+/** Greatest number of morph targets of a primitive (layers of a texture), and of vertices of all morph targets. */
 const TARGETS = 2048;
 const TARGET_VERTICES = 100_000_000;
 
@@ -17,7 +17,7 @@ const ITEMS: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MA
 export interface GltfSizes {
   /** Bytes of the GLB's own buffer; null when it has none. */
   readonly binary: number | null;
-  /** Bytes of what an address in the file names; null when that is not known. */
+  /** Size of the resource that an address in the file names (bytes); null when not known. */
   sizeOf?(uri: string): number | null;
 }
 
@@ -43,7 +43,7 @@ function checkBuffers(lists: GltfLists, { binary, sizeOf }: GltfSizes): number[]
     const what = `buffer ${i}`;
     const length = lists.whole(byteLength, `the length of ${what}`);
     if (uri !== undefined && typeof uri !== 'string') lists.fail(`the address of ${what} is no text`);
-    // one that stands in for compressed data has none of its own
+    // a buffer that stands in for compressed data has no bytes of its own
     const isEmpty = Object.values(lists.record(extensions)).some((each) => lists.record(each).fallback === true);
     const there = typeof uri === 'string' ? (sizeOf?.(uri) ?? null) : i === 0 ? binary : isEmpty ? null : 0;
     if (there !== null && length > there && !isEmpty) {
@@ -129,7 +129,7 @@ function checkAccessors(lists: GltfLists): void {
     fits(indices, changed, COMPONENTS[indices.componentType as number] ?? 4);
     fits(lists.record(sparse.values), changed, size);
   });
-  // each of them is a buffer of the device, and those that are sparse are copied
+  // each accessor becomes a buffer on the GPU; sparse ones are copied
   const packed = lists.all('buffers').reduce((total, { byteLength }) => total + (byteLength as number), 0);
   if (sum > Math.max(FREE, packed * RATIO)) {
     lists.fail(`its accessors come to ${counted(sum)} bytes of buffers that have ${counted(packed)}`);
@@ -227,7 +227,7 @@ function checkTextures(lists: GltfLists): void {
     if (sampler !== undefined) lists.index(sampler, 'samplers', `texture ${i}`);
   });
   lists.all('materials').forEach((material, i) => {
-    // whatever is called a texture, of extensions too; the JSON is not deeper than its limit
+    // checks every member named as a texture, in extensions too; the JSON's depth is limited already
     const visit = (value: unknown): void => {
       for (const [key, each] of Object.entries(lists.record(value))) {
         if (typeof each !== 'object' || each === null || key === 'extras') continue;

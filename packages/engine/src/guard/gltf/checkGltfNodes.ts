@@ -4,7 +4,7 @@ import { maximumDepth } from '../../base/maximumDepth';
 import { absurdSize, LARGEST } from '../checkModel';
 import type { GltfLists } from './GltfLists';
 
-/** Vertices in all, each mesh as often as it is drawn, and primitives, each as often as a node has it. */
+/** Greatest number of vertices drawn, each mesh counted as often as it is drawn, and of primitives. */
 const VERTICES = 100_000_000;
 const DRAWS = 1_000_000;
 

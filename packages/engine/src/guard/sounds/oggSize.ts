@@ -12,7 +12,7 @@ const SHORT = 3;
 interface Stream {
   readonly channels: number;
   readonly rate: number;
-  /** Samples of a packet that begins at a byte. */
+  /** Number of samples in the packet that begins at a byte offset. */
   samplesAt(at: number): number;
   /** Number of samples up to the last page that was read. */
   samples: number;

@@ -92,7 +92,7 @@ export async function readZip(
     if (files.has(entry.name)) damaged('two files have one name');
     files.set(entry.name, bytes);
   }
-  // files that share bytes come to any size
+  // if files share bytes, their sizes add up to more than the ZIP has
   if (packed > bytes.length) damaged('its files overlap');
   await checkUnpacking({ packed: bytes.length, unpacked }, mayUnpack);
   for (const { name, method, checksum, at, packed: length, unpacked: exact } of entries) {

@@ -53,7 +53,7 @@ export class PictureChain {
   /** Whether post-processing besides tone mapping is drawn. */
   showsEffects = true;
   private target: WebGLRenderTarget | null = null;
-  /** Holds what depth of field has made, for the bloom of that. */
+  /** Target with the result of depth of field, to which bloom is then applied. */
   private focused: WebGLRenderTarget | null = null;
   private on = -1;
   private passes: postprocessing.EffectPass[] = [];

@@ -30,7 +30,7 @@ export function cloudNoise(x: number, y: number, octaves: number): number {
     sum += weight * noise(x, y);
     total += weight;
     weight *= 0.5;
-    // turned, so that the lattices of the octaves do not lie on one another
+    // each octave is rotated, so that the lattices of the octaves do not coincide
     const turned = 1.6 * x - 1.2 * y + 17.3;
     y = 1.2 * x + 1.6 * y + 5.9;
     x = turned;

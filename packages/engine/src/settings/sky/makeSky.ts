@@ -68,7 +68,7 @@ function horizonOf(pixels: Float32Array, width: number, height: number): Vector3
   const first = (height / 2) * width * 3;
   const count = width * 3;
   const sum = [0, 0, 0];
-  // what shines is left out: fog does not
+  // limited, since the sun in the sky must not make the fog's colour shine
   for (let at = first; at < first + count; at++) sum[at % 3] += Math.min(1.5, pixels[at]);
   return [sum[0] / width, sum[1] / width, sum[2] / width];
 }

@@ -8,7 +8,7 @@ import { isWorthFarol } from './isWorthFarol';
 /** Settings of one `<Farol>` component of a canvas. */
 export interface FarolSettings {
   readonly options: FarolOptions;
-  /** Scene that the settings apply to, or null for all that the canvas draws. */
+  /** Scene that the settings apply to; null for every scene that the canvas draws. */
   readonly scene: Object3D | null;
   /** Asks react-three-fiber to render a frame. */
   readonly invalidate: () => void;

@@ -101,7 +101,7 @@ export class ObjectMotion {
     this.rememberInstances(object);
   }
 
-  /** Whether the state of the object has textures. */
+  /** Whether the object's remembered state (bones, instances) has textures. */
   get holds(): boolean {
     return this.bones !== null || this.instances !== null;
   }

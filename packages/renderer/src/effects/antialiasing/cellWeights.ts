@@ -23,7 +23,7 @@ export function cellWeights(
   out.set(1, 1, 1, 1);
   if (cells === 1) return out;
   for (let i = 0; i < 4; i++) {
-    // samples are moved against the picture; the nearest of them may be a neighbour's
+    // jitter moves the samples against the picture; the nearest sample may be a neighbouring pixel's
     const x = off(((i & 1) - 0.5) / 2 + (jitter.x * width) / 2);
     const y = off(((i >> 1) - 0.5) / 2 + (jitter.y * height) / 2);
     const inside = Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5;

@@ -18,7 +18,7 @@ bool farol_found = farol_edgeColor(ivec2(gl_FragCoord.xy), farol_depth, farol_sl
 farol_keeps = farol_found || !farol_shades;
 farol_kept = vec4(farol_seen.rgb, farol_seen.a + farol_shown);
 if (!farol_keeps) {
-  // nearer surfaces in all neighbouring pixels hide it: its colour does not matter
+  // hidden by nearer surfaces in all neighbouring pixels: the fragment's colour does not matter
   farol_keeps = true;
   for (int y = -1; y <= 1; y++) for (int x = -1; x <= 1; x++) {
     ivec2 farol_at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), ivec2(farol_frameSize) - 1);

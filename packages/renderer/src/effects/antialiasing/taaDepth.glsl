@@ -28,7 +28,7 @@ float farol_deviceZ(const in float depth) {
   return farol_depthKind.x > 0.5 ? depth : depth * 2.0 - 1.0;
 }
 
-// distance of a surface whose depth does not tell it (m); 0: none is stored for what the picture shows
+// stored distance of a pixel's surface (m), for surfaces with a depth of their own; 0 when none is stored
 float farol_storedAt(const in ivec2 pixel, const in float depth) {
   if (farol_distancesStored == 0 || abs(texelFetch(farol_distanceDepth, pixel, 0).r - depth) > 1e-5) return 0.0;
   float away = farol_unpackDistance(texelFetch(farol_distances, pixel, 0).rg, farol_distancesStored == 2);

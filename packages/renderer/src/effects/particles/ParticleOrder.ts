@@ -13,7 +13,7 @@ const MANY = 131_072;
 
 const noTexture = () => ({ value: null as Texture | null });
 
-/** The programs that sort, shared by all emitters. */
+/** Passes that sort particles, shared by all emitters. */
 export function particleSortPasses() {
   const options = { blending: NoBlending, repeats: true } as const;
   return {

@@ -366,7 +366,7 @@ export class ParticleState {
     uniforms.farol_stepTimes.value.set(seconds, step.offset, step.interval);
     const onMesh = shape.kind === 'mesh' && shape.mesh !== null;
     const isLocal = space === 'local';
-    // what begins in the step moves with the emitter from then on: it begins where that is at the end
+    // particles that begin in the step then move with the emitter: they begin at its place at the step's end
     uniforms.farol_emitterStart.value.copy(onMesh ? shape.mesh.matrixWorld : isLocal ? matrix : start);
     uniforms.farol_emitterEnd.value.copy(onMesh ? shape.mesh.matrixWorld : matrix);
     const carried = uniforms.farol_carried.value.identity();

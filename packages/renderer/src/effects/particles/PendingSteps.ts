@@ -10,7 +10,7 @@ export interface PendingStep extends SimulationStep {
 
 /** Greatest number of steps kept while the emitter is not drawn. */
 const MOST = 4096;
-/** Number of steps from which on those are dropped whose particles have all ended. */
+/** Number of pending steps from which on steps are dropped whose particles have all ended. */
 const FEW = 64;
 
 function makeStep(): PendingStep {

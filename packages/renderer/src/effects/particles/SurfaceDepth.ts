@@ -13,7 +13,7 @@ import { DistancePass } from '../../passes/forward/DistancePass';
  * tell them.
  */
 export class SurfaceDepth {
-  /** Depth of this frame; null until `of` is called. */
+  /** Depth texture of this frame's opaque surfaces; null until `of` is called. */
   texture: Texture | null = null;
   /** Distances of the surfaces as storedDistance.glsl packs them, where depth does not tell them; else null. */
   distances: Texture | null = null;

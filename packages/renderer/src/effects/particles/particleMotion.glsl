@@ -35,7 +35,7 @@ void farol_bounceParticle(const in vec4 collider, const in vec3 bounce, const in
   float towards = dot(normal, velocity);
   if (towards >= 0.0) return;
   left *= 1.0 - share;
-  // speed at the surface: less than at the end of the step, by what gravity adds after it
+  // speed at the surface (m/s): gravity acts after the impact too, so it is less than at the step's end
   float speed = min(0.0, towards - dot(normal, acceleration) * left);
   float kept = -speed * bounce.x;
   // a bounce that gravity ends within the step is none: the particle lies still

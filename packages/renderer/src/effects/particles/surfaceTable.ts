@@ -6,7 +6,7 @@ import { hasReadableVertices, isReadable } from '../../three/vertexData';
  */
 export const TEXELS_PER_TRIANGLE = 6;
 
-/** A surface as triangles that can be drawn by area with one random number for the column and one for the choice. */
+/** Table from which a triangle of a surface is chosen in proportion to its area, by two random numbers (alias method). */
 export interface SurfaceTable {
   /** 4 × TEXELS_PER_TRIANGLE floats a triangle, in the mesh's space. */
   readonly data: Float32Array;

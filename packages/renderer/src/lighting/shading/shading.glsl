@@ -18,7 +18,7 @@ struct FarolShading {
   float diffuse90; // part of diffuse0 lost at grazing angles: factor of Schlick's fifth power
   vec3 diffuse; // diffuse sum over the lights: colour × N·L × (1 - Fresnel)
   vec3 specular; // specular sum over the lights: colour × N·L × visibility × distribution
-  vec3 grazing; // sum of c N·L V D f, f: Schlick's fifth power
+  vec3 grazing; // sum over the lights: colour × N·L × visibility × distribution × Schlick's fifth power
   FAROL_AREA_SUM
 #ifdef FAROL_VERTEX_NORMAL
   vec3 shadowNormalVS; // normal along which shadow lookups are offset (normalBias)

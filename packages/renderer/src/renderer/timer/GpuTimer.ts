@@ -66,7 +66,7 @@ export class GpuTimer {
     return pending.length < waiting;
   }
 
-  /** Begins anew: the queries of a lost context are gone with it, and its extensions must be asked for again. */
+  /** Begins anew after a lost context: its queries are gone, and extensions must be asked for again. */
   restart(): void {
     this.pending.length = this.free.length = 0;
     this.running = false;

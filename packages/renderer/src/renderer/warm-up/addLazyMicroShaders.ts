@@ -2,7 +2,7 @@ import type { Lazy } from '../../frame/Lazy';
 import type { MicroShaderRegistry } from '../../microshaders';
 import { addMicroShaders } from '../../microshaders/addMicroShaders';
 
-/** Fetches parts of the code, and adds the microshaders of those that have some. */
+/** Fetches pieces of late code, and adds their microshaders to the registry. */
 export async function addLazyMicroShaders(
   microshaders: MicroShaderRegistry,
   parts: readonly Lazy<object>[],

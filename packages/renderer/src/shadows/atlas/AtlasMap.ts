@@ -51,7 +51,7 @@ export class AtlasMap {
     return current !== 'none' && current !== 'empty' && current !== 'lost';
   }
 
-  /** Whether the region holds all that was planned for it, up to date. */
+  /** Whether the region holds all of the map that was planned, up to date. */
   get isCurrent(): boolean {
     return this.current === 'partial' || this.current === 'whole';
   }
@@ -67,7 +67,7 @@ export class AtlasMap {
     return this.current === 'partial' || this.current === 'stale-partial';
   }
 
-  /** Whether `ShadowBounds` has found the least and greatest depths of what is drawn. */
+  /** Whether `ShadowBounds` has found the least and greatest depths in the map as drawn. */
   get hasBounds(): boolean {
     return this.bounds;
   }
@@ -108,7 +108,7 @@ export class AtlasMap {
   }
 
   /**
-   * Notes that the map is to be drawn in this frame.
+   * Marks the map as one to be drawn in this frame.
    * @throws Error when there is no region to draw to
    */
   plan(isPartial: boolean): void {

@@ -17,7 +17,7 @@ export interface AtlasTenant {
   readonly coverage: number;
   /** Rectangle of the map in the atlas; written by the atlas. */
   readonly placement: AtlasPlacement;
-  /** State of what the map's region holds. */
+  /** State of the content of the map's region. */
   readonly map: AtlasMap;
   /** Halvings of the map, since pictures show no more; none when absent. */
   readonly detail?: MapDetail;

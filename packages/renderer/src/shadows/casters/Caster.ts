@@ -14,7 +14,7 @@ export interface Caster {
   hasBox: boolean;
   /** World matrix of the caster at its last update, 16 numbers. */
   readonly matrix: Float64Array;
-  /** Hash of all but the matrix that the object's shadow depends on, see `casterSignature`. */
+  /** Hash of everything that the object's shadow depends on except its matrix, see `casterSignature`. */
   signature: number;
   /** Number of the last walk over the scene that met the object, see `ShadowCasters.walks`. */
   lastWalk: number;

@@ -64,7 +64,7 @@ function watch(map: RenderTarget, type: number): Watched {
       state.isWanted = true;
       return depthTexture;
     },
-    // three itself sets this when it turns the map into one of another type
+    // three sets the property when it changes the map's type
     set(other: DepthTexture | null) {
       unwatch(map);
       map.depthTexture = other;

@@ -55,7 +55,7 @@ export class ShadowMapDraws {
   private readonly receivers = new VisibleReceivers();
   private hasReceivers = false;
   private casters: ShadowCasters | null = null;
-  /** Casters of the frame that are drawn one by one. */
+  /** Casters of the frame that are not merged, and drawn one by one. */
   private readonly loose: Caster[] = [];
   private camera: Camera | null = null;
   private bothSides = false;
@@ -116,7 +116,7 @@ export class ShadowMapDraws {
       const goesOn = map.isThere && since === frame - 1;
       return goesOn && slot.shadow.autoUpdate && this.findParts(slot);
     }
-    // the whole of a map at rest is drawn some time, a few maps a frame
+    // a partly drawn map that rests is completed after some frames, a few maps a frame
     if (!map.isPartial || (mayDraw && frame - since > REST + (slot.record & 7))) return false;
     return this.findParts(slot) && slot.faces.every(isCovered);
   }

@@ -13,7 +13,7 @@ export class Widest {
   private foundCount = 0;
   private keptCount = 0;
 
-  /** Notes that a box of the list has widened the visible parts of a map again. */
+  /** Keeps a receiver's box in the list for the next frame, since it has widened the visible parts of a map again. */
   keep(box: number): void {
     this.kept[this.keptCount++] = box;
   }

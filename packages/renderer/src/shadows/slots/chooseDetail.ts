@@ -31,7 +31,7 @@ export function chooseDetail(
     const updates = autoUpdate && slot.shadow.autoUpdate;
     const eighths = isFiltered ? sufficientDetail(slot, camera, picture) : 0;
     if (placement.region === null) {
-      // a map that is drawn once must do for all cameras
+      // a map that is drawn only once must suffice for all cameras
       detail.start(updates || map.wasDrawn ? eighths >> 3 : 0);
       continue;
     }

@@ -3,7 +3,7 @@
 #include "addPoint"
 #include "lightTileLists"
 
-// bits first to last of a word of 32 bits, one a quad (128 lights), the first of them quad start
+// of 32 bits, each of which stands for a quad (128 lights), from quad start on: those of quads first to last
 uint farol_quadsFrom(const in uint bits, const in int start, const in int first, const in int last) {
   return bits & farol_bitsFrom(start, first, last);
 }

@@ -55,7 +55,7 @@ if (farthest < -1.5) {
       }
     }
   }
-  // the longest run of empty slices, by shortening all of them by one until none is left
+  // length of the longest run of empty slices: shortens all runs by one until none is left
   uint left = 0u;
   float count = 0.0;
   for (uint holes = ~slices; holes != 0u; holes &= holes << 1) {

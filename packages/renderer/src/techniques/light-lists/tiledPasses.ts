@@ -23,7 +23,7 @@ export function forwardPlusPasses(): Pass[] {
   return [
     new DepthPrepass(),
     new LightTilesPass('slices'),
-    // the lists know only what is opaque: what lies before it is lit by all lights
+    // lists are made for opaque surfaces: transparent ones before them loop over all lights
     ...forwardTail('lightLoopTiled', ['light-lists'], 'lightLoopAll'),
   ];
 }

@@ -151,7 +151,7 @@ export class LightVolumeDraws {
       field: null,
       makeField: () => volume('lights of fields', 'lightVolumeField'),
     };
-    // so that the first light of a kind need not wait for its program
+    // compiled ahead, so that the first light of a kind need not wait for its program
     materials.global.compile(frame);
     frame.compileMesh(this.spheres, materials.sphere);
     frame.compileMesh(this.cones, materials.cone);

@@ -51,7 +51,7 @@ export class MultipassLightsPass implements Pass {
   readonly writes = ['accumulated-light'] as const;
   private target: WebGLRenderTarget | null = null;
   private fogged = true;
-  /** Resource that the pass hands over; made anew with its target, and when fog moves from one place to the other. */
+  /** Resource `accumulated-light`; made anew with its target, and when fog is applied in another pass. */
   private result: AccumulatedLight | null = null;
   private readonly items: RenderItem[] = [];
   /** View-space sphere of each item, 4 numbers; radius Infinity if unknown. */
@@ -137,14 +137,14 @@ export class MultipassLightsPass implements Pass {
     return first;
   }
 
-  /** Adds the lights of all fields at once, each pixel those of its tile: a draw a light would be a draw for thousands. */
+  /** Adds the lights of all light fields in one draw, each pixel those of its tile: fields have thousands of lights. */
   private drawFields(frame: Frame, fields: FieldDraws): void {
     fields.makeFieldTiles(frame);
     frame.bind(this.target!);
     if (lightMark.value === 255) this.unmark(frame);
     else lightMark.value++;
     const kind = fieldTwin(frame.view, this.fogged);
-    // tiles begin at the corner of this pass's target, not of the host's viewport
+    // tiles begin at the corner of the pass's target, not of the host's viewport
     const offset = frame.uniforms.farol_offset.value;
     offset.set(0, 0);
     for (let i = this.items.length - 1; i >= 0; i--) frame.drawTwin(this.items[i], kind);

@@ -7,9 +7,9 @@ import { standInOf } from '../standInOf';
 
 /** A draw of a frame's, as far as it matters here. */
 interface NodeItem extends RenderListItem {
-  /** 'nodes' for those of node materials. */
+  /** Shading of the item: 'nodes' for items with node materials. */
   readonly shading: string;
-  /** 'plain' for those that may be drawn in any order. */
+  /** Route of the item: 'plain' for items that may be drawn in any order. */
   readonly route: string;
   drawn: boolean;
 }
@@ -40,7 +40,7 @@ export class NodeDraws {
   private readonly views = new WeakMap<Object3D, NodeView>();
   private current!: NodeView;
   private getList!: RenderLists['get'];
-  /** Item to draw; null for all plain opaque ones. */
+  /** The one item to draw; null to draw all plain opaque ones. */
   private item: NodeItem | null = null;
   /** Whether three has drawn its shadow maps in this frame. */
   private hasMaps = false;

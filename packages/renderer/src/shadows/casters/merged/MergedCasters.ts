@@ -47,7 +47,7 @@ const FEW_GONE = 65_536;
 const FEW_LOST = 256;
 /** Walks over the scene between sweeps; a caster absent for as many is dropped. Frames without maps do not sweep. */
 const SWEEP = 256;
-/** Number of absent casters above which a sweep looks for those removed from the scene. */
+/** Number of merged casters missing in a frame above which those removed from the scene are looked for. */
 const FEW_ABSENT = 64;
 /** Grid (m) to which the origin of caster matrices is snapped: positions near the origin keep more digits. */
 const GRID = 128;
@@ -371,7 +371,7 @@ export class MergedCasters {
     for (const member of this.members) member.matrixVersion = -1;
   }
 
-  /** Forgets all casters, so that they can be merged again, here or by another MergedCasters. */
+  /** Forgets all casters, so that this or another MergedCasters can merge them again. */
   private letAllGo(): void {
     for (const { caster } of this.members) {
       caster.merged = null;
