@@ -85,7 +85,8 @@ export class SceneDraws {
   /** Scales the frame to hold the budget. @returns figures of that; null without a budget, or until its code is there */
   scale(): BudgetInfo | null {
     targetSizes.room = 0;
-    if (this.checked === null) return null;
+    // the headset's own scale is XRWebGLLayer's
+    if (this.checked === null || this.frame.session !== null) return null;
     this.scaled ??= budgetCode.use((code) => new code.ScaledFrames(this.frame));
     this.scaled?.begin(this.frame, this.checked, this.recorder.passTimer);
     return this.scaled?.info ?? null;
