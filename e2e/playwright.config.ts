@@ -43,6 +43,8 @@ export default defineConfig({
   ],
   use: {
     viewport: { width: 640, height: 360 },
+    // each context would fetch a whole built app; offline.spec.ts lets them be
+    serviceWorkers: 'block',
     trace: 'off',
     video: 'off',
     screenshot: 'only-on-failure',

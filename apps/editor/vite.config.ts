@@ -1,5 +1,6 @@
 import react from '@vitejs/plugin-react';
 import { appAddresses } from '@farol/tools/appAddresses';
+import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { scriptDeclarations } from '@farol/tools/scriptDeclarations';
 import { sourceConditions } from '@farol/tools/sourceConditions';
@@ -37,6 +38,7 @@ export default defineConfig(({ command }) => ({
     scriptDeclarations(),
     securePages({ runsScripts: true }),
     appAddresses(),
+    offlineApp({ name: 'Farol editor', opens: '.farol' }),
   ],
   server: { port: 5173, strictPort: true },
   // dynamically imported packages must be listed, or the development server reloads the page when one is first needed

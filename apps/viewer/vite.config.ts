@@ -2,6 +2,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { appAddresses } from '@farol/tools/appAddresses';
+import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import { stanfordDragon } from '@farol/tools/stanfordDragon';
@@ -29,7 +30,7 @@ export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [stanfordDragon(), securePages(), appAddresses()],
+  plugins: [stanfordDragon(), securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: {
     dedupe: ['three', 'react', 'react-dom'],

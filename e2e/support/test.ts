@@ -20,6 +20,8 @@ const harmless = [
   // Chromium itself, when pixels are read back: the read is what the test asks for.
   /GPU stall due to (ReadPixels|mapping device local buffer)/,
   /Automatic fallback to software WebGL/,
+  // playwright.config.ts blocks them
+  /Service Worker registration blocked by Playwright/,
   // ANGLE on Vulkan, where one of its render passes ends for many commands outside of it: a hint on its own bookkeeping
   /GL Driver Message .*Performance.*Running out of reserved outsideRenderPass queueSerial/,
   // the answer to the question whether there is WebGPU
@@ -69,6 +71,7 @@ export const test = base.extend<
       const make = async (app: string): Promise<Page> => {
         const context = await browser.newContext({
           baseURL: process.env[`FAROL_${app.toUpperCase()}_URL`],
+          serviceWorkers: 'block',
           deviceScaleFactor: app === 'editor' ? pixelRatio : undefined,
         });
         const page = await context.newPage();

@@ -18,6 +18,7 @@ const types = {
   '.svg': 'image/svg+xml',
   '.webp': 'image/webp',
   '.xml': 'text/xml',
+  '.webmanifest': 'application/manifest+json',
 };
 
 const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };

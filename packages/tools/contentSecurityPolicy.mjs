@@ -19,6 +19,7 @@ export function contentSecurityPolicy({ isServed = false, runsScripts = false } 
     "font-src 'self' data:",
     // any host that the user was asked about
     `connect-src 'self' data: blob: https: http:${isServed ? ' ws: wss:' : ''}`,
+    "manifest-src 'self'",
     "base-uri 'none'",
     "form-action 'none'",
   ].join('; ');

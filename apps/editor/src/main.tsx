@@ -65,6 +65,7 @@ function start(problem: Error | null): void {
   editor.attempt(autosave);
   void opened.then(() => {
     if (isLink(location.hash)) editor.attempt(openLink);
+    if ('launchQueue' in window) void import('./files/openLaunched').then(({ openLaunched }) => openLaunched(editor));
     void fetchAhead().then((isFetched) => (editor.worksOffline = isFetched));
   });
   editor.ready.catch((error: Error) => editor.notices.show('error', error.message));
