@@ -111,7 +111,7 @@ export class CanvasFarol {
   /** Settings by which Farol draws a scene; null if three draws it. */
   private settingsFor(scene: Object3D, camera: Camera): FarolSettings | null {
     let found: FarolSettings | null = null;
-    if (this.webgl.xr.isPresenting || this.farol === null) return null;
+    if (this.farol === null) return null;
     for (const settings of this.mounted.values()) {
       if (settings.scene === scene) {
         found = settings;
@@ -132,7 +132,9 @@ export class CanvasFarol {
     });
     const { compile, compileAsync } = webgl;
     const prepare = (scene: Object3D, camera: Camera, target: Object3D | null): boolean => {
-      const settings = target === null || target === scene ? this.settingsFor(scene, camera) : null;
+      // by drawing, which a session does in its own frames
+      const isOwn = (target === null || target === scene) && !webgl.xr.isPresenting;
+      const settings = isOwn ? this.settingsFor(scene, camera) : null;
       if (settings !== null) this.apply(settings);
       return settings !== null;
     };
