@@ -1,5 +1,5 @@
 import { CommandStack, type FieldTarget } from '@farol/editing';
-import { GameObject } from '@farol/engine';
+import { App, GameObject } from '@farol/engine';
 import { FarolRenderer } from '@farol/renderer';
 import type { LightField } from '@farol/renderer/light-field';
 import {
@@ -68,6 +68,24 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     const { farol, scene, camera } = host();
     burn(farol, scene, camera);
     return firstFrame;
+  },
+
+  drawForHeadsets(draw: (farol: FarolRenderer, scene: Scene, camera: Camera) => void) {
+    const { farol, scene, camera } = host();
+    draw(farol, scene, camera);
+    return firstFrame;
+  },
+
+  holdFrameTime(hold: (farol: FarolRenderer) => void) {
+    const { farol } = host();
+    hold(farol);
+    check(farol.budget?.frame === 16.7, 'a budget is set');
+  },
+
+  async offerHeadsets(offer: (app: App) => Promise<void>) {
+    const app = new App({ parent: document.body });
+    await offer(app);
+    app.dispose();
   },
 
   async makeWaves(makeWaves: (material: Material) => void) {
