@@ -86,6 +86,7 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   nodes: async ({ webgl }) => (await import('./nodeScene')).nodeScene(webgl, WIDTH, HEIGHT),
   timer: bySetting((farol) => (farol.timing = true)),
   'warm-up': bySetting((farol) => (farol.technique = 'auto')),
+  learning: bySetting((farol) => Object.assign(farol, { technique: 'auto', learning: true })),
   webxr: bySetting(({ webgl }) => (webgl.xr.enabled = true)),
 };
 

@@ -5,6 +5,6 @@ export { views, type View } from './frame/views';
 export type { FarolEffect } from './frame/FarolEffect';
 export type { BudgetInfo, BudgetSource, FrameBudget } from './renderer/FrameBudget';
 export type { FarolInfo, PassInfo } from './renderer/FarolInfo';
-export type { LazyPart } from './renderer/lazyCode';
+export { clearLearnt, type LazyPart } from './renderer/lazyCode';
 export { setShading } from './materials/setShading';
 export type { ShadingName } from './materials/shadingOf';

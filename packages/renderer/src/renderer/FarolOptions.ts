@@ -26,6 +26,12 @@ export interface FarolOptions {
    * other. Default null: the scene is drawn at the size of its target.
    */
   budget?: FrameBudget | null;
+  /**
+   * Whether 'auto' learns which technique is faster on this GPU: where it hesitates between two, at most 2% of the draws are by the
+   * other one, and timed. `localStorage` keeps what was learnt; `clearLearnt()` forgets it. Nothing is learnt without
+   * EXT_disjoint_timer_query_webgl2, in XR sessions, or while there is a `budget`. Default false.
+   */
+  learning?: boolean;
   /** Times each pass on the GPU, by EXT_disjoint_timer_query_webgl2. Default false: a host may time with a query of its own. */
   timing?: boolean;
   /**
@@ -78,6 +84,7 @@ export const defaultOptions: Required<FarolOptions> = {
   view: 'final',
   quality: 'auto',
   budget: null,
+  learning: false,
   timing: false,
   effects: [],
   shadowAtlasSize: null,

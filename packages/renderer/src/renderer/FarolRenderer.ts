@@ -57,6 +57,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   declare shadowCascades: number;
   declare lightLayers: boolean;
   declare antialias: boolean;
+  declare learning: boolean;
   declare areaLightThreshold: number;
   private readonly frame: Frame;
   private readonly lights = new FrameLights();
@@ -79,8 +80,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
 
   /**
    * @param webgl - the host's renderer; it stays the host's, and other code may draw with it
-   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option does not
-   *   exist or has a value that it cannot have
+   * @throws Error when it is no WebGLRenderer with WebGL 2, the device lacks what the technique needs, or an option is wrong
    */
   constructor(
     readonly webgl: WebGLRenderer,
@@ -261,7 +261,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     const effects = frame.view === 'final' ? this.effectList.of(target, session !== null) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
     sceneView.seenBy = seenBy;
-    draws.begin(sceneView, effects, this.antialias);
+    draws.begin(sceneView, effects, this);
     try {
       this.info.budget = draws.scale();
       for (const effect of effects.all) effect.begin?.(frame);
@@ -279,7 +279,7 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
       shadows?.end();
       done = true;
     } finally {
-      draws.scaled?.end(frame);
+      draws.end();
       if (frame.queue.layers !== 0) resetLayers(frame.gl);
       // three takes tone mapping off while it draws to its output buffer
       if (!done) webgl.toneMapping = toneMapping;

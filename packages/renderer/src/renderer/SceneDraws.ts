@@ -51,9 +51,18 @@ export class SceneDraws {
   private readonly enlarge = () => this.scaled!.enlarge(this.frame);
   private readonly drawFields = () => this.frame.fields!.render();
 
-  /** Begins the draws of a frame. @param antialias - as `FarolOptions.antialias` */
-  begin(sceneView: SceneView, effects: ActiveEffects, antialias: boolean): void {
+  /** Begins the draws of a frame, with options as of `FarolOptions`. */
+  begin(
+    sceneView: SceneView,
+    effects: ActiveEffects,
+    { antialias, learning }: { readonly antialias: boolean; readonly learning: boolean },
+  ): void {
+    const { picker } = this;
     this.antialias = antialias;
+    picker.learns = learning;
+    // a budget times frames itself, and changes their size
+    picker.mayMeasure = this.checked === null;
+    picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
     this.effects = effects;
     this.frame.adapters = effects.adapters;
@@ -77,7 +86,14 @@ export class SceneDraws {
     return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
   }
 
+  /** Ends a frame, also one that has failed. */
+  end(): void {
+    this.scaled?.end(this.frame);
+    this.picker.learning?.end();
+  }
+
   dispose(): void {
+    this.picker.learning?.dispose();
     this.edges?.dispose();
     this.scaled?.dispose();
   }

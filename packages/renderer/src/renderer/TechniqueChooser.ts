@@ -146,7 +146,11 @@ export class TechniqueChooser<P extends Preparation = Preparation> {
     return this.best(figures, slack) === technique || this.best(figures, 1 / slack) === technique;
   }
 
-  private best(
+  /**
+   * Technique that the rule picks for figures.
+   * @param scale - factor of its bounds: above 1 it takes techniques for fewer lights a pixel, and for more lists
+   */
+  best(
     { bounded, everywhere, coverage, objects, transparents, floatTargets, surfaces }: SceneFigures,
     scale: number,
   ): ChosenTechnique {

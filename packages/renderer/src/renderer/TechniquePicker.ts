@@ -3,12 +3,14 @@ import { checkDevice, lacksFloatTargets } from '../gpu/checkDevice';
 import type { ActiveEffects } from '../frame/ActiveEffects';
 import type { Frame } from '../frame/Frame';
 import type { Pass } from '../frame/Pass';
-import { warmUpCode } from './lazyCode';
+import { learningCode, warmUpCode } from './lazyCode';
+import type { LearningFrames } from './learning';
 import type { LightTable } from '../lighting/LightTable';
 import type { WarmUp } from './warm-up/WarmUp';
 import type { TechniqueName } from '../techniques';
 import type { TechniqueChooser } from './TechniqueChooser';
 import type { TechniqueSet } from './TechniqueSet';
+import type { GpuTimer } from './timer/GpuTimer';
 
 /** Up to this many lights 'forward-single-pass' begins to draw a scene until another technique's code is loaded. */
 const FEW = 16;
@@ -16,7 +18,7 @@ const FEW = 16;
 const MANY = 128;
 
 /** Gives the effects of a frame, by the technique that draws it. */
-interface EffectsByTechnique {
+export interface EffectsByTechnique {
   effectsOf(technique: string): ActiveEffects;
 }
 
@@ -28,6 +30,14 @@ export class TechniquePicker {
   reason = '';
   /** Whether 'auto' may change to another technique soon. */
   isChanging = false;
+  /** Whether 'auto' learns, as `FarolOptions.learning`. */
+  learns = false;
+  /** Whether trials may be drawn and timed in this frame. */
+  mayMeasure = false;
+  /** Times the passes of this frame; null if nothing does. */
+  passTimer: GpuTimer | null = null;
+  /** Trials of 'auto'; null until there is something to learn and the code is there. */
+  learning: LearningFrames | null = null;
   private asked: TechniqueName = 'auto';
 
   constructor(
@@ -108,27 +118,35 @@ export class TechniquePicker {
     surfaces: boolean,
     floatTargets: boolean,
   ): void {
-    const choice = chooser.choose(
-      {
-        bounded: bounded + (frame.fields?.count ?? 0),
-        coverage: coverage + (frame.fields?.coverage ?? 0),
-        everywhere: directional + unbounded,
-        objects: frame.queue.opaque.length,
-        transparents: frame.queue.hasLitTransparents,
-        floatTargets,
-        surfaces,
-      },
-      warmUpCode.isThere,
-    );
+    const figures = {
+      bounded: bounded + (frame.fields?.count ?? 0),
+      coverage: coverage + (frame.fields?.coverage ?? 0),
+      everywhere: directional + unbounded,
+      objects: frame.queue.opaque.length,
+      transparents: frame.queue.hasLitTransparents,
+      floatTargets,
+      surfaces,
+    };
+    const choice = chooser.choose(figures, warmUpCode.isThere);
     if (chooser.settled) warmUpCode.ask();
     this.isChanging = chooser.isChanging;
     this.active = choice.technique;
     this.reason = surfaces ? 'an effect works on its G-buffer' : choice.reason;
+    if (!this.learns || !chooser.settled) return;
+    this.learning ??= learningCode.use((code) => new code.LearningFrames(frame, this.set));
+    const { learning } = this;
+    if (learning === null) return;
+    this.active = learning.pick(chooser, choice.technique, figures, this.passTimer, this.mayMeasure);
+    this.reason = learning.reason ?? this.reason;
   }
 
   /** Prepares the next technique of 'auto', a little in each frame; call it when the frame is drawn. */
   warmUp(chooser: TechniqueChooser<WarmUp>, frame: Frame, draws: EffectsByTechnique): void {
-    if (chooser.next === null || this.asked !== 'auto') return;
+    if (this.asked !== 'auto') return;
+    if (chooser.next === null) {
+      if (this.learns) this.learning?.warmUp(chooser, draws);
+      return;
+    }
     const { technique } = chooser.next;
     const { known } = this.set;
     if (this.set.codeOf(technique)?.ask() === false) return;

@@ -50,6 +50,12 @@ export const timerCode = new Lazy('timer', () => import('./timer'), 'there are n
 /** Frames at the scale that holds a frame budget. */
 export const budgetCode = new Lazy('budget', () => import('./budget'), 'frames are drawn at full size');
 
+/** Trials of techniques, which 'auto' learns from. */
+export const learningCode = new Lazy('learning', () => import('./learning'), "'auto' goes by its rules alone");
+
+/** Forgets what 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
+export const clearLearnt = (): Promise<void> => learningCode.load().then((code) => code.clearLearnt());
+
 /** Frames of XR sessions. */
 export const xrCode = new Lazy('webxr', () => import('./xr'), 'three draws XR sessions');
 
@@ -69,6 +75,7 @@ export const lazyCode = [
   timerCode,
   budgetCode,
   warmUpCode,
+  learningCode,
   xrCode,
 ] as const;
 

@@ -1,0 +1,242 @@
+import type { Camera } from 'three';
+import type { Frame } from '../../frame/Frame';
+import type { ChosenTechnique, SceneFigures, TechniqueChooser } from '../TechniqueChooser';
+import type { EffectsByTechnique } from '../TechniquePicker';
+import type { TechniqueSet } from '../TechniqueSet';
+import { GpuTimer } from '../timer';
+import { WarmUp } from '../warm-up';
+import { learnerOf } from './learners';
+import type { TechniqueLearner } from './TechniqueLearner';
+
+/** Pixels along a side below which a picture is too small to tell techniques apart. */
+const SMALL = 64;
+/** Draws in a row in which another technique is faster, as learnt, before it is changed to. */
+const PATIENCE = 30;
+/** Draws after which times that have not come are given up. */
+const LOST = 120;
+/** Tag of times that belong to no trial; those of a trial have its number × 4 + stage. */
+const NONE = -1;
+
+/**
+ * Stages of a trial: draws by the technique at hand and by its rival, then one more, whose times tell that those of the second
+ * are complete.
+ */
+const [IDLE, FIRST, SECOND, LAST] = [0, 1, 2, 3];
+
+type Chooser = TechniqueChooser<WarmUp>;
+
+/** State of a scene. */
+class LearningScene {
+  /** Technique that draws in place of the one that the rule picked; null for none. */
+  substitute: ChosenTechnique | null = null;
+  /** Draws in a row in which another technique was faster, as learnt. */
+  waited = 0;
+  /** Technique to make ready, for a trial or a change; null for none. */
+  next: ChosenTechnique | null = null;
+  preparation: WarmUp | null = null;
+
+  drop(): void {
+    this.next = this.preparation = null;
+  }
+}
+
+/**
+ * Draws the trials that 'auto' learns from, and what was learnt. A trial is one draw by a technique whose programs are ready,
+ * timed by the GPU and the CPU as the draw before it is; times come some draws later, so that nothing waits for them.
+ */
+export class LearningFrames {
+  /** Sentence on why the technique of this frame is not the rule's; null where it is. */
+  reason: string | null = null;
+  private readonly learner: TechniqueLearner;
+  private readonly scenes = new WeakMap<Chooser, LearningScene>();
+  private ownTimer: GpuTimer | null = null;
+  private timer: GpuTimer | null = null;
+  private stage = IDLE;
+  private trial = 0;
+  /** Scene, camera, pair and key of the trial under way. */
+  private chooser: Chooser | null = null;
+  private camera: Camera | null = null;
+  private one: ChosenTechnique = 'clustered-deferred';
+  private other: ChosenTechnique = 'clustered-deferred';
+  private key = 0;
+  /** GPU times (ms) of the draws FIRST and SECOND, by stage, and CPU times. */
+  private readonly gpu = new Float64Array(3);
+  private readonly cpu = new Float64Array(3);
+  private started = 0;
+  private waited = 0;
+  /** Whether this draw is one of the trial. */
+  private measures = false;
+
+  constructor(
+    private readonly frame: Frame,
+    private readonly set: TechniqueSet,
+  ) {
+    this.learner = learnerOf(frame.gl);
+  }
+
+  /**
+   * @param technique - the rule's
+   * @param passTimer - times the passes already; null for none
+   * @param mayMeasure - whether trials may be drawn and timed; else what was learnt is only used
+   * @returns the technique to draw this frame by
+   */
+  pick(
+    chooser: Chooser,
+    technique: ChosenTechnique,
+    figures: SceneFigures,
+    passTimer: GpuTimer | null,
+    mayMeasure: boolean,
+  ): ChosenTechnique {
+    const { frame, learner } = this;
+    this.reason = null;
+    if (mayMeasure) this.follow(passTimer);
+    else this.abandon();
+    const { width, height } = frame;
+    const rival =
+      frame.view !== 'final' || Math.min(width, height) < SMALL
+        ? null
+        : learner.rivalOf(technique, chooser, figures, frame.hostSamples > 0);
+    let scene = this.scenes.get(chooser);
+    if (rival === null) {
+      scene?.drop();
+      if (scene !== undefined) scene.substitute = null;
+      return technique;
+    }
+    if (scene === undefined) this.scenes.set(chooser, (scene = new LearningScene()));
+    const key = learner.keyOf(technique, rival, figures, width * height);
+    if (scene.substitute !== null && scene.substitute !== rival) scene.substitute = null;
+    const present = scene.substitute ?? technique;
+    const faster = learner.fasterOf(technique, rival, key);
+    const isDue = mayMeasure && this.timer !== null && !chooser.isChanging && learner.isDue(key);
+    const drawn = this.step(chooser, scene, present, present === rival ? technique : rival, key, isDue);
+    if (drawn === present && this.stage === IDLE) this.change(scene, technique, present, faster);
+    if (drawn !== present) this.reason = `measured against "${present}", to learn which is faster on this GPU`;
+    else if (present === rival) this.reason = `learnt on this GPU: faster than "${technique}"`;
+    if (this.measures) this.started = performance.now();
+    return drawn;
+  }
+
+  /** Makes the next technique of a scene ready, a little in each frame; call inside three's `render`, when all is drawn. */
+  warmUp(chooser: Chooser, draws: EffectsByTechnique): void {
+    const scene = this.scenes.get(chooser);
+    if (scene === undefined || scene.next === null || scene.preparation?.ready) return;
+    const { frame, set } = this;
+    const { next } = scene;
+    if (set.codeOf(next)?.ask() === false) return;
+    const passes = set.passesOf(next);
+    if (scene.preparation?.passes !== passes) scene.preparation = new WarmUp(frame, set.known[next], next, passes);
+    scene.preparation.step(draws.effectsOf(next).all);
+  }
+
+  /** Ends a draw, also one that has failed. */
+  end(): void {
+    if (!this.measures) return;
+    this.measures = false;
+    if (this.timer === this.ownTimer) this.ownTimer!.end();
+    if (this.stage < LAST) this.cpu[this.stage] = performance.now() - this.started;
+  }
+
+  dispose(): void {
+    this.abandon();
+    this.ownTimer?.dispose();
+    if (this.timer?.onTime === this.take) this.timer.onTime = null;
+    this.ownTimer = this.timer = null;
+  }
+
+  /** Takes the times that have come; those of the passes' own timer are taken when the frame begins. */
+  private follow(passTimer: GpuTimer | null): void {
+    this.ownTimer ??= new GpuTimer(this.frame.gl);
+    const timer = passTimer ?? this.ownTimer;
+    if (timer !== this.timer) this.abandon();
+    this.timer = timer.available ? timer : null;
+    if (this.stage === IDLE) return;
+    if (timer === this.ownTimer) timer.poll();
+    timer.tag = NONE;
+    if (++this.waited > LOST) this.abandon();
+  }
+
+  /** Goes on with a trial, or begins one. @returns the technique to draw by */
+  private step(
+    chooser: Chooser,
+    scene: LearningScene,
+    present: ChosenTechnique,
+    rival: ChosenTechnique,
+    key: number,
+    isDue: boolean,
+  ): ChosenTechnique {
+    if (this.stage === IDLE) {
+      if (!isDue) {
+        if (scene.waited < PATIENCE) scene.drop();
+        return present;
+      }
+      if (scene.next !== rival) scene.drop();
+      scene.next = rival;
+      if (scene.preparation?.ready !== true) return present;
+      this.trial++;
+      this.chooser = chooser;
+      this.camera = this.frame.seenBy;
+      this.one = present;
+      this.other = rival;
+      this.key = key;
+      this.gpu.fill(0);
+    } else if (this.stage === LAST || this.chooser !== chooser || this.camera !== this.frame.seenBy) return present;
+    else if (key !== this.key || present !== this.one) {
+      this.abandon();
+      return present;
+    }
+    this.stage++;
+    this.measure();
+    if (this.stage !== SECOND) return present;
+    this.learner.begin();
+    // objects that come later have programs of their own
+    scene.drop();
+    return rival;
+  }
+
+  /** Times this draw. */
+  private measure(): void {
+    const timer = this.timer!;
+    this.measures = true;
+    timer.tag = this.trial * 4 + this.stage;
+    timer.onTime = this.take;
+    if (timer === this.ownTimer) timer.begin('learning');
+  }
+
+  /** Changes to the technique that was learnt to be faster, when it has been so for some draws and is ready. */
+  private change(
+    scene: LearningScene,
+    technique: ChosenTechnique,
+    present: ChosenTechnique,
+    faster: ChosenTechnique,
+  ): void {
+    scene.waited = faster === present ? 0 : scene.waited + 1;
+    if (scene.waited < PATIENCE) return;
+    if (scene.next !== faster) scene.drop();
+    scene.next = faster;
+    if (scene.preparation?.ready !== true) return;
+    scene.drop();
+    scene.waited = 0;
+    scene.substitute = faster === technique ? null : faster;
+  }
+
+  private abandon(): void {
+    this.stage = IDLE;
+    this.chooser = this.camera = null;
+    this.waited = 0;
+  }
+
+  private readonly take = (tag: number, ms: number): void => {
+    if (this.stage === IDLE || Math.floor(tag / 4) !== this.trial) return;
+    const stage = tag % 4;
+    if (stage < LAST) this.gpu[stage] += ms;
+    else this.finish();
+  };
+
+  /** Learns from a trial: a draw takes as long as the slower of GPU and CPU does. */
+  private finish(): void {
+    const { gpu, cpu, key, one, other } = this;
+    this.abandon();
+    if (!(gpu[FIRST] > 0 && gpu[SECOND] > 0)) return;
+    this.learner.add(key, one, Math.max(gpu[FIRST], cpu[FIRST]), other, Math.max(gpu[SECOND], cpu[SECOND]));
+  }
+}

@@ -1,0 +1,80 @@
+/** Key of `localStorage`. */
+const KEY = 'farol-learnt';
+/** Version of keys and values: raise it when techniques, buckets or what they cost change, and all is learnt anew. */
+const VERSION = 1;
+/** Most entries of a GPU, and most GPUs: about 4 kB each. */
+const ENTRIES = 256;
+const GPUS = 4;
+
+/** Verdict on a pair of techniques: the index of the faster one (0 or 1), or TIE. */
+export type Verdict = 0 | 1 | 2;
+export const TIE = 2;
+
+/** Storage of texts by key, such as `localStorage`; it may throw. */
+export type Storage = Pick<globalThis.Storage, 'getItem' | 'setItem' | 'removeItem'>;
+
+interface Stored {
+  readonly version: number;
+  readonly gpus: Record<string, readonly (readonly [key: number, verdict: number])[]>;
+}
+
+/** Verdicts learnt on one GPU, by key, kept in a storage from visit to visit. */
+export class LearntChoices {
+  private readonly verdicts = new Map<number, Verdict>();
+
+  /** @param storage - null: nothing is kept */
+  constructor(
+    readonly gpu: string,
+    private readonly storage: Storage | null,
+  ) {
+    for (const [key, verdict] of this.read().gpus[gpu] ?? []) this.verdicts.set(key, verdict as Verdict);
+  }
+
+  get size(): number {
+    return this.verdicts.size;
+  }
+
+  get(key: number): Verdict | undefined {
+    return this.verdicts.get(key);
+  }
+
+  /** Keeps a verdict; the oldest ones go where there are too many. */
+  set(key: number, verdict: Verdict): void {
+    const { gpu, verdicts } = this;
+    verdicts.delete(key);
+    verdicts.set(key, verdict);
+    if (verdicts.size > ENTRIES) verdicts.delete(verdicts.keys().next().value!);
+    const { [gpu]: _, ...others } = this.read().gpus;
+    const kept = Object.entries(others).slice(1 - GPUS);
+    const stored: Stored = { version: VERSION, gpus: { ...Object.fromEntries(kept), [gpu]: [...verdicts] } };
+    try {
+      this.storage?.setItem(KEY, JSON.stringify(stored));
+    } catch {
+      // a full or forbidden storage: the verdicts of this page remain
+    }
+  }
+
+  /** Forgets the verdicts of all GPUs. */
+  clear(): void {
+    this.verdicts.clear();
+    try {
+      this.storage?.removeItem(KEY);
+    } catch {
+      // a forbidden storage holds none
+    }
+  }
+
+  /** Stored verdicts; none where the text is of another version, or no such text. */
+  private read(): Stored {
+    try {
+      const stored = JSON.parse(this.storage?.getItem(KEY) ?? 'null') as Stored | null;
+      if (stored?.version === VERSION && Object.values(stored.gpus).every((list) => list.every(isEntry))) return stored;
+    } catch {
+      // not written by this class
+    }
+    return { version: VERSION, gpus: {} };
+  }
+}
+
+const isEntry = ([key, verdict]: readonly [unknown, unknown]): boolean =>
+  Number.isSafeInteger(key) && (verdict === 0 || verdict === 1 || verdict === TIE);

@@ -1,0 +1,198 @@
+import { describe, expect, it } from 'vitest';
+import { type SceneFigures, TechniqueChooser } from '../TechniqueChooser';
+import { LearntChoices } from './LearntChoices';
+import { TechniqueLearner } from './TechniqueLearner';
+
+const figures: SceneFigures = {
+  bounded: 40,
+  everywhere: 0,
+  coverage: 3.5,
+  objects: 100,
+  transparents: false,
+  floatTargets: true,
+  surfaces: false,
+};
+const PIXELS = 1920 * 1080;
+const rule = new TechniqueChooser();
+
+/** Numbers 0 to 1 (mulberry32). */
+function random(seed: number): () => number {
+  return () => {
+    seed = (seed + 0x6d2b79f5) | 0;
+    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/** A storage that holds `text` first. */
+function storageOf(text: string | null = null) {
+  return {
+    text,
+    getItem() {
+      return this.text;
+    },
+    setItem(_: string, value: string) {
+      this.text = value;
+    },
+    removeItem() {
+      this.text = null;
+    },
+  };
+}
+
+/** Draws frames on a simulated GPU, on which the rule's technique takes 8 ms and its rival `rivalTime`, with 10% of noise. */
+function simulate(storage = storageOf(), seed = 7) {
+  const learner = new TechniqueLearner(new LearntChoices('GPU', storage));
+  const noise = random(seed);
+  const technique = rule.best(figures, 1);
+  const rival = learner.rivalOf(technique, rule, figures, false)!;
+  const key = learner.keyOf(technique, rival, figures, PIXELS);
+  const state = { rivalTime: 8, trials: 0, changes: 0 };
+  const time = (ms: number) => ms * (0.9 + 0.2 * noise());
+  const draw = (frames: number) => {
+    for (let i = 0; i < frames; i++) {
+      const faster = learner.fasterOf(technique, rival, key);
+      if (!learner.isDue(key)) continue;
+      learner.begin();
+      state.trials++;
+      learner.add(key, technique, time(8), rival, time(state.rivalTime));
+      if (learner.fasterOf(technique, rival, key) !== faster) state.changes++;
+    }
+    return learner.fasterOf(technique, rival, key);
+  };
+  return { learner, technique, rival, key, state, draw };
+}
+
+describe('TechniqueLearner', () => {
+  it('unlearns a rule that is wrong on this GPU, and what it learnt when that is wrong, by fifteen trials each', () => {
+    const { draw, state, technique, rival } = simulate();
+    expect([technique, rival]).toEqual(['clustered-deferred', 'clustered-forward']);
+    state.rivalTime = 5;
+    expect(draw(64 * 15 - 1)).toBe(technique);
+    expect(draw(1)).toBe(rival);
+    expect(draw(5000)).toBe(rival);
+    state.rivalTime = 12;
+    expect(draw(512 * 30)).toBe(technique);
+    expect(state.changes).toBe(2);
+  });
+
+  it('keeps to the rule where it is right, and where both take the same', () => {
+    for (const ratio of [1.5, 1])
+      for (let seed = 0; seed < 50; seed++) {
+        const { draw, state, technique } = simulate(storageOf(), seed);
+        state.rivalTime = 8 * ratio;
+        expect(draw(64 * 15), `${ratio}, ${seed}`).toBe(technique);
+      }
+  });
+
+  it('does not go to and fro between techniques that take about the same', () => {
+    const { draw, state, rival } = simulate();
+    state.rivalTime = 5;
+    expect(draw(64 * 15)).toBe(rival);
+    state.rivalTime = 8;
+    expect(draw(40_000)).toBe(rival);
+    expect(state.changes).toBe(1);
+  });
+
+  it('tries at most 2% of the draws, and 0.2% once it has learnt', () => {
+    const { draw, state } = simulate();
+    draw(64 * 15);
+    expect(state.trials / (64 * 15)).toBeLessThan(0.02);
+    const before = state.trials;
+    draw(51_200);
+    expect((state.trials - before) / 51_200).toBeLessThan(0.002);
+  });
+
+  it('learns nothing from times that are none', () => {
+    const { draw, state, learner, technique } = simulate();
+    for (const time of [0, NaN, Infinity]) {
+      state.rivalTime = time;
+      expect(draw(64 * 20)).toBe(technique);
+    }
+    expect(learner.learnt.size).toBe(0);
+  });
+
+  it('keeps what it learnt apart by the numbers of lights, lights a pixel and pixels, whichever technique the rule picks', () => {
+    const { learner, key, technique, rival } = simulate();
+    const keyOf = (other: Partial<SceneFigures>, pixels = PIXELS) =>
+      learner.keyOf(technique, rival, { ...figures, ...other }, pixels);
+    expect(keyOf({ bounded: 45, coverage: 3 }, PIXELS + 5)).toBe(key);
+    const others = [keyOf({ bounded: 130 }), keyOf({ coverage: 20 }), keyOf({}, PIXELS / 4)];
+    expect(new Set([key, ...others]).size).toBe(4);
+    expect(learner.keyOf(rival, technique, figures, PIXELS)).toBe(key);
+    learner.learnt.set(key, 0); // clustered-forward
+    expect(learner.fasterOf(technique, rival, key)).toBe(rival);
+    expect(learner.fasterOf(rival, technique, key)).toBe(rival);
+  });
+
+  it('hesitates only near the bounds of the rule, and never between edges that look different', () => {
+    const { learner } = simulate();
+    const rivalOf = (other: Partial<SceneFigures>, multisampled = false) => {
+      const scene = { ...figures, ...other };
+      return learner.rivalOf(rule.best(scene, 1), rule, scene, multisampled);
+    };
+    expect(rivalOf({})).toBe('clustered-forward');
+    expect(rivalOf({}, true)).toBe('tiled-deferred');
+    expect(rivalOf({ coverage: 100, bounded: 5000, objects: 5000 })).toBe(null);
+    expect(rivalOf({ surfaces: true, bounded: 10 })).toBe(null);
+  });
+});
+
+describe('LearntChoices', () => {
+  it('keeps verdicts from visit to visit, by GPU, until they are cleared', () => {
+    const storage = storageOf();
+    const { draw, state, rival, key } = simulate(storage);
+    state.rivalTime = 5;
+    draw(64 * 15);
+    const later = simulate(storage);
+    expect(later.draw(1)).toBe(rival);
+    expect(new LearntChoices('another GPU', storage).get(key)).toBeUndefined();
+    later.learner.clear();
+    expect(later.draw(1)).toBe(later.technique);
+    expect(new LearntChoices('GPU', storage).size).toBe(0);
+  });
+
+  it('ignores what another version or somebody else has stored', () => {
+    const stored = (version: number, list: unknown) => JSON.stringify({ version, gpus: { GPU: list } });
+    const texts = [
+      '{',
+      '3',
+      '[]',
+      '{"version":1}',
+      stored(0, [[5, 1]]),
+      stored(1, [[5, 3]]),
+      stored(1, [['x', 1]]),
+      stored(1, 7),
+    ];
+    for (const text of texts) {
+      const learnt = new LearntChoices('GPU', storageOf(text));
+      expect(learnt.size, text).toBe(0);
+      learnt.set(5, 1);
+      expect(learnt.get(5)).toBe(1);
+    }
+    expect(new LearntChoices('GPU', storageOf(stored(1, [[5, 1]]))).get(5)).toBe(1);
+  });
+
+  it('is bounded, by entries and by GPUs', () => {
+    const storage = storageOf();
+    for (let gpu = 0; gpu < 9; gpu++) {
+      const learnt = new LearntChoices(`GPU ${gpu}`, storage);
+      for (let key = 0; key < (gpu === 8 ? 400 : 3); key++) learnt.set(key, 0);
+    }
+    const last = new LearntChoices('GPU 8', storage);
+    expect([last.size, last.get(399), last.get(0)]).toEqual([256, 0, undefined]);
+    expect([0, 4, 5, 6, 7].map((gpu) => new LearntChoices(`GPU ${gpu}`, storage).size)).toEqual([0, 0, 3, 3, 3]);
+  });
+
+  it('goes on within the page where the storage is full or forbidden', () => {
+    const refuse = () => {
+      throw new Error('forbidden');
+    };
+    const learnt = new LearntChoices('GPU', { getItem: refuse, setItem: refuse, removeItem: refuse });
+    learnt.set(5, 1);
+    expect(learnt.get(5)).toBe(1);
+    learnt.clear();
+    expect(learnt.size).toBe(0);
+  });
+});

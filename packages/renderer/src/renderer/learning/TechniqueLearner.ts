@@ -1,0 +1,122 @@
+import type { ChosenTechnique, SceneFigures } from '../TechniqueChooser';
+import { type LearntChoices, TIE } from './LearntChoices';
+
+/** Draws from one trial to the next: 1 of 64 is 1.6%. */
+const INTERVAL = 64;
+/** Draws from one trial to the next where there is a verdict, to find out whether it still holds. */
+const SETTLED_INTERVAL = 512;
+/** Trials to a verdict; odd, for a median. */
+const TRIALS = 15;
+/** Share of the time by which a technique must be faster to win, or to take the place of the one that has won. */
+const MARGIN = 0.08;
+/** Factors of the chooser's bounds within which it hesitates, nearest first. */
+const SCALES = [1, 2, 0.5, 4, 0.25];
+
+/** Order of techniques in keys; part of the stored version. */
+const order: readonly ChosenTechnique[] = [
+  'forward-single-pass',
+  'clustered-forward',
+  'clustered-deferred',
+  'tiled-deferred',
+];
+
+/** Times of trials without a verdict so far: cost of the pair's second technique over that of its first. */
+interface Trials {
+  readonly ratios: Float64Array;
+  count: number;
+}
+
+/** The rule of 'auto', its bounds widened or narrowed by a factor. */
+interface Rule {
+  best(figures: SceneFigures, scale: number): ChosenTechnique;
+}
+
+/**
+ * Learns from the times of trials which of two techniques is faster on a GPU, for about so many lights, lights a pixel and
+ * pixels. A verdict takes fifteen trials and 8% of the time, and is tried again ever after. Lookups allocate nothing.
+ */
+export class TechniqueLearner {
+  private readonly trials = new Map<number, Trials>();
+  /** Draws since the last trial. */
+  private draws = 0;
+
+  constructor(readonly learnt: LearntChoices) {}
+
+  /**
+   * Technique that the rule hesitates to take in place of `technique`, which it has picked; null where it is sure.
+   * @param multisampled - techniques whose edges look alike only: all with a G-buffer, or all without
+   */
+  rivalOf(
+    technique: ChosenTechnique,
+    rule: Rule,
+    figures: SceneFigures,
+    multisampled: boolean,
+  ): ChosenTechnique | null {
+    for (let i = 0; i < SCALES.length; i++) {
+      const rival = rule.best(figures, SCALES[i]);
+      if (rival !== technique && (!multisampled || isDeferred(rival) === isDeferred(technique))) return rival;
+    }
+    return null;
+  }
+
+  /**
+   * Key of a pair of techniques, whichever comes first, for figures of about this size.
+   * @param pixels - number of pixels of the picture
+   */
+  keyOf(one: ChosenTechnique, other: ChosenTechnique, figures: SceneFigures, pixels: number): number {
+    const i = order.indexOf(one);
+    const j = order.indexOf(other);
+    const lights = steps(figures.bounded + figures.everywhere);
+    const coverage = steps(figures.coverage + figures.everywhere);
+    return (((Math.min(i, j) * 4 + Math.max(i, j)) * 32 + lights) * 32 + coverage) * 32 + steps(pixels);
+  }
+
+  /** Faster technique of a pair, as learnt; `technique`, which the rule picked, where nothing is. */
+  fasterOf(technique: ChosenTechnique, rival: ChosenTechnique, key: number): ChosenTechnique {
+    const verdict = this.learnt.get(key);
+    if (verdict === undefined || verdict === TIE) return technique;
+    const isFirst = order.indexOf(technique) < order.indexOf(rival);
+    return isFirst === (verdict === 0) ? technique : rival;
+  }
+
+  /** Counts a draw. @returns whether a trial of the pair is due */
+  isDue(key: number): boolean {
+    return ++this.draws >= (this.learnt.get(key) === undefined ? INTERVAL : SETTLED_INTERVAL);
+  }
+
+  /** Notes that a trial is drawn. */
+  begin(): void {
+    this.draws = 0;
+  }
+
+  /**
+   * Adds the times of a trial and of a frame beside it (ms); times that are no numbers above 0 do not count.
+   * @returns whether this led to a verdict other than the one before
+   */
+  add(key: number, one: ChosenTechnique, oneTime: number, other: ChosenTechnique, otherTime: number): boolean {
+    const ratio = order.indexOf(one) < order.indexOf(other) ? otherTime / oneTime : oneTime / otherTime;
+    if (!(ratio > 0 && ratio < Infinity)) return false;
+    let trials = this.trials.get(key);
+    if (trials === undefined) this.trials.set(key, (trials = { ratios: new Float64Array(TRIALS), count: 0 }));
+    trials.ratios[trials.count++] = ratio;
+    if (trials.count < TRIALS) return false;
+    this.trials.delete(key);
+    const median = trials.ratios.sort()[(TRIALS - 1) / 2];
+    const before = this.learnt.get(key);
+    const verdict = median < 1 - MARGIN ? 1 : median > 1 / (1 - MARGIN) ? 0 : (before ?? TIE);
+    if (verdict === before) return false;
+    this.learnt.set(key, verdict);
+    return true;
+  }
+
+  /** Forgets all that was learnt. */
+  clear(): void {
+    this.trials.clear();
+    this.learnt.clear();
+  }
+}
+
+/** Doublings from 1 on, 0 to 31. */
+const steps = (value: number): number => Math.min(31, Math.floor(Math.log2(Math.max(1, value))));
+
+const isDeferred = (technique: ChosenTechnique): boolean => technique.endsWith('deferred');

@@ -1,0 +1,2 @@
+export { clearLearnt } from './learners';
+export { LearningFrames } from './LearningFrames';

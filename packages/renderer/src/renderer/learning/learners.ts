@@ -1,0 +1,30 @@
+import { LearntChoices, type Storage } from './LearntChoices';
+import { TechniqueLearner } from './TechniqueLearner';
+
+/** Learners by GPU, shared by all renderers of a page. */
+const learners = new Map<string, TechniqueLearner>();
+
+/** Learner of the GPU that a context draws by, with what was stored of it. */
+export function learnerOf(gl: WebGL2RenderingContext): TechniqueLearner {
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  const gpu = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+  let learner = learners.get(gpu);
+  if (learner === undefined)
+    learners.set(gpu, (learner = new TechniqueLearner(new LearntChoices(gpu, storageOfPage()))));
+  return learner;
+}
+
+/** Forgets what was learnt on all GPUs, stored or not. */
+export function clearLearnt(): void {
+  for (const learner of learners.values()) learner.clear();
+  new LearntChoices('', storageOfPage()).clear();
+}
+
+/** Storage of the page; null where it is forbidden. */
+function storageOfPage(): Storage | null {
+  try {
+    return globalThis.localStorage ?? null;
+  } catch {
+    return null;
+  }
+}
