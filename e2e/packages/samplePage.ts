@@ -82,6 +82,12 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     check(farol.budget?.frame === 16.7, 'a budget is set');
   },
 
+  learnFasterTechniques(learn: (farol: FarolRenderer) => void) {
+    const { farol } = host();
+    learn(farol);
+    check(farol.learning, 'auto learns');
+  },
+
   async offerHeadsets(offer: (app: App) => Promise<void>) {
     const app = new App({ parent: document.body });
     await offer(app);
