@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { serveApps } from '@farol/tools/serveApps';
 import { expect, test } from '../support/test';
-import { inspectorFollows } from './editor';
+import { inspectorFollows, openEditor } from './editor';
 
 let served: Awaited<ReturnType<typeof serveApps>>;
 
@@ -118,4 +118,16 @@ test('a phone shows the scene, follows a moved object and, over a lost connectio
   await phone.close();
   await expect(page.locator('.status').getByText('nobody looks')).toBeVisible();
   await context.close();
+});
+
+test('a server that the network does not reach says how to start it, as often as it is asked', async ({ page }) => {
+  await openEditor(page, 'empty');
+  for (let i = 0; i < 2; i++) {
+    await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+    await page.getByRole('menuitem', { name: 'Open on a phone…' }).click();
+    const dialog = page.getByRole('dialog');
+    await expect(dialog.getByRole('textbox', { name: 'Command' })).toHaveValue('npm start -- --host');
+    await dialog.getByRole('button', { name: 'Close' }).click();
+    await expect(dialog).toBeHidden();
+  }
 });

@@ -2,6 +2,7 @@ import { pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import type { Scene } from 'three';
+import { addHeadset, overlaps } from '../support/headset';
 import { expect, test } from '../support/test';
 import { fieldOf, openEditor, pointOf } from './editor';
 import { type Fingers, makeFingers } from './fingers';
@@ -114,6 +115,29 @@ test('in a page that plays a scene a finger walks up steps, and a button jumps @
   });
   await page.getByRole('button', { name: 'Jump' }).tap();
   await expect.poll(() => page.evaluate(() => window.highest)).toBeGreaterThan(ground + 0.7);
+});
+
+test('buttons of a headset lie clear of the others, and are read, in a page that plays a scene and in the editor', async ({
+  page,
+}) => {
+  await addHeadset(page);
+  await page.goto(`./player.html#scene=${deflateRawSync(JSON.stringify(stepsScene())).toString('base64url')}`);
+  const buttons = page.getByRole('button', { name: /Enter|Jump/ });
+  await expect(buttons).toHaveCount(3);
+  expect(await overlaps(buttons)).toEqual([]);
+
+  await openEditor(page, 'empty');
+  await page.evaluate(() => window.editor.preferences.setState({ theme: 'light' }));
+  await page.getByRole('button', { name: 'Play', exact: true }).tap();
+  await expect(buttons).toHaveCount(2);
+  const unread = (): Promise<string[]> =>
+    buttons.evaluateAll((all) =>
+      all
+        .map((each) => ({ style: getComputedStyle(each), cut: each.scrollWidth > each.clientWidth }))
+        .filter(({ style, cut }) => style.color === style.backgroundColor || cut)
+        .map(({ style, cut }) => `${style.color} on ${style.backgroundColor}${cut ? ', cut' : ''}`),
+    );
+  await expect.poll(unread).toEqual([]);
 });
 
 test('fingers place a lamp, move it and colour it', async ({ page }) => {

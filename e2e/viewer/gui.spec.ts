@@ -3,6 +3,7 @@ import { Quaternion, Vector3 } from 'three';
 import type { Light } from '@farol/engine';
 import { byExtent } from '@farol/tools/extent';
 import { compareImages } from '../support/images';
+import { addHeadset, overlaps } from '../support/headset';
 import { test as own } from '../support/test';
 import { addressOf, openViewer, readImage, still } from '../support/viewer';
 import { expect, test } from './sharedViewer';
@@ -188,6 +189,14 @@ test('the help lists keys and address parameters', async ({ page }) => {
   for (const text of ['W A S D', '?technique=', '?lights=', '?dpr=']) await expect(help).toContainText(text);
   await page.keyboard.press('Escape');
   await expect(help).toBeHidden();
+});
+
+own('buttons of a headset lie beside the help', async ({ page }) => {
+  await addHeadset(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openViewer(page, still);
+  await expect(page.getByRole('button', { name: /Enter/ })).toHaveText(['Enter VR', 'Enter AR']);
+  expect(await overlaps(page.locator('#app > button'))).toEqual([]);
 });
 
 own('a lost graphics device is told of, and the picture comes back by every technique', async ({ page, watch }) => {

@@ -298,7 +298,7 @@ export const renderingFields = {
   frameBudget: choice('auto', ['auto', 'on', 'off'], {
     help: 'Whether the scene is drawn smaller, and enlarged, where its frames would take longer than 16.7 ms.',
     label: 'Frame budget',
-    optionLabels: { auto: 'On touch screens', on: 'On', off: 'Off' },
+    optionLabels: { auto: 'On touch screens', on: 'On', off: 'Off ## budget' },
   }),
   pluginEffects: string('', {
     help: 'Names of effects of plugins that are on, with commas between them.',

@@ -79,10 +79,7 @@ export class LiveShare {
     const { socket } = this;
     this.socket = null;
     socket?.close();
-    this.rest();
-    this.setLooks(0);
-    this.editor.phones.text = '';
-    this.editor.phones.changed.emit();
+    this.setLooks(0, '');
   }
 
   private async connect(): Promise<void> {
@@ -115,12 +112,15 @@ export class LiveShare {
     });
   }
 
-  private setLooks(looks: number): void {
+  private setLooks(looks: number, text = looksText(looks)): void {
     this.count = looks;
     if (looks === 0) this.rest();
     const { phones } = this.editor;
-    phones.text = looksText(looks);
-    phones.changed.emit();
+    // a share that nobody was told of may end while the dialog renders, where React forbids to update the status bar
+    if (phones.text !== text) {
+      phones.text = text;
+      phones.changed.emit();
+    }
     this.changed.emit();
   }
 

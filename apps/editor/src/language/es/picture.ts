@@ -109,6 +109,7 @@ export const picture: Texts = {
     'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16,7 ms.',
   'On touch screens': 'En pantallas táctiles',
   On: 'Activado',
+  'Off ## budget': 'Desactivado',
   'the time of a frame is not known yet': 'aún no se sabe cuánto tarda un fotograma',
   'frames take the time of the budget at this scale': 'a esta escala los fotogramas cumplen el presupuesto',
   'frames took longer than the budget': 'los fotogramas tardaban más de lo previsto',
