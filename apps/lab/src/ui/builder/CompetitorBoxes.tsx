@@ -32,13 +32,13 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
       <legend>Who is measured</legend>
       {groups.map(([kind, label]) => {
         const names = entries.filter(([, words]) => words.kind === kind).map(([name]) => name);
-        const all = names.every((name) => chosen.includes(name));
+        const any = names.some((name) => chosen.includes(name));
         return (
           <div key={kind} role="group" aria-labelledby={`${id}-${kind}`}>
             <div class="group-head">
               <span id={`${id}-${kind}`}>{label}</span>
-              <button type="button" class="quiet" onClick={() => choose(names, !all)}>
-                {all ? 'None' : 'All'}
+              <button type="button" class="quiet" onClick={() => choose(names, !any)}>
+                {any ? 'None' : 'All'}
                 <span class="visually-hidden"> of {label}</span>
               </button>
             </div>
