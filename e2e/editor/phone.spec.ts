@@ -60,7 +60,7 @@ const lookAt = (page: Page): Promise<Look | null> =>
     return all === 0 ? null : { height: rows / all / 128, red: sums[0] / all, blue: sums[2] / all };
   });
 
-test('a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted', async ({
+test('a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted @verify', async ({
   page,
   browser,
   watch,

@@ -157,7 +157,7 @@ test('fingers place a lamp, move it and colour it', async ({ page }) => {
     .poll(() => fieldOf(page, 'Point light', 'Light', 'diffuse'))
     .toEqual([expect.closeTo(0.05, 2), expect.closeTo(0.22, 2), expect.closeTo(0.22, 2)]);
   // what is outside closes the picker
-  await page.getByRole('textbox', { name: 'Name' }).tap();
+  await page.getByRole('searchbox', { name: 'Find a field' }).tap();
   await expect(picker).toBeHidden();
   const place = (await fieldOf(page, 'Point light', 'Transform', 'position')) as number[];
   const fingers = await makeFingers(page);

@@ -1,6 +1,6 @@
 import { expect, test } from '../support/benchTest';
 
-test("'auto' unlearns a rule that is wrong on the GPU at hand, by trials that compile nothing and look the same, and keeps what it learnt", async ({
+test("'auto' unlearns a rule that is wrong on the GPU at hand, by trials that compile nothing and look the same, and keeps what it learnt @verify", async ({
   benchPage: page,
 }) => {
   const seen = await page.evaluate(async () => {

@@ -7,7 +7,9 @@ const PSNR = 45;
 const techniques = ['tiled-deferred', 'clustered-deferred', 'deferred'] as const;
 
 for (const sheet of ['materials', 'maps', 'geometry', 'glTF'] as const) {
-  test(`lite shows each case of the sheet ${sheet} as full does`, async ({ benchPage: page }) => {
+  test(`lite shows each case of the sheet ${sheet} as full does${sheet === 'materials' ? '' : ' @verify'}`, async ({
+    benchPage: page,
+  }) => {
     test.setTimeout(240_000);
     const results = await page.evaluate((name) => window.testPage.compareQualities(name, 'tiled-deferred'), sheet);
     expect(results.length).toBeGreaterThan(5);

@@ -105,18 +105,24 @@ test('sticks walk, turn by steps and teleport; the session ends as it began', as
 test('a hand takes what is near, carries it and lets go of it', async ({ page, pagesURL }) => {
   await enter(page, pagesURL);
   const place = () => page.evaluate(() => window.inXR.box.object3D.position.toArray());
-  const squeeze = (value: number) =>
-    page.evaluate((value) => window.xrPage.device.controllers.right!.updateButtonValue('squeeze', value), value);
+  // until a frame of the session has seen it
+  const squeeze = (value: 0 | 1) =>
+    page.evaluate(async (value) => {
+      const session = window.inXR.app.webgl.xr.getSession()!;
+      const seen = new Promise((resolve) => {
+        session.addEventListener(value === 1 ? 'squeezestart' : 'squeezeend', resolve, { once: true });
+      });
+      window.xrPage.device.controllers.right!.updateButtonValue('squeeze', value);
+      await seen;
+    }, value);
   const moveHand = (x: number, y: number, z: number) =>
     page.evaluate((to) => window.xrPage.device.controllers.right!.position.set(...to), [x, y, z] as const);
   const start = await place();
   await moveHand(0.2, 1.2, -0.35);
   await squeeze(1);
-  await page.waitForFunction(() => window.xrPage.device.controllers.right!.getButtonValue('squeeze') === 1);
   await moveHand(0.7, 1.5, -0.35);
   await expect.poll(async () => (await place())[0]).toBeGreaterThan(start[0] + 0.3);
   await squeeze(0);
-  await page.waitForFunction(() => window.xrPage.device.controllers.right!.getButtonValue('squeeze') === 0);
   const held = await place();
   await moveHand(0.2, 1.2, -0.35);
   await stick(page, 'left', 0, 1);

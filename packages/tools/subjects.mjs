@@ -20,7 +20,7 @@ export const subjects = [
   ['packages/renderer/src/materials/gouraud', ['render/shading']],
   ['packages/renderer/src/microshaders', ['render/microshaders', 'render/claims', 'render/toon']],
   ['packages/renderer/src/renderer/budget', ['render/budget']],
-  ['packages/renderer/src/renderer/learning', ['render/learning']],
+  ['packages/renderer/src/renderer/learning', ['perf/autoChange']],
   ['packages/renderer/src/renderer/timer', ['perf/draws']],
   ['packages/renderer/src/renderer/warm-up', ['render/lazyCode']],
   ['packages/renderer/src/shadows', ['render/shadows', 'render/shadowMaps']],
