@@ -5,7 +5,7 @@ import { rangeOf } from './lightData';
 export const POINT = 8;
 
 /**
- * What many lights give, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each.
+ * Values of many lights, read once a frame: world position and range (m), colour × intensity, decay; POINT numbers each.
  * The decay is NaN for a light that must be read by its class: it is no point light as three has it, may have a mask, or
  * one of its values is no finite number.
  */
