@@ -53,13 +53,14 @@ export class BudgetLoad {
     const gl = webgl.getContext();
     const scales: number[] = [];
     const { port1, port2 } = new MessageChannel();
+    port1.start();
     for (let i = 0; i < count; i++) {
       this.draw();
       // waits for the GPU, as a display does
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
       scales.push(farol.info.budget?.scale ?? 1);
       await new Promise((resolve) => {
-        port1.onmessage = resolve;
+        port1.addEventListener('message', resolve, { once: true });
         port2.postMessage(null);
       });
     }
