@@ -94,6 +94,8 @@ export interface TestPage {
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it. */
   chance(): Promise<typeof import('./chance/runScenes')>;
+  /** Fetched by the tests that need it. */
+  budgetLoad(): Promise<typeof import('./budgetLoad')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
@@ -163,6 +165,7 @@ window.testPage = {
   addonCases: () => import('./addonCases'),
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
+  budgetLoad: () => import('./budgetLoad'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   enlargeSheet,

@@ -7,6 +7,7 @@ import { compareImages, isFlat } from '../support/images';
 import { techniquesInTurn } from './techniquesInTurn';
 import { countGpuObjects } from './gpuObjects';
 import { loseContext, type PageImage } from './Bench';
+import { countDraws, multiviewScene } from './multiviewScene';
 import { shadowScene } from './shadowScene';
 
 /** The headset of the page, emulated: its canvas stands for the framebuffer of the session's layer, an eye a half. */
@@ -113,6 +114,8 @@ const xrPage = {
   compareImages,
   isFlat,
   shadowScene,
+  multiviewScene,
+  countDraws,
   techniquesInTurn,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },

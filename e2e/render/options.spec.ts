@@ -13,6 +13,7 @@ test('every option is a property, of the same default and values; one that does 
       quality: 'lite',
       budget: { frame: 8, min: 0.25, max: 0.75, sharpness: 0 },
       learning: true,
+      multiview: true,
       timing: true,
       effects: [smaa],
       shadowAtlasSize: 1024,
