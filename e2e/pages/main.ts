@@ -42,7 +42,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
@@ -106,6 +106,7 @@ export interface TestPage {
   runSettings: typeof runSettings;
   settingNames: readonly string[];
   drawn: typeof drawn;
+  isSlice: boolean;
   techniqueInTurn: typeof techniqueInTurn;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
@@ -174,6 +175,7 @@ window.testPage = {
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
+  isSlice,
   techniqueInTurn,
   techniquesInTurn,
   Bench,

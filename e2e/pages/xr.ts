@@ -4,7 +4,7 @@ import { SMAA, TAA } from '@farol/renderer/antialiasing';
 import { metaQuest3, XRDevice } from 'iwer';
 import * as three from 'three';
 import { compareImages, isFlat } from '../support/images';
-import { techniquesInTurn } from './techniquesInTurn';
+import { isSlice, techniquesInTurn } from './techniquesInTurn';
 import { countGpuObjects } from './gpuObjects';
 import { loseContext, type PageImage } from './Bench';
 import { countDraws, multiviewScene } from './multiviewScene';
@@ -117,6 +117,7 @@ const xrPage = {
   multiviewScene,
   countDraws,
   techniquesInTurn,
+  isSlice,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },
   engine: () => import('@farol/engine'),
