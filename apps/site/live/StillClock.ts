@@ -1,0 +1,34 @@
+declare global {
+  interface Window {
+    /** Clock of a page opened with `&still`; undefined otherwise. */
+    stillClock?: StillClock;
+  }
+}
+
+/**
+ * Clock that stands still, in place of the page's own: frames come when {@link advance} is called, and `performance.now()`
+ * is the time of the last one. Same steps, same picture.
+ */
+export class StillClock {
+  /** Time since the page's beginning (s). */
+  seconds = 0;
+  private callbacks = new Map<number, FrameRequestCallback>();
+  private last = 0;
+
+  constructor() {
+    window.requestAnimationFrame = (callback) => {
+      this.callbacks.set(++this.last, callback);
+      return this.last;
+    };
+    window.cancelAnimationFrame = (handle) => void this.callbacks.delete(handle);
+    performance.now = () => this.seconds * 1000;
+  }
+
+  /** Lets time go by (s) and draws one frame. */
+  advance(seconds: number): void {
+    this.seconds += seconds;
+    const { callbacks } = this;
+    this.callbacks = new Map();
+    for (const callback of callbacks.values()) callback(this.seconds * 1000);
+  }
+}

@@ -1,0 +1,42 @@
+import type { FarolRenderer } from '@farol/renderer';
+import type { Camera, Scene, WebGLRenderer } from 'three';
+
+/** Exports of a live module that the site and the tests know; all may be missing. */
+export interface LiveModule {
+  readonly farol?: FarolRenderer | Promise<FarolRenderer>;
+  readonly webgl?: WebGLRenderer | Promise<WebGLRenderer>;
+  readonly scene?: Scene | Promise<Scene>;
+  readonly camera?: Camera | Promise<Camera>;
+}
+
+/**
+ * Runs the module that the query names, or says in the page why it cannot.
+ * @param modules - each module's import, by its path from this folder
+ */
+export async function startLive(modules: Record<string, () => Promise<LiveModule>>): Promise<LiveModule> {
+  const [name] = decodeURIComponent(location.search.slice(1)).split('&');
+  const query = new URLSearchParams(location.search);
+  const root = document.documentElement;
+  root.dataset.theme = query.get('theme') ?? 'dark';
+  root.lang = query.get('lang') ?? 'en';
+  document.title = name;
+  if (query.has('still')) {
+    const { StillClock } = await import('./StillClock');
+    window.stillClock = new StillClock();
+  }
+  try {
+    const load = modules[`./${name}.ts`] ?? modules[`./${name}.tsx`];
+    if (load === undefined) throw new Error(`There is no live module ${JSON.stringify(name)}.`);
+    return await load();
+  } catch (error) {
+    tell(error instanceof Error ? error.message : String(error));
+    throw error;
+  }
+}
+
+function tell(message: string): void {
+  const words = document.createElement('p');
+  words.setAttribute('role', 'alert');
+  words.textContent = message;
+  document.body.replaceChildren(words);
+}
