@@ -1,15 +1,35 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import react from '@vitejs/plugin-react';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
+
+const folderAt = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** Copies the files of public/ that a live module names ('./models/streetLamp.glb') into what is built, and no others. */
+function namedAssets(): Plugin {
+  const here = folderAt('.');
+  const modules = readdirSync(here, { recursive: true, encoding: 'utf8' }).filter((path) => /\.tsx?$/.test(path));
+  const named = modules.flatMap((path) => [
+    ...readFileSync(`${here}/${path}`, 'utf8').matchAll(/'\.\/((?:models|scenes|sounds)\/[^']+)'/g),
+  ]);
+  return {
+    name: 'farol-named-assets',
+    apply: 'build',
+    generateBundle() {
+      for (const fileName of new Set(named.map(([, path]) => path)))
+        this.emitFile({ type: 'asset', fileName, source: readFileSync(folderAt(`../../../public/${fileName}`)) });
+    },
+  };
+}
 
 /** Live modules of the site: one page that runs one of them, by its query. Built into `../dist/live`. */
 export default defineConfig(({ command }) => ({
-  root: fileURLToPath(new URL('.', import.meta.url)),
+  root: folderAt('.'),
   base: './',
-  publicDir: 'assets',
-  plugins: [react(), securePages()],
+  publicDir: command === 'serve' ? '../../../public' : false,
+  plugins: [react(), namedAssets(), securePages()],
   resolve: {
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
@@ -17,7 +37,7 @@ export default defineConfig(({ command }) => ({
   optimizeDeps: { entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'] },
   build: {
     target: 'es2022',
-    outDir: fileURLToPath(new URL('../dist/live/', import.meta.url)),
+    outDir: folderAt('../dist/live/'),
     emptyOutDir: true,
     manifest: true,
     chunkSizeWarningLimit: 2000,

@@ -1,0 +1,28 @@
+/**
+ * The thesis's room
+ *
+ * A dragon, a ball and a cylinder under the three kinds of light: NiceScene of 2.2.1.3, by the engine.
+ *
+ * @tags engine, scenes, thesis
+ */
+import { App } from '@farol/engine';
+import { niceScene } from '@farol/scenes';
+import type { Scene as ThreeScene } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const app = new App({
+  canvas: document.querySelector('canvas')!,
+  parent: document.body,
+  renderer: { antialias: true },
+  technique: 'deferred',
+  scene: await niceScene({ lights: 12, shadows: true }),
+});
+const { renderer: farol, webgl } = app;
+const scene: ThreeScene = app.scene.three;
+const camera = app.scene.activeCamera!.three;
+const controls = new OrbitControls(camera, app.canvas);
+controls.target.set(-0.1, 1.55, 0);
+controls.update();
+app.start();
+
+export { camera, farol, scene, webgl };

@@ -1,0 +1,30 @@
+/**
+ * A scene from the editor, played
+ *
+ * A `.farol` file saved by the editor, read and played in a dozen lines: lights, sounds, particles and materials.
+ *
+ * @tags engine, files, editor
+ */
+import { App, AssetLibrary } from '@farol/engine';
+import { deserialize, readSceneFile } from '@farol/engine/files';
+import { registerSceneAssets } from '@farol/scenes';
+import type { Scene as ThreeScene } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const app = new App({
+  canvas: document.querySelector('canvas')!,
+  parent: document.body,
+  renderer: { antialias: true },
+});
+const { renderer: farol, webgl } = app;
+const response = await fetch('./scenes/night-in-the-temple.farol');
+const { text, fileOf } = await readSceneFile(new Uint8Array(await response.arrayBuffer()));
+const assets = new AssetLibrary({ renderer: webgl });
+registerSceneAssets(assets); // the file names meshes of the temple
+app.scene = await deserialize(text, { assets, fileOf });
+const scene: ThreeScene = app.scene.three;
+const camera = app.scene.activeCamera!.three;
+new OrbitControls(camera, app.canvas).update();
+app.start();
+
+export { camera, farol, scene, webgl };

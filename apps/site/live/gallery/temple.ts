@@ -1,0 +1,27 @@
+/**
+ * Temple under fifty lamps
+ *
+ * A scene of `@farol/scenes` in an `App`: marble columns, six steady lamps and fifty that wander.
+ *
+ * @tags engine, scenes, many lights
+ */
+import { App } from '@farol/engine';
+import { temple } from '@farol/scenes';
+import type { Scene as ThreeScene } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const app = new App({
+  canvas: document.querySelector('canvas')!,
+  parent: document.body,
+  renderer: { antialias: true },
+  scene: await temple(50),
+});
+const { renderer: farol, webgl } = app;
+const scene: ThreeScene = app.scene.three;
+const camera = app.scene.activeCamera!.three;
+const controls = new OrbitControls(camera, app.canvas);
+controls.target.set(0, 3, 0);
+controls.update();
+app.start();
+
+export { camera, farol, scene, webgl };
