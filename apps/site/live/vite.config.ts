@@ -24,7 +24,7 @@ function namedAssets(): Plugin {
   };
 }
 
-/** Live modules of the site: one page that runs one of them, by its query. Built into `../dist/live`. */
+/** Live modules of the site: one page that runs one of them, by its query. */
 export default defineConfig(({ command }) => ({
   root: folderAt('.'),
   base: './',
@@ -34,12 +34,18 @@ export default defineConfig(({ command }) => ({
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  optimizeDeps: { entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'] },
+  // found late, they would bring a three or React of their own
+  optimizeDeps: {
+    entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'],
+    include: ['@react-three/drei', '@react-three/fiber', 'postprocessing', 'react', 'react-dom/client', 'three'],
+  },
   build: {
     target: 'es2022',
-    outDir: folderAt('../dist/live/'),
     emptyOutDir: true,
     manifest: true,
     chunkSizeWarningLimit: 2000,
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'three', test: /[\\/]three[\\/]build[\\/]/ }] } },
+    },
   },
 }));

@@ -4,6 +4,7 @@
  * A dragon, a ball and a cylinder under the three kinds of light: NiceScene of 2.2.1.3, by the engine.
  *
  * @tags engine, scenes, thesis
+ * @still 1 2
  */
 import { App } from '@farol/engine';
 import { niceScene } from '@farol/scenes';

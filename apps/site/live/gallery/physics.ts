@@ -4,6 +4,7 @@
  * Lamps are rigid bodies: Rapier lets a heap of glowing balls roll down a stair, and their light goes with them.
  *
  * @tags engine, physics, point light
+ * @still 2.4 48
  */
 import { App, Camera, Collider, GameObject, Light, ObjectRenderer, RigidBody, Scene } from '@farol/engine';
 import { MathUtils, type Scene as ThreeScene } from 'three';
@@ -43,7 +44,7 @@ for (let i = 0; i < 40; i++) {
   });
   ball.addComponent(Light, { diffuse: [...colour], intensity: 2.4, range: 2.6 });
   ball.addComponent(RigidBody, { mass: 1 });
-  ball.addComponent(Collider, { shape: 'sphere', bounciness: 0.45 });
+  ball.addComponent(Collider, { shape: 'sphere', restitution: 0.45 });
 }
 
 const app = new App({
