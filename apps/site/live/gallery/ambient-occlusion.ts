@@ -33,7 +33,7 @@ const occlusion = new AmbientOcclusion();
 const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', effects: [occlusion] });
 
 const scene = new Scene();
-scene.background = new Color(0x8f9bb0);
+scene.background = new Color(0x39445a);
 const camera = new PerspectiveCamera(38, 1, 0.1, 100);
 camera.position.set(5.6, 4.6, 7);
 const controls = new OrbitControls(camera, canvas);
@@ -61,7 +61,7 @@ for (let i = 0; i < 180; i++) {
 }
 scene.add(blocks);
 const lamps = Array.from({ length: 8 }, (_, i) => {
-  const lamp = new PointLight(new Color().setHSL(0.05 + 0.02 * i, 0.9, 0.6), 2.5, 4);
+  const lamp = new PointLight(new Color().setHSL(0.05 + 0.02 * i, 0.9, 0.6), 5, 4);
   scene.add(lamp);
   return lamp;
 });

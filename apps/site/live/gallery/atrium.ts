@@ -9,7 +9,6 @@
 import { App } from '@farol/engine';
 import { sponza } from '@farol/scenes';
 import type { Scene as ThreeScene } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const app = new App({
   canvas: document.querySelector('canvas')!,
@@ -20,9 +19,6 @@ const app = new App({
 const { renderer: farol, webgl } = app;
 const scene: ThreeScene = app.scene.three;
 const camera = app.scene.activeCamera!.three;
-const controls = new OrbitControls(camera, app.canvas);
-controls.target.set(6, 4, 0);
-controls.update();
 app.start();
 
 export { camera, farol, scene, webgl };

@@ -46,10 +46,10 @@ scene.add(floor, new HemisphereLight(0x7080c0, 0x201820, 0.15));
 const tube = new TorusGeometry(1.5, 0.035, 12, 96);
 const rings = Array.from({ length: 7 }, (_, i) => {
   const color = new Color().setHSL((0.86 + 0.07 * i) % 1, 1, 0.55);
-  const ring = new Mesh(tube, new MeshBasicMaterial({ color: color.clone().multiplyScalar(5) })); // brighter than white
+  const ring = new Mesh(tube, new MeshBasicMaterial({ color: color.clone().multiplyScalar(1.6) })); // brighter than white
   ring.position.y = 1.7;
   for (let k = 0; k < 6; k++) {
-    const light = new PointLight(color, 2.6, 4); // six lamps along the tube
+    const light = new PointLight(color, 1.6, 4); // six lamps along the tube
     light.position.set(1.5 * Math.cos((k * Math.PI) / 3), 1.5 * Math.sin((k * Math.PI) / 3), 0);
     ring.add(light);
   }
@@ -59,7 +59,7 @@ const rings = Array.from({ length: 7 }, (_, i) => {
 
 const composer = new EffectComposer(webgl);
 composer.addPass(new FarolPass(farol, scene, camera)); // in place of: new RenderPass(scene, camera)
-composer.addPass(new UnrealBloomPass(new Vector2(256, 256), 0.7, 0.5, 1));
+composer.addPass(new UnrealBloomPass(new Vector2(256, 256), 0.35, 0.4, 0.9));
 composer.addPass(new OutputPass());
 
 function resize(): void {

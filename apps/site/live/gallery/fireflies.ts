@@ -44,7 +44,7 @@ controls.update();
 
 const earth = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x4b4a38, roughness: 1 }));
 earth.rotation.x = -Math.PI / 2;
-scene.add(earth, new HemisphereLight(0x6a8ad0, 0x0c140c, 0.3));
+scene.add(earth, new HemisphereLight(0x6a8ad0, 0x0c140c, 0.6));
 const bark = new MeshStandardMaterial({ color: 0x8a705a, roughness: 0.9 });
 const leaf = new MeshStandardMaterial({ color: 0x6f9a5a, roughness: 0.8, side: DoubleSide });
 const trunks = new InstancedMesh(new CylinderGeometry(0.12, 0.26, 6, 12), bark, 40);
@@ -70,7 +70,7 @@ const swarm = new ParticleEmitter({
   rate: 45,
   capacity: 450,
   shape: { kind: 'box', size: [10, 2, 9] },
-  lightIntensity: 0.5,
+  lightIntensity: 1,
   lightRange: 2,
   brightness: 3,
 });

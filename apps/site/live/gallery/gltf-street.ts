@@ -34,9 +34,9 @@ const scene = new Scene();
 scene.background = new Color(0x070b18);
 scene.fog = new Fog(0x070b18, 10, 40);
 const camera = new PerspectiveCamera(45, 1, 0.1, 100);
-camera.position.set(4.4, 2.2, 7.4);
+camera.position.set(0.9, 2, 7.6);
 const controls = new OrbitControls(camera, canvas);
-controls.target.set(0, 1.7, -2);
+controls.target.set(-0.2, 1.9, -4);
 controls.update();
 
 const road = new Mesh(new PlaneGeometry(60, 80), new MeshStandardMaterial({ color: 0x5a5c62, roughness: 0.45 }));

@@ -35,7 +35,7 @@ const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 const scene = new Scene();
 scene.background = new Color(0x07080d);
 const camera = new PerspectiveCamera(42, 1, 0.1, 100);
-camera.position.set(3.8, 2.6, 6.4);
+camera.position.set(2.8, 2.2, 5);
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(0, 1, 0);
 controls.update();
@@ -51,12 +51,12 @@ const shapes = Array.from({ length: 9 }, (_, i) => {
     roughness: 0.35,
     clearcoat: 1,
   });
-  const mesh = new Mesh(i % 3 ? new IcosahedronGeometry(0.42, 0) : new TorusKnotGeometry(0.3, 0.11, 120, 18), material);
+  const mesh = new Mesh(i % 3 ? new IcosahedronGeometry(0.5, 0) : new TorusKnotGeometry(0.36, 0.13, 120, 18), material);
   scene.add(mesh);
   return mesh;
 });
 const lights = Array.from({ length: 12 }, (_, i) => {
-  const light = new PointLight(new Color().setHSL(0.1 + 0.02 * i, 0.6, 0.7), 4.5, 5);
+  const light = new PointLight(new Color().setHSL(0.1 + 0.02 * i, 0.6, 0.7), 9, 6);
   light.add(new Mesh(new SphereGeometry(0.06, 16, 12), new MeshBasicMaterial({ color: light.color })));
   scene.add(light);
   return light;

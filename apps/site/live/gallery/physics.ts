@@ -6,9 +6,8 @@
  * @tags engine, physics, point light
  * @still 2.4 48
  */
-import { App, Camera, Collider, GameObject, Light, ObjectRenderer, RigidBody, Scene } from '@farol/engine';
+import { App, Camera, Collider, GameObject, Light, MouseController, ObjectRenderer, RigidBody, Scene } from '@farol/engine';
 import { MathUtils, type Scene as ThreeScene } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const stage = new Scene({ name: 'Stair' });
 const add = (name: string, position: [number, number, number], scale: [number, number, number] = [1, 1, 1]) => {
@@ -21,6 +20,7 @@ const add = (name: string, position: [number, number, number], scale: [number, n
 const view = add('Camera', [7, 5, 9]);
 view.transform.lookAt([0, 1.2, 0]);
 stage.activeCamera = view.addComponent(Camera, { fov: 0.75 });
+view.addComponent(MouseController); // drag to look around
 
 for (let i = 0; i < 9; i++) {
   const step = add('Step', [-4 + i, 0.22 * (8 - i) - 0.5, 0], [1, 0.44 * (8 - i) + 1, 5]);
@@ -56,9 +56,6 @@ const app = new App({
 const { renderer: farol, webgl } = app;
 const scene: ThreeScene = app.scene.three;
 const camera = app.scene.activeCamera!.three;
-const controls = new OrbitControls(camera, app.canvas);
-controls.target.set(0, 1.2, 0);
-controls.update();
 app.start();
 
 export { camera, farol, scene, webgl };

@@ -10,7 +10,6 @@ import { App, AssetLibrary, builtinComponents, ComponentRegistry } from '@farol/
 import { deserialize, readSceneFile } from '@farol/engine/files';
 import { registerSceneAssets } from '@farol/scenes';
 import type { Scene as ThreeScene } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const app = new App({
   canvas: document.querySelector('canvas')!,
@@ -27,7 +26,6 @@ const registry = new ComponentRegistry(builtinComponents.types.values(), { keepU
 app.scene = await deserialize(text, { assets, fileOf, registry });
 const scene: ThreeScene = app.scene.three;
 const camera = app.scene.activeCamera!.three;
-new OrbitControls(camera, app.canvas).update();
 app.start();
 
 export { camera, farol, scene, webgl };
