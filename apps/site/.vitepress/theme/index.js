@@ -1,6 +1,8 @@
 import DefaultTheme from 'vitepress/theme-without-fonts';
 import Costs from './Costs.vue';
 import Drawing from './Drawing.vue';
+import Example from './Example.vue';
+import Gallery from './Gallery.vue';
 import Live from './Live.vue';
 import './style.css';
 
@@ -10,6 +12,8 @@ export default {
   enhanceApp({ app }) {
     app.component('Costs', Costs);
     app.component('Drawing', Drawing);
+    app.component('Example', Example);
+    app.component('Gallery', Gallery);
     app.component('Live', Live);
   },
 };
