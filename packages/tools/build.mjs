@@ -1,7 +1,7 @@
 /**
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
  * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
- * `stanfordDragon.mjs`.
+ * `stanfordDragon.mjs`. `--site` builds the site alone, on top of packages that are built.
  */
 import { join } from 'node:path';
 import { ensureInstalled } from './ensureInstalled.mjs';
@@ -13,6 +13,11 @@ ensureInstalled();
 // these need what was installed just now
 const { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } = await import('./bundleSize.mjs');
 const { bundleTypes } = await import('./bundleTypes.mjs');
+const { buildSite } = await import('./site/buildSite.mjs');
+if (process.argv.includes('--site')) {
+  await buildSite();
+  process.exit();
+}
 const packages = publishedPackages();
 const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor', 'apps/lab'];
 if (process.argv.includes('--tests')) {
@@ -27,6 +32,8 @@ for (const folder of folders) {
   console.log(`built ${folder}/dist`);
 }
 for (const each of packages) await bundleTypes(each);
+// the tests of `npm test` build no site: see e2e/README.md
+if (!process.argv.includes('--tests')) await buildSite();
 
 const bytes = bundleSize(join(root, 'packages/renderer/dist'));
 console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);

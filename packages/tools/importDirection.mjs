@@ -153,6 +153,7 @@ export const importRules = [
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
+  { from: 'apps/site', may: ['apps/site', '*'] },
   {
     // of the Lab types alone: the rest is bundled apart from it
     from: 'apps/lab/rivals',
@@ -169,7 +170,7 @@ export const importRules = [
 const takenIn = ['xatlas-wasm'];
 
 /** Packages of the repository that nobody imports: an app is an end, not a part. */
-const apps = ['@farol/viewer', '@farol/editor', '@farol/lab'];
+const apps = ['@farol/viewer', '@farol/editor', '@farol/lab', '@farol/site'];
 
 /**
  * Checks every import of a set of files against {@link importRules}.

@@ -1,0 +1,33 @@
+import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
+import { liveServer } from '@farol/tools/site/liveServer';
+import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
+import { shownCode } from '@farol/tools/site/shownCode';
+import { searchOptions } from '@farol/tools/site/searchOptions';
+import { defineConfig } from 'vitepress';
+import { english, spanish } from './navigation.mjs';
+
+const pages = sitePages();
+
+export default defineConfig(({ command }) => ({
+  // in what is built, found out by the page: see relativeBase.mjs
+  base: command === 'build' ? placeholderBase : '/',
+  srcDir: 'pages',
+  outDir: 'dist',
+  cacheDir: '../../.cache/vitepress',
+  title: 'Farol',
+  description: 'Draws ordinary three.js scenes with any number of lights, and edits them while they run.',
+  head: [['link', { rel: 'icon', href: 'data:,' }]],
+  metaChunk: true,
+  locales: {
+    root: { label: 'English', lang: 'en', themeConfig: english },
+    es: { label: 'Español', lang: 'es', ...spanish },
+  },
+  themeConfig: { search: { provider: 'local', options: searchOptions } },
+  markdown: {
+    anchor: { slugify: githubSlug },
+    toc: { slugify: githubSlug },
+    config: (md) => rewriteLinks(md, pages),
+  },
+  vite: { plugins: [shownCode(), liveServer()], publicDir: false, server: { fs: { allow: ['../..'] } } },
+  buildEnd: ({ outDir }) => makeRelative(outDir),
+}));

@@ -1,0 +1,33 @@
+import { join } from 'node:path';
+import { root } from '../root.mjs';
+
+/** Folder of the site's live modules: a build of its own, by the repository's Vite. */
+export const liveFolder = join(root, 'apps/site/live');
+
+/**
+ * Plugin of VitePress's Vite: serves the live modules from source, by the repository's Vite, under `/live/`.
+ *
+ * @returns {import('vite').Plugin}
+ */
+export function liveServer() {
+  return {
+    name: 'farol-live-server',
+    apply: 'serve',
+    async configureServer(site) {
+      const { createServer } = await import('vite');
+      const live = await createServer({
+        root: liveFolder,
+        configFile: join(liveFolder, 'vite.config.ts'),
+        base: '/live/',
+        logLevel: 'warn',
+        clearScreen: false,
+        server: { middlewareMode: true, hmr: false },
+        appType: 'mpa',
+      });
+      site.httpServer?.on('close', () => void live.close());
+      site.middlewares.use((request, response, next) =>
+        request.url?.startsWith('/live/') ? live.middlewares(request, response, next) : next(),
+      );
+    },
+  };
+}

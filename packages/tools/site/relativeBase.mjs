@@ -1,0 +1,48 @@
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseSync, Visitor } from 'vite';
+
+/** Base that VitePress builds with; {@link makeRelative} takes it out again. */
+export const placeholderBase = '/FAROL_SITE_BASE/';
+
+/** Script that says where the site begins, and gives links their whole path before Vue takes them over. @param {string} up */
+const findBase = (up) =>
+  `<script>FAROL_SITE_BASE=new URL("${up}",location).pathname;for(const a of document.querySelectorAll("a[href]"))if(!/^(#|[a-z]+:)/.test(a.getAttribute("href")))a.setAttribute("href",a.pathname+a.hash)</script>`;
+
+/**
+ * Makes a built site work from any folder of any host: VitePress knows fixed bases alone.
+ *
+ * @param {string} dist - folder that VitePress built with {@link placeholderBase}
+ */
+export function makeRelative(dist) {
+  for (const name of readdirSync(dist, { recursive: true, encoding: 'utf8' })) {
+    const path = join(dist, name);
+    const up = '../'.repeat(name.split(/[\\/]/).length - 1) || './';
+    const change = (/** @type {(text: string) => string} */ of) => writeFileSync(path, of(readFileSync(path, 'utf8')));
+    if (name.endsWith('.css')) change((text) => text.replaceAll(placeholderBase, up));
+    if (name.endsWith('.js')) change((text) => scriptWithBase(name, text));
+    if (name.endsWith('.html'))
+      change((text) => text.replaceAll(placeholderBase, up).replace('</body>', () => `${findBase(up)}</body>`));
+  }
+}
+
+/**
+ * A script whose strings take the base from the page.
+ *
+ * @param {string} name
+ * @param {string} text
+ * @returns {string}
+ */
+export function scriptWithBase(name, text) {
+  if (!text.includes(placeholderBase)) return text;
+  /** @type {{ start: number, end: number }[]} */
+  const places = [];
+  const note = (/** @type {{ start: number, end: number }} */ { start, end }) => {
+    if (text.slice(start, end).includes(placeholderBase)) places.push({ start, end });
+  };
+  new Visitor({ Literal: note, TemplateLiteral: note }).visit(parseSync(name, text).program);
+  let result = text;
+  for (const { start, end } of places.toSorted((a, b) => b.start - a.start))
+    result = `${result.slice(0, start)}(${result.slice(start, end)}).replaceAll(${JSON.stringify(placeholderBase)},globalThis.FAROL_SITE_BASE)${result.slice(end)}`;
+  return result;
+}
