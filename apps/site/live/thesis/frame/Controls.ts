@@ -26,6 +26,8 @@ export interface ChoiceEntry<V extends string> extends Entry<V> {
  */
 export class Controls {
   readonly element = document.createElement('div');
+  /** Controls that are to be hidden once they are made. */
+  private readonly hidden = new Map<string, boolean>();
   private readonly query = new URLSearchParams(location.search);
 
   /** @param changed - called after each change */
@@ -85,6 +87,13 @@ export class Controls {
     };
   }
 
+  /** Takes a slider or a box away that means nothing for what is shown, or puts it back. */
+  hide(name: string, isHidden: boolean): void {
+    const label = this.element.querySelector<HTMLElement>(`label:has([name="${name}"])`);
+    if (label !== null) label.hidden = isHidden;
+    else this.hidden.set(name, isHidden);
+  }
+
   button(name: string, label: string, press: () => void): HTMLButtonElement {
     const button = document.createElement('button');
     Object.assign(button, { type: 'button', name, textContent: label });
@@ -99,6 +108,7 @@ export class Controls {
   private add(label: string, ...parts: HTMLElement[]): HTMLLabelElement {
     const words = document.createElement('label');
     words.append(label, ...parts);
+    words.hidden = this.hidden.get((parts[0] as HTMLInputElement).name) ?? false;
     this.element.append(words);
     return words;
   }
