@@ -4,6 +4,7 @@ import { FarolRenderer } from '@farol/renderer';
 import type { LightField } from '@farol/renderer/light-field';
 import {
   type Camera,
+  type InstancedMesh,
   type Material,
   Mesh,
   MeshLambertMaterial,
@@ -11,7 +12,9 @@ import {
   PlaneGeometry,
   PointLight,
   Scene,
+  type SpotLight,
   WebGLRenderer,
+  type WebGLRenderTarget,
 } from 'three';
 import { litScene } from './host/litScene';
 
@@ -38,6 +41,16 @@ function host() {
   return { webgl, camera, scene: litScene(), farol: new FarolRenderer(webgl) };
 }
 
+/** A composer of three's or of pmndrs'. */
+type MakeComposer = (farol: FarolRenderer, scene: Scene, camera: Camera) => { render(): void };
+
+/** Draws by a composer of a sample. */
+function compose(make: MakeComposer): Promise<void> {
+  const { farol, scene, camera } = host();
+  make(farol, scene, camera).render();
+  return firstFrame;
+}
+
 /** Calls what a sample exports as its user would, by its name. */
 const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | void>> = {
   async addLights(addLights: (scene: Scene, positionsAndRanges: Float32Array) => LightField) {
@@ -46,6 +59,13 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     await farol.compileAsync(scene, camera);
     farol.render(scene, camera);
     check(farol.info.lights.total > lights, `${farol.info.lights.total} lights are drawn`);
+  },
+
+  async addStones(addStones: (scene: Scene) => InstancedMesh) {
+    const { farol, scene, camera } = host();
+    check(addStones(scene).count === 10_000, 'stones are there');
+    await farol.compileAsync(scene, camera);
+    farol.render(scene, camera);
   },
 
   async bake(bake: (renderer: WebGLRenderer, scene: Scene, signal: AbortSignal) => Promise<void>) {
@@ -64,9 +84,30 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     check(end === 'AbortError', end);
   },
 
+  bloomByPmndrs: compose,
+
+  bloomByThree: compose,
+
   burn(burn: (farol: FarolRenderer, scene: Scene, camera: Camera) => void) {
     const { farol, scene, camera } = host();
     burn(farol, scene, camera);
+    return firstFrame;
+  },
+
+  async castShadows(castShadows: (webgl: WebGLRenderer, scene: Scene) => SpotLight) {
+    const { webgl, farol, scene, camera } = host();
+    check(castShadows(webgl, scene).castShadow, 'the lamp casts shadows');
+    await farol.compileAsync(scene, camera);
+    farol.render(scene, camera);
+    check(farol.info.shadows.drawn + farol.info.shadows.kept === 2, 'two lights have maps');
+  },
+
+  drawAllByFarol(drawAllByFarol: (webgl: WebGLRenderer) => () => void) {
+    const { webgl, scene, camera } = host();
+    const stop = drawAllByFarol(webgl);
+    webgl.render(scene, camera);
+    stop();
+    webgl.render(scene, camera);
     return firstFrame;
   },
 
@@ -74,6 +115,40 @@ const calls: Readonly<Record<string, (exported: never) => Promise<unknown> | voi
     const { farol, scene, camera } = host();
     draw(farol, scene, camera);
     return firstFrame;
+  },
+
+  async drawOffscreen(draw: (sent: object, scene: Scene, camera: Camera) => Promise<FarolRenderer>) {
+    const { scene, camera } = host();
+    const sent = { canvas: new OffscreenCanvas(160, 120), width: 160, height: 120, ratio: 1 };
+    await draw(sent, scene, camera);
+    return firstFrame;
+  },
+
+  drawOnEach(draw: (canvases: HTMLCanvasElement[], scene: Scene, camera: Camera) => FarolRenderer[]) {
+    const { scene, camera } = host();
+    const canvases = [document.createElement('canvas'), document.createElement('canvas')];
+    check(draw(canvases, scene, camera).length === 2, 'each canvas has a renderer');
+    return firstFrame;
+  },
+
+  drawToTexture(draw: (farol: FarolRenderer, scene: Scene, camera: Camera) => WebGLRenderTarget) {
+    const { farol, scene, camera } = host();
+    check(draw(farol, scene, camera).samples === 4, 'a target is drawn to');
+    return firstFrame;
+  },
+
+  followSize(followSize: (farol: FarolRenderer, camera: Camera, parent: Element) => ResizeObserver) {
+    const { farol, camera } = host();
+    return new Promise((resolve) => {
+      farol.setSize = (width, height) => resolve(check(width * height > 0, `its size is ${width} × ${height}`));
+      followSize(farol, camera, document.querySelector('div')!);
+    });
+  },
+
+  giveRange(giveRange: (light: PointLight) => void) {
+    const lamp = new PointLight(0xffffff, 20);
+    giveRange(lamp);
+    check(lamp.distance === 20, `the range is ${lamp.distance}`);
   },
 
   holdFrameTime(hold: (farol: FarolRenderer) => void) {

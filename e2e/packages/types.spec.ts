@@ -38,10 +38,10 @@ export type AnyOfThem = None<Names<typeof entry>>;
 export const some: boolean = Object.keys(entry).length > 0;
 `;
 
-/** Samples of READMEs and docs, as modules. @param language - `ts` or `tsx` */
-const samples = (language: string): string[] =>
+/** Samples of READMEs and docs, as modules. @param besidePeers - those that need a library besides three, or the others */
+const samples = (besidePeers: boolean): string[] =>
   readSamples()
-    .filter((sample) => sample.language === language)
+    .filter(({ code, language }) => besidePeers === (language === 'tsx' || code.includes("from 'postprocessing'")))
     .map(({ code }) => `${code}\nexport {};\n`);
 
 /** Messages of `tsc` for sources in a folder, with every declaration file checked, or those of sources alone. */
@@ -74,7 +74,7 @@ test('entries and samples compile with other types of three @verify', () => {
   const others = Object.keys(dependencies!).map((name) => [name, join(typesOfThree, '../..', name)] as const);
   link([...own, 'three', '@types/three'], to, { '@types/three': typesOfThree, ...Object.fromEntries(others) });
   const { alone } = specifiers();
-  const output = compile(to, [...alone.map(noneIsAny), ...samples('ts')], modes[1]);
+  const output = compile(to, [...alone.map(noneIsAny), ...samples(false)], modes[1]);
   // older ones bring types of WebGPU that TypeScript's own library has by now: those that they say twice are not ours
   const ours = output.split('\n').filter((line) => /@farol[\\/]|types-bundler[\\/]\d+\.tsx/.test(line));
   expect(ours, `@types/three ${version}`).toEqual([]);
@@ -83,8 +83,8 @@ test('entries and samples compile with other types of three @verify', () => {
       expect(manifest.peerDependencies!['@types/three']).toMatch(`>=${version.replace(/\d+$/, '0')} `);
 });
 
-test('samples for React compile beside its libraries', () => {
-  const code = samples('tsx');
+test('samples for other libraries compile beside them', () => {
+  const code = samples(true);
   expect(code.length).toBeGreaterThan(0);
   // @react-three/postprocessing has declarations that do not compile by themselves
   expect(compile(linkPeers(), code, modes[1], true)).toBe('');
@@ -96,7 +96,7 @@ for (const [i, mode] of modes.entries()) {
   test(`entries and samples compile beside three alone, moduleResolution ${mode.resolution}${tags[i]}`, () => {
     const { alone } = specifiers();
     expect(alone).toContain('@farol/renderer');
-    const code = samples('ts');
+    const code = samples(false);
     expect(code.length).toBeGreaterThanOrEqual(publishedPackages().length);
     expect(compile(host, [...alone.map(noneIsAny), ...code], mode)).toBe('');
   });

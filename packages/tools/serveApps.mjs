@@ -6,7 +6,13 @@ import { livePath } from './reach/livePath.mjs';
 import { root } from './root.mjs';
 
 /** Folders of what can be served. `pages` holds the browser tests' own pages. */
-export const appFolders = { editor: 'apps/editor', viewer: 'apps/viewer', lab: 'apps/lab', pages: 'e2e/pages' };
+export const appFolders = {
+  editor: 'apps/editor',
+  viewer: 'apps/viewer',
+  lab: 'apps/lab',
+  site: 'apps/site',
+  pages: 'e2e/pages',
+};
 
 /** @typedef {keyof typeof appFolders} AppName */
 /** @typedef {Partial<Record<AppName, string>>} AppUrls */
@@ -66,6 +72,13 @@ export async function serveApps({ ports, built = false, watch = true, network = 
           beside: name === 'lab' && process.env.FAROL_AGAINST ? { against: process.env.FAROL_AGAINST } : {},
           texts: { [addressFile]: addresses },
         });
+        closers.push(stop);
+        urls[name] = url;
+        continue;
+      }
+      if (name === 'site') {
+        const { serveSite } = await import('./site/liveServer.mjs');
+        const { url, close: stop } = await serveSite(port ?? 0);
         closers.push(stop);
         urls[name] = url;
         continue;

@@ -1,8 +1,8 @@
 /**
- * `npm start`: installs what is missing, serves the editor, the viewer and the Lab from source, opens the editor.
+ * `npm start`: installs what is missing, serves the editor, the viewer, the Lab and the site from source, opens the editor.
  *
- * The editor is on port 5173, or FAROL_PORT; the viewer on the next one, the Lab on the one after. `npm start -- --host`
- * serves them to the network as well, over HTTPS on the three ports that follow.
+ * The editor is on port 5173, or FAROL_PORT; viewer, Lab and site on those after it. `npm start -- --host` serves editor,
+ * viewer and Lab to the network as well, over HTTPS on the three ports that follow.
  */
 import { spawn } from 'node:child_process';
 import { ensureInstalled } from './ensureInstalled.mjs';
@@ -15,19 +15,19 @@ if (unknown.length > 0) {
 }
 const isHost = process.argv.includes('--host');
 const port = Number(process.env.FAROL_PORT || 5173);
-if (!Number.isInteger(port) || port < 1 || port > 65530) {
-  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65530.`);
+if (!Number.isInteger(port) || port < 1 || port > 65529) {
+  console.error(`FAROL_PORT is ${process.env.FAROL_PORT}: give a whole number from 1 to 65529.`);
   process.exit(1);
 }
 
 ensureInstalled();
 try {
   const { urls, networkUrls } = await serveApps({
-    ports: { editor: port, viewer: port + 1, lab: port + 2 },
-    network: isHost ? { editor: port + 3, viewer: port + 4, lab: port + 5 } : {},
+    ports: { editor: port, viewer: port + 1, lab: port + 2, site: port + 3 },
+    network: isHost ? { editor: port + 4, viewer: port + 5, lab: port + 6 } : {},
   });
   console.log(
-    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n  Farol Lab     ${urls.lab}\n\n  Ctrl+C stops them.\n`,
+    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n  Farol Lab     ${urls.lab}\n  Farol's site  ${urls.site}\n\n  Ctrl+C stops them.\n`,
   );
   if (isHost) await tellNetwork(networkUrls);
   if (urls.editor) openBrowser(urls.editor);
@@ -39,7 +39,7 @@ try {
     refused
       ? `This machine lets no program of yours listen on port ${refused[1]}: choose ports above 1023, for example: FAROL_PORT=5300 npm start`
       : taken
-        ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose free ports in a row (three, six with --host), for example: FAROL_PORT=5300 npm start`
+        ? `Port ${taken[1]} is taken by another program (another npm start?). Stop it, or choose free ports in a row (four, seven with --host), for example: FAROL_PORT=5300 npm start`
         : message,
   );
   process.exit(1);

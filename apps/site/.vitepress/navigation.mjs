@@ -3,19 +3,137 @@
 /** @param {string} text @param {string} link */
 const page = (text, link) => ({ text, link });
 
+/** @param {string} text @param {Record<string, string>} pages - names by file in guides/ @param {boolean} [collapsed] */
+const group = (text, pages, collapsed) => ({
+  text,
+  ...(collapsed === undefined ? {} : { collapsed }),
+  items: Object.entries(pages).map(([file, name]) => page(name, `/guides/${file}`)),
+});
+
+const guides = [
+  {
+    text: 'Start',
+    items: [
+      page('Start in a minute', '/start'),
+      ...group('', { renderer: 'The renderer', faq: 'Questions', moving: 'Moving to Farol' }).items,
+    ],
+  },
+  group('Lights', {
+    lights: 'Lights and their ranges',
+    shadows: 'Shadows',
+    'light-fields': 'Lights as data',
+    particles: 'Particles',
+    baking: 'Baking',
+  }),
+  group('Pictures', {
+    canvas: 'Canvas, size and targets',
+    effects: 'Effects and bloom',
+    'many-objects': 'Many objects',
+    surfaces: 'Surfaces of microshaders',
+    'frame-budget': 'A frame budget',
+    learning: 'auto that learns',
+  }),
+  group('Where it runs', {
+    'react-three-fiber': 'React Three Fiber',
+    phones: 'Phones and tablets',
+    headsets: 'Headsets',
+  }),
+  group('What to expect', {
+    limits: 'Not as in stock three',
+    accuracy: 'Accuracy',
+    performance: 'Performance',
+    promises: 'Promises',
+    lab: 'Measure on your GPU',
+  }),
+  group('Write your own', {
+    authoring: 'Technique, effect, microshader',
+    'engine-adding': 'Component, scene',
+    attach: 'The editor in your page',
+  }),
+  group(
+    'Engine',
+    {
+      engine: 'The engine',
+      scenes: 'Demo scenes',
+      'engine-headsets': 'Headsets',
+      'scene-files': 'Scene files',
+      models: 'OBJ, STL and PLY',
+      guard: 'Files of strangers',
+      'editing-package': 'Undo, fields and units',
+    },
+    true,
+  ),
+  group(
+    'Editor',
+    {
+      editor: 'The editor and its plugins',
+      'editor-files': 'Files and exports',
+      'editor-editing': 'Editing',
+      'editor-scripts': 'Scripts',
+      'editor-animation': 'Timeline',
+      'editor-viewport': 'Viewport',
+      'editor-layout': 'Windows and panels',
+      'editor-promises': 'Promises',
+    },
+    true,
+  ),
+  group(
+    'How it is made',
+    {
+      architecture: 'One frame',
+      'light-loops': 'Light loops',
+      'shadow-maps': 'Shadow maps',
+      'attempts/deferred': 'Attempts: deferred',
+      'attempts/forward': 'Attempts: forward',
+      'attempts/frame': 'Attempts: the frame',
+      'attempts/shadow-lookups': 'Attempts: reading shadow maps',
+      'attempts/shadow-casters': 'Attempts: casters',
+      'attempts/shadow-regions': 'Attempts: regions of maps',
+      'attempts/shadow-atlas': 'Attempts: the atlas',
+      'attempts/antialiasing': 'Attempts: anti-aliasing',
+      project: 'The repository',
+      contributing: 'Working on Farol',
+      licences: 'Licences of others',
+    },
+    true,
+  ),
+];
+
+/** Techniques by file in techniques/, in the order of their complexity. */
+export const techniqueNames = {
+  auto: 'Automatic',
+  forward: 'Forward, multipass',
+  'forward-single-pass': 'Forward, single pass',
+  deferred: 'Deferred shading',
+  'light-prepass': 'Light pre-pass',
+  inferred: 'Inferred lighting',
+  'tiled-forward': 'Tiled forward',
+  'tiled-deferred': 'Tiled deferred',
+  'forward-plus': 'Forward+',
+  'clustered-forward': 'Clustered forward',
+  'clustered-deferred': 'Clustered deferred',
+};
+
+const techniques = [
+  {
+    text: 'Techniques',
+    items: [
+      page('All compared', '/techniques/'),
+      ...Object.entries(techniqueNames).map(([file, name]) => page(name, `/techniques/${file}`)),
+    ],
+  },
+];
+
 /** @type {import('vitepress').DefaultTheme.Config} */
 export const english = {
   nav: [
     page('Start', '/start'),
-    page('Guides', '/guides/what-it-is'),
+    page('Guides', '/guides/lights'),
     page('Techniques', '/techniques/'),
     page('Gallery', '/gallery/'),
     page('Thesis', '/thesis/'),
   ],
-  sidebar: {
-    '/techniques/': [{ text: 'Techniques', items: [page('Compared', '/techniques/')] }],
-    '/': [{ text: 'Start', items: [page('Start in a minute', '/start')] }],
-  },
+  sidebar: { '/techniques/': techniques, '/gallery/': [], '/thesis/': [], '/': guides },
   outline: [2, 3],
 };
 

@@ -31,3 +31,18 @@ export function liveServer() {
     },
   };
 }
+
+/**
+ * Serves the site from source to this machine only.
+ *
+ * @param {number} port - 0 picks a free one
+ * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
+ */
+export async function serveSite(port) {
+  const { createServer } = await import('vitepress');
+  const server = await createServer(join(root, 'apps/site'), { host: '127.0.0.1', port, strictPort: true });
+  await server.listen();
+  const address = server.httpServer?.address();
+  if (!address || typeof address === 'string') throw new Error('The server of the site has no port.');
+  return { url: `http://127.0.0.1:${address.port}/`, close: () => server.close() };
+}

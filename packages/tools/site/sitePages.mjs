@@ -110,6 +110,8 @@ export function rewriteLinks(md, pages) {
     const page = state.env.relativePath ?? '';
     for (const { children } of state.tokens) {
       for (const token of children ?? []) {
+        // braces in code are no expressions of Vue's
+        if (token.type === 'code_inline') token.attrSet('v-pre', '');
         const name = token.type === 'link_open' ? 'href' : token.type === 'image' ? 'src' : '';
         const value = name && token.attrGet(name);
         if (!value) continue;
