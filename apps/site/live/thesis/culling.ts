@@ -73,8 +73,8 @@ const outline = new LineLoop(new BufferGeometry(), new LineBasicMaterial({ color
 outline.frustumCulled = false;
 scene.add(outline);
 
-const place = new Vector2(0.1, 0.05);
-let half = 0.14;
+const place = new Vector2(-0.1, 0.02);
+let half = 0.1;
 
 /** Corner of the tile at a distance along the view (m), world space; `x` and `y` are -1 or 1. */
 function corner(x: number, y: number, distance: number): Vector3 {
@@ -208,7 +208,7 @@ tile('y', say('Tile y', 'Celda y'));
 controls.range({
   name: 'size',
   label: say('Size', 'Tamaño'),
-  value: 0.14,
+  value: 0.1,
   min: 0.04,
   max: 0.3,
   step: 0.02,
