@@ -11,6 +11,8 @@ export const appFolders = {
   viewer: 'apps/viewer',
   lab: 'apps/lab',
   site: 'apps/site',
+  /** Live modules of the site, without its pages. */
+  live: 'apps/site/live',
   pages: 'e2e/pages',
 };
 

@@ -49,6 +49,7 @@ export const subjects = [
   ['packages/attach', ['examples/attach']],
   ['packages/tools', []], // by their unit tests
 
+  ['apps/site/live/thesis', ['thesis/thesis']],
   ['apps/viewer/examples', ['examples/pictures']],
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],

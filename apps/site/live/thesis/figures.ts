@@ -5,7 +5,7 @@ export interface ThesisFigure {
   readonly kind: 'figure' | 'table' | 'subject';
   /** Section of the thesis; '' for what goes beyond it. */
   readonly section: string;
-  /** What it shows, in our words: English and Spanish. */
+  /** Subject in our words: English and Spanish. */
   readonly title: readonly [english: string, spanish: string];
   /** Page of apps/site/pages/thesis and of apps/site/pages/es/thesis, without its ending. */
   readonly page: string;

@@ -1,4 +1,4 @@
-/** What a programmable pipeline does between vertices and a picture, stage by stage (thesis 2.2). */
+/** A programmable pipeline between vertices and a picture, stage by stage (thesis 2.2). */
 import {
   AmbientLight,
   type BufferGeometry,

@@ -41,7 +41,7 @@ const lamp = new PointLight(0xffffff, 22, 20);
 scene.add(ring, ball, ...wires, lamp, new AmbientLight(0xffffff, 0.25));
 ring.rotation.x = wires[0].rotation.x = -0.6;
 
-/** Where the picture passes from one shading to the next: 0 all flat, 1 all Gouraud, 2 all Phong. */
+/** Share of the picture that the next shading has: 0 all flat, 1 all Gouraud, 2 all Phong. */
 let at = 1;
 const draw = (i: number) => () => {
   ring.material = ball.material = materials[i];

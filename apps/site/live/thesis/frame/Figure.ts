@@ -5,7 +5,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Controls } from './Controls';
 
 export interface FigureOptions {
-  /** Where the camera stands and looks (m). */
+  /** Place of the camera and the point that it looks at (m). */
   readonly from: Vector3Tuple;
   readonly at: Vector3Tuple;
   /** Vertical field of view (degrees). Default 45. */
