@@ -50,6 +50,7 @@ export const subjects = [
   ['packages/create-farol', []], // by its unit tests
   ['packages/tools', []], // by their unit tests
 
+  ['apps/site/live/thesis', ['thesis/thesis']],
   ['apps/viewer/examples', ['examples/pictures']],
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
