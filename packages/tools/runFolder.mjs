@@ -34,6 +34,8 @@ export function copyBuilt(folder) {
   const built = join(folder, 'built');
   for (const [name, source] of Object.entries(appFolders)) {
     const dist = join(root, source, 'dist');
+    // of `npm run verify` alone
+    if (name === 'site' && !existsSync(join(dist, 'index.html'))) continue;
     if (!existsSync(join(dist, 'index.html')))
       throw new Error(`${source} is not built: run the stage build before, or "npm run build -- --tests".`);
     cpSync(dist, join(built, name), { recursive: true });
@@ -42,18 +44,22 @@ export function copyBuilt(folder) {
 }
 
 /**
- * Runs work that writes or packs the folders `dist` of this checkout, once no other process does.
+ * Runs work that writes or packs the folders `dist` of this checkout, once no other process does. Processes that the work
+ * starts do not wait for it.
  *
  * @template T
  * @param {() => Promise<T>} work
  * @returns {Promise<T>}
  */
 export async function whileNobodyBuilds(work) {
+  if (process.env.FAROL_BUILDS) return work();
   mkdirSync(join(root, '.cache'), { recursive: true });
   while (!take()) await pause(200);
+  process.env.FAROL_BUILDS = '1';
   try {
     return await work();
   } finally {
+    delete process.env.FAROL_BUILDS;
     rmSync(lock, { force: true });
   }
 }

@@ -47,6 +47,7 @@ export const subjects = [
 
   ['packages/editing', ['editor/fields', 'examples/attach']],
   ['packages/attach', ['examples/attach']],
+  ['packages/create-farol', []], // by its unit tests
   ['packages/tools', []], // by their unit tests
 
   ['apps/site/live/thesis', ['thesis/thesis']],

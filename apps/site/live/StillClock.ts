@@ -14,6 +14,7 @@ export class StillClock {
   seconds = 0;
   private callbacks = new Map<number, FrameRequestCallback>();
   private last = 0;
+  private readonly nextFrame = window.requestAnimationFrame.bind(window);
 
   constructor() {
     window.requestAnimationFrame = (callback) => {
@@ -30,5 +31,17 @@ export class StillClock {
     const { callbacks } = this;
     this.callbacks = new Map();
     for (const callback of callbacks.values()) callback(this.seconds * 1000);
+  }
+
+  /** Draws frames, in which no time goes by, until a promise is fulfilled. */
+  async until<T>(promise: Promise<T>): Promise<T> {
+    const state = { isPending: true };
+    const settle = () => void (state.isPending = false);
+    promise.then(settle, settle);
+    while (state.isPending) {
+      await new Promise((resolve) => this.nextFrame(resolve));
+      this.advance(0);
+    }
+    return promise;
   }
 }

@@ -1,5 +1,13 @@
 import type { FarolRenderer } from '@farol/renderer';
+import type { BothPictures } from './drawBoth';
 import type { Camera, Scene, WebGLRenderer } from 'three';
+
+declare global {
+  interface Window {
+    /** Draws the module by stock three and by Farol; in a page opened with `&still`. */
+    drawBoth?(width: number, height: number): Promise<BothPictures>;
+  }
+}
 
 /** Exports of a live module that the site and the tests know; all may be missing. */
 export interface LiveModule {
@@ -23,6 +31,7 @@ export async function startLive(modules: Record<string, () => Promise<LiveModule
   if (query.has('still')) {
     const { StillClock } = await import('./StillClock');
     window.stillClock = new StillClock();
+    window.drawBoth = async (...size) => (await import('./drawBoth')).drawBoth(await window.live, ...size);
   }
   try {
     const load = modules[`./${name}.ts`] ?? modules[`./${name}.tsx`];

@@ -1,25 +1,51 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
 import { sourceConditions } from '@farol/tools/sourceConditions';
 import react from '@vitejs/plugin-react';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
 
-/** Live modules of the site: one page that runs one of them, by its query. Built into `../dist/live`. */
+const folderAt = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** Copies the files of public/ that a live module names ('./models/streetLamp.glb') into what is built, and no others. */
+function namedAssets(): Plugin {
+  const here = folderAt('.');
+  const modules = readdirSync(here, { recursive: true, encoding: 'utf8' }).filter((path) => /\.tsx?$/.test(path));
+  const named = modules.flatMap((path) => [
+    ...readFileSync(`${here}/${path}`, 'utf8').matchAll(/'\.\/((?:models|scenes|sounds)\/[^']+)'/g),
+  ]);
+  return {
+    name: 'farol-named-assets',
+    apply: 'build',
+    generateBundle() {
+      for (const fileName of new Set(named.map(([, path]) => path)))
+        this.emitFile({ type: 'asset', fileName, source: readFileSync(folderAt(`../../../public/${fileName}`)) });
+    },
+  };
+}
+
+/** Live modules of the site: one page that runs one of them, by its query. */
 export default defineConfig(({ command }) => ({
-  root: fileURLToPath(new URL('.', import.meta.url)),
+  root: folderAt('.'),
   base: './',
-  publicDir: 'assets',
-  plugins: [react(), securePages()],
+  publicDir: command === 'serve' ? '../../../public' : false,
+  plugins: [react(), namedAssets(), securePages()],
   resolve: {
     dedupe: ['three', 'react', 'react-dom'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
-  optimizeDeps: { entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'] },
+  // found late, they would bring a three or React of their own
+  optimizeDeps: {
+    entries: ['index.html', 'gallery/*', 'thesis/*', 'techniques/*'],
+    include: ['@react-three/drei', '@react-three/fiber', 'postprocessing', 'react', 'react-dom/client', 'three'],
+  },
   build: {
     target: 'es2022',
-    outDir: fileURLToPath(new URL('../dist/live/', import.meta.url)),
     emptyOutDir: true,
     manifest: true,
     chunkSizeWarningLimit: 2000,
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'three', test: /[\\/]three[\\/]build[\\/]/ }] } },
+    },
   },
 }));

@@ -11,11 +11,12 @@ const repository = JSON.parse(readFileSync(join(root, 'packages/renderer/package
   .repository.url.replace(/^git\+/, '')
   .replace(/\.git$/, '');
 
-const includes = /^<!--@include: (\S+?)-->$/gm;
+const includes = /^<!--@include: ([^\s#]+?)(#[\w-]+)?-->$/gm;
+const frontMatter = /^---\n.*?\n---\n/s;
 
 /**
- * Pages of the site. A page that only includes a document of the repository has that document as its source: its text is
- * written once, and its links are relative to the document.
+ * Pages of the site. A page that is nothing but an include has the included document as its source: the text is written
+ * once, with links relative to the document.
  *
  * @returns {Map<string, string>} path of the source from the repository's root, by path of the page from `pagesFolder`
  */
@@ -26,22 +27,29 @@ export function sitePages() {
   return new Map(
     names.toSorted().map((name) => {
       const path = `${pagesFolder}/${name}`;
-      const [include] = readFileSync(join(root, path), 'utf8').matchAll(includes);
-      return [name, include ? normalize(join(dirname(path), include[1])) : path];
+      const [include] = readFileSync(join(root, path), 'utf8').replace(frontMatter, '').trim().matchAll(includes);
+      const isWhole = include !== undefined && include[2] === undefined && include[0] === include.input;
+      return [name, isWhole ? normalize(join(dirname(path), include[1])) : path];
     }),
   );
 }
 
 /**
- * Markdown of a page, with what it includes.
+ * Markdown of a page, with what it includes, without its front matter.
  *
  * @param {string} path - from the repository's root
  * @returns {string}
  */
 export function readPage(path) {
-  return readFileSync(join(root, path), 'utf8').replace(includes, (_include, file) =>
-    readPage(normalize(join(dirname(path), file))),
-  );
+  return readFileSync(join(root, path), 'utf8')
+    .replace(frontMatter, '')
+    .replace(includes, (_include, file, region) => {
+      const text = readPage(normalize(join(dirname(path), file)));
+      if (region === undefined) return text;
+      const name = region.slice(1);
+      return text.split(`<!-- #region ${name} -->`)[1].split(`<!-- #endregion ${name} -->`)[0];
+    })
+    .trim();
 }
 
 /**
@@ -58,7 +66,7 @@ export const githubSlug = (heading) =>
 
 /**
  * Address of a link of a document, as the page that shows it must write it: of another page where there is one, of the
- * repository's file otherwise. Links of pages that include nothing are relative to the page already.
+ * repository's file otherwise.
  *
  * @param {string} href - as the document has it
  * @param {string} page - path of the page from `pagesFolder`
@@ -73,10 +81,9 @@ export function siteLink(href, page, pages) {
   const end = hash === undefined ? '' : `#${hash}`;
   const wanted = [target, `${target}/README.md`];
   const isSpanish = page.startsWith('es/');
-  const found = [...pages].filter(([, file]) => wanted.includes(file));
+  const found = [...pages].filter(([name, file]) => wanted.includes(file) || target === `${pagesFolder}/${name}`);
   const [to] = found.find(([name]) => name.startsWith('es/') === isSpanish) ?? found[0] ?? [];
   if (to !== undefined) return `${relativeTo(page, to)}${end}`;
-  if (source.startsWith(pagesFolder) && !target.startsWith('..') && !existsSync(join(root, target))) return href;
   return existsSync(join(root, target)) ? `${repository}/blob/main/${target}${end}` : href;
 }
 

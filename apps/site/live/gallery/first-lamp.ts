@@ -8,7 +8,9 @@
 import { FarolRenderer } from '@farol/renderer';
 import {
   ACESFilmicToneMapping,
+  Color,
   CylinderGeometry,
+  HemisphereLight,
   IcosahedronGeometry,
   Mesh,
   MeshBasicMaterial,
@@ -29,8 +31,10 @@ webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl);
 
 const scene = new Scene();
+scene.background = new Color(0x0a0f1c);
+scene.add(new HemisphereLight(0x6f8fd8, 0x302820, 0.25));
 const camera = new PerspectiveCamera(45, 1, 0.1, 60);
-camera.position.set(3.2, 2.4, 5.2);
+camera.position.set(2.4, 2, 4.6);
 
 const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x8c8577, roughness: 0.8 }));
 floor.rotation.x = -Math.PI / 2;

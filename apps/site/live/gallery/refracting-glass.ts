@@ -1,0 +1,103 @@
+/**
+ * Refracting glass
+ *
+ * Transmission, thickness and dispersion of three's MeshPhysicalMaterial, with thirty lamps seen through it.
+ *
+ * @tags transparency, transmission, materials
+ */
+import { FarolRenderer } from '@farol/renderer';
+import {
+  ACESFilmicToneMapping,
+  CircleGeometry,
+  Color,
+  CylinderGeometry,
+  IcosahedronGeometry,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshPhysicalMaterial,
+  MeshStandardMaterial,
+  PMREMGenerator,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  SphereGeometry,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
+
+const canvas = document.querySelector('canvas')!;
+const webgl = new WebGLRenderer({ canvas, antialias: true });
+webgl.toneMapping = ACESFilmicToneMapping;
+const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
+
+const scene = new Scene();
+scene.background = new Color(0x0a0c12);
+const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+camera.position.set(0, 1.5, 6);
+const controls = new OrbitControls(camera, canvas);
+controls.target.set(0, 1.1, 0);
+controls.update();
+
+const generator = new PMREMGenerator(webgl);
+scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
+scene.environmentIntensity = 0.25;
+const floor = new Mesh(new CircleGeometry(8, 96), new MeshStandardMaterial({ color: 0x39404c, roughness: 0.3 }));
+floor.rotation.x = -Math.PI / 2;
+scene.add(floor);
+
+const glass = new MeshPhysicalMaterial({
+  transmission: 1,
+  thickness: 0.9,
+  roughness: 0.03,
+  ior: 1.5,
+  dispersion: 4,
+  attenuationColor: 0xbfe8ff,
+  attenuationDistance: 4,
+});
+const gem = new Mesh(new IcosahedronGeometry(0.95, 0), glass);
+gem.position.set(-1.6, 1.05, 0.2);
+const teapot = new Mesh(new TeapotGeometry(0.75, 18), glass);
+teapot.position.set(0.8, 0.8, 0.5);
+scene.add(gem, teapot);
+const rods = new InstancedMesh(
+  new CylinderGeometry(0.09, 0.09, 3, 24),
+  new MeshStandardMaterial({ roughness: 0.3 }),
+  17,
+);
+for (let i = 0; i < 17; i++) {
+  rods.setMatrixAt(i, new Matrix4().makeTranslation(0.5 * (i - 8), 1.5, -2.2));
+  rods.setColorAt(i, new Color().setHSL(i / 17, 0.6, 0.55));
+}
+scene.add(rods);
+const bulb = new SphereGeometry(0.05, 16, 12);
+const lamps = Array.from({ length: 30 }, (_, i) => {
+  const lamp = new PointLight(new Color().setHSL(i / 30, 0.75, 0.6), 2.2, 3.5);
+  lamp.add(new Mesh(bulb, new MeshBasicMaterial({ color: lamp.color })));
+  scene.add(lamp);
+  return lamp;
+});
+
+function resize(): void {
+  camera.aspect = innerWidth / innerHeight;
+  camera.updateProjectionMatrix();
+  farol.setPixelRatio(Math.min(devicePixelRatio, 2));
+  farol.setSize(innerWidth, innerHeight);
+}
+addEventListener('resize', resize);
+resize();
+
+webgl.setAnimationLoop((milliseconds) => {
+  const seconds = milliseconds / 1000;
+  gem.rotation.set(0.3 * seconds, 0.4 * seconds, 0);
+  for (const [i, lamp] of lamps.entries()) {
+    const angle = (i / 30) * 2 * Math.PI + 0.2 * seconds;
+    lamp.position.set(3.2 * Math.cos(angle), 0.5 + 0.45 * (i % 4), 2 * Math.sin(angle) - 0.4);
+  }
+  farol.render(scene, camera);
+});
+
+export { camera, farol, scene, webgl };
