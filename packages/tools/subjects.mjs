@@ -49,7 +49,7 @@ export const subjects = [
   ['packages/attach', ['examples/attach']],
   ['packages/tools', []], // by their unit tests
 
-  ['apps/viewer/examples', ['examples/pictures']],
+  ['apps/site/live', ['gallery/gallery']],
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
   ['apps/lab/src/normals', ['lab/stage']],
