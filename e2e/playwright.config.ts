@@ -31,7 +31,8 @@ export default defineConfig({
   globalSetup: './support/globalSetup.ts',
   outputDir: process.env.FAROL_TEST_OUTPUT ?? '../.cache/browser-tests',
   workers: Math.max(2, availableParallelism() - 2),
-  fullyParallel: true,
+  // in the slice tests of a file share a worker: another browser would compile their shaders anew
+  fullyParallel: isWhole,
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
   timeout: isWhole ? 480_000 : 240_000,

@@ -9,6 +9,7 @@ import { serverSourceConditions } from './tools/sourceConditions.mjs';
 const include = [
   'packages/*/**/*.test.ts',
   'apps/*/src/**/*.test.{ts,tsx}',
+  'apps/site/live/**/*.test.ts',
   'apps/lab/rivals/src/**/*.test.ts',
   'e2e/support/*.test.ts',
   'e2e/pages/chance/*.test.ts',

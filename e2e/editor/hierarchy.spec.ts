@@ -17,7 +17,21 @@ test('searches, groups, cuts, pastes and locks, and takes all of it back', async
   await expect(page.getByRole('treeitem')).toHaveCount(1);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('treeitem', { name: 'Cone' })).toBeFocused();
+  // all that is listed, not all that there is
+  await search.fill('renderer');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Control+a');
+  await expect(page.getByRole('treeitem', { selected: true })).toHaveCount(2);
   await search.fill('');
+  await expect(page.getByRole('treeitem', { selected: true })).toHaveCount(2);
+  // a name is emptied and typed anew
+  await page.getByRole('treeitem', { name: 'Box' }).click();
+  await page.keyboard.press('F2');
+  const renamed = page.getByRole('treeitem').getByRole('textbox');
+  for (const key of ['Control+a', 'Delete', 'C', 'Escape']) {
+    await page.keyboard.press(key);
+    if (key === 'C') await expect(renamed).toHaveValue('C');
+  }
   await expect(page.getByRole('treeitem')).toHaveCount(5);
 
   await page.getByRole('treeitem', { name: 'Box' }).click();

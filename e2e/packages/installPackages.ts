@@ -1,6 +1,7 @@
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { packPackages, tarballName } from '@farol/tools/packPackages';
 import { publishedPackages } from '@farol/tools/publishedPackages';
 import { runNpm } from '@farol/tools/runNpm';
 import { installed } from './installed';
@@ -14,10 +15,7 @@ export default function installPackages(): () => void {
   process.env.FAROL_INSTALLED = folder;
   const { host, tarballs } = installed();
   mkdirSync(host, { recursive: true });
-  mkdirSync(tarballs, { recursive: true });
-
-  const folders = publishedPackages().map((each) => `./${each.folder}`);
-  npm(['pack', ...folders, '--json', '--pack-destination', tarballs]);
+  packPackages(tarballs);
   const files = publishedPackages().map(({ manifest }) => join(tarballs, tarballName(manifest)));
 
   // without a network npm could not look anything up: what the packages depend on is given from the repository's folders, three
@@ -57,10 +55,6 @@ function foldersOfDependencies(): string[] {
     visit(Object.keys(manifest.dependencies ?? {}), join(path, 'node_modules'));
   return [...found.values()];
 }
-
-/** File that `npm pack` makes of a package. */
-const tarballName = ({ name, version }: { name: string; version: string }): string =>
-  `${name.replace(/^@/, '').replace('/', '-')}-${version}.tgz`;
 
 /** Copies packages of the repository's node_modules, and what they depend on: within them where another version is there. */
 function copyInstalled(names: readonly string[], to: string): void {

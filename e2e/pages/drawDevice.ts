@@ -144,14 +144,18 @@ export interface DeviceQuality extends Difference {
   readonly beyond: string[];
 }
 
-/** Draws a scene of lights and shadows by a technique and the quality 'auto' on a device that lacks something. */
-export function drawQuality(device: DeviceName, technique: TechniqueName): DeviceQuality {
+/**
+ * Draws a scene of lights and shadows by a technique and the quality 'auto' on a device that lacks something.
+ *
+ * @param whole - draws `shadowScene` in place of a scene of few programs
+ */
+export function drawQuality(device: DeviceName, technique: TechniqueName, whole: boolean): DeviceQuality {
   const beyond = subtract(devices[device]);
   const webgl = new THREE.WebGLRenderer({ antialias: false });
   webgl.setSize(WIDTH, HEIGHT, false);
   webgl.shadowMap.enabled = true;
   const target = makeTarget(webgl);
-  const { scene, camera } = makeScene(true);
+  const { scene, camera } = makeScene(whole);
   const farol = new FarolRenderer(webgl, { technique });
   const draw = (): PageImage => {
     webgl.setRenderTarget(target);

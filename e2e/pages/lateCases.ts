@@ -4,6 +4,7 @@ import { LightField } from '@farol/renderer/light-field';
 import * as THREE from 'three';
 import { Bench } from './Bench';
 import { shadowScene } from './shadowScene';
+import { isSlice } from './techniquesInTurn';
 
 const WIDTH = 64;
 const HEIGHT = 48;
@@ -47,7 +48,7 @@ const cases: Readonly<Record<LazyPart, MakeScene>> = {
   shadows: ({ webgl, farol }) => {
     webgl.shadowMap.enabled = true;
     farol.technique = 'clustered-deferred';
-    return shadowScene(WIDTH, HEIGHT, { caster: 'mixed' });
+    return shadowScene(WIDTH, HEIGHT, { caster: 'mixed', few: isSlice });
   },
   'area-lights': () => {
     const { scene, camera } = plainScene();

@@ -42,7 +42,7 @@ import { runSettings } from './matrix/runSettings';
 import { enlargeSheet } from './matrix/enlargeSheet';
 import { compareQualities, runSheet } from './matrix/runSheet';
 import { settings } from './matrix/settings';
-import { drawn, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
+import { drawn, isSlice, techniqueInTurn, techniquesInTurn } from './techniquesInTurn';
 
 /** An empty page for browser tests that build their own scenes: three and the renderer, whole. */
 export interface TestPage {
@@ -94,6 +94,8 @@ export interface TestPage {
   bake(): Promise<typeof import('@farol/bake')>;
   /** Fetched by the tests that need it. */
   chance(): Promise<typeof import('./chance/runScenes')>;
+  /** Fetched by the tests that need it. */
+  budgetLoad(): Promise<typeof import('./budgetLoad')>;
   /** Fetched by the tests that need it: it brings the engine. */
   animatedScene(): Promise<typeof import('./animatedScene')>;
   hostSnapshot: typeof hostSnapshot;
@@ -104,6 +106,7 @@ export interface TestPage {
   runSettings: typeof runSettings;
   settingNames: readonly string[];
   drawn: typeof drawn;
+  isSlice: boolean;
   techniqueInTurn: typeof techniqueInTurn;
   techniquesInTurn: typeof techniquesInTurn;
   Bench: typeof Bench;
@@ -163,6 +166,7 @@ window.testPage = {
   addonCases: () => import('./addonCases'),
   bake: () => import('@farol/bake'),
   chance: () => import('./chance/runScenes'),
+  budgetLoad: () => import('./budgetLoad'),
   animatedScene: () => import('./animatedScene'),
   hostSnapshot,
   enlargeSheet,
@@ -171,6 +175,7 @@ window.testPage = {
   runSettings,
   settingNames: Object.keys(settings),
   drawn,
+  isSlice,
   techniqueInTurn,
   techniquesInTurn,
   Bench,

@@ -10,6 +10,8 @@ export interface ShadowSceneOptions {
   settings?: { bias?: number; normalBias?: number; radius?: number; intensity?: number; mapSize?: number };
   /** A spot light's image. */
   map?: THREE.Texture;
+  /** Whether one material stands for all that are opaque without holes, and glass and shadow material are left out: 3 programs, not 8. */
+  few?: boolean;
 }
 
 function addCaster(scene: THREE.Scene, caster: Exclude<ShadowCaster, 'mixed'>, i: number): THREE.Light {
@@ -36,15 +38,21 @@ function addCaster(scene: THREE.Scene, caster: Exclude<ShadowCaster, 'mixed'>, i
 
 /** Things of every kind over a floor and before a wall, under lights that cast shadows and some that do not. */
 export function shadowScene(width: number, height: number, options: ShadowSceneOptions): TestScene {
-  const { caster, settings = {} } = options;
+  const { caster, settings = {}, few = false } = options;
   const scene = new THREE.Scene();
   scene.background = new THREE.Color(0x101418);
   const standard = new THREE.MeshStandardMaterial({ color: 0xcccccc, roughness: 0.7 });
   const floor = new THREE.Mesh(new THREE.PlaneGeometry(14, 14), standard);
   floor.rotation.x = -Math.PI / 2;
-  const wall = new THREE.Mesh(new THREE.PlaneGeometry(14, 8), new THREE.MeshLambertMaterial({ color: 0xbbccdd }));
+  const wall = new THREE.Mesh(
+    new THREE.PlaneGeometry(14, 8),
+    few ? standard : new THREE.MeshLambertMaterial({ color: 0xbbccdd }),
+  );
   wall.position.set(0, 4, -4);
-  const box = new THREE.Mesh(new THREE.BoxGeometry(1, 1.6, 1), new THREE.MeshPhongMaterial({ color: 0xee9966 }));
+  const box = new THREE.Mesh(
+    new THREE.BoxGeometry(1, 1.6, 1),
+    few ? standard : new THREE.MeshPhongMaterial({ color: 0xee9966 }),
+  );
   box.position.set(-1.6, 0.8, 0);
   box.rotation.y = 0.5;
   const ball = new THREE.Mesh(new THREE.SphereGeometry(0.6, 32, 24), standard);
@@ -66,7 +74,7 @@ export function shadowScene(width: number, height: number, options: ShadowSceneO
   for (let i = 0; i < 5; i++) rods.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i * 0.5 - 1, 0.7, -1.6));
   const unshadowed = new THREE.Mesh(
     new THREE.BoxGeometry(0.8, 0.3, 0.8),
-    new THREE.MeshPhysicalMaterial({ color: 0x6699ff, clearcoat: 1 }),
+    few ? standard : new THREE.MeshPhysicalMaterial({ color: 0x6699ff, clearcoat: 1 }),
   );
   unshadowed.position.set(2.6, 0.15, 1.4);
   const glass = new THREE.Mesh(
@@ -80,7 +88,7 @@ export function shadowScene(width: number, height: number, options: ShadowSceneO
   );
   mat.rotation.x = -Math.PI / 2;
   mat.position.set(-3, 0.02, -0.5);
-  for (const mesh of [floor, wall, box, ball, fence, rods, glass, mat]) {
+  for (const mesh of [floor, wall, box, ball, fence, rods, ...(few ? [] : [glass, mat])]) {
     mesh.receiveShadow = true;
     scene.add(mesh);
   }

@@ -4,9 +4,10 @@ import { SMAA, TAA } from '@farol/renderer/antialiasing';
 import { metaQuest3, XRDevice } from 'iwer';
 import * as three from 'three';
 import { compareImages, isFlat } from '../support/images';
-import { techniquesInTurn } from './techniquesInTurn';
+import { isSlice, techniquesInTurn } from './techniquesInTurn';
 import { countGpuObjects } from './gpuObjects';
 import { loseContext, type PageImage } from './Bench';
+import { countDraws, multiviewScene } from './multiviewScene';
 import { shadowScene } from './shadowScene';
 
 /** The headset of the page, emulated: its canvas stands for the framebuffer of the session's layer, an eye a half. */
@@ -113,7 +114,10 @@ const xrPage = {
   compareImages,
   isFlat,
   shadowScene,
+  multiviewScene,
+  countDraws,
   techniquesInTurn,
+  isSlice,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },
   engine: () => import('@farol/engine'),

@@ -40,9 +40,9 @@ for (const seeds of decksOf(first, count, DECK)) {
 if (!asked)
   test('scenes by chance that were off once are as in stock three', async ({ benchPage: page }) => {
     const faults = await page.evaluate(async (scenes) => {
-      const { compareScene, forgetScenes } = await window.testPage.chance();
-      const faults = Object.entries(scenes).flatMap(([name, facts]) => {
-        const results = compareScene(facts);
+      const { compared, compareScene, forgetScenes } = await window.testPage.chance();
+      const faults = Object.entries(scenes).flatMap(([name, facts], turn) => {
+        const results = compareScene(facts, window.testPage.techniquesInTurn(turn, compared));
         if ('unseen' in results) return [`${name}: ${results.unseen}`];
         return results.flatMap(({ technique, fault }) => (fault ? [`${name}, ${technique}: ${fault}`] : []));
       });

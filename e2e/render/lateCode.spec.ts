@@ -105,12 +105,13 @@ test('shadow maps that are asked for once are drawn also where their code comes 
 }) => {
   await openLazy(page, pagesURL);
   const release = await hold(page);
-  await page.evaluate(async () => {
+  const names = inTurn(await page.evaluate(() => window.testPage.LateCase.once), 0, 2);
+  await page.evaluate(async (names) => {
     const { LateCase } = window.testPage;
-    const lates = await Promise.all(LateCase.once.map((name) => LateCase.of(name)));
+    const lates = await Promise.all(names.map((name) => LateCase.of(name)));
     for (const late of lates) late.drawFrames();
     Object.assign(window, { lates });
-  });
+  }, names);
   release();
   const results = await page.evaluate(async () => {
     const { lates } = window as unknown as { lates: LateCase[] };

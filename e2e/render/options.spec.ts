@@ -13,6 +13,7 @@ test('every option is a property, of the same default and values; one that does 
       quality: 'lite',
       budget: { frame: 8, min: 0.25, max: 0.75, sharpness: 0 },
       learning: true,
+      multiview: true,
       timing: true,
       effects: [smaa],
       shadowAtlasSize: 1024,
@@ -105,11 +106,15 @@ test('shadowAtlasSize may change while frames are drawn: the picture is that of 
   benchPage: page,
 }) => {
   const seen = await page.evaluate(async () => {
-    const { Bench, compareImages, farol, isFlat, shadowScene } = window.testPage;
+    const { Bench, compareImages, farol, isFlat, isSlice, shadowScene } = window.testPage;
     await farol.FarolRenderer.preload();
     const bench = new Bench(160, 120);
     bench.webgl.shadowMap.enabled = true;
-    const { scene, camera } = shadowScene(160, 120, { caster: 'mixed', settings: { mapSize: 1024 } });
+    const { scene, camera } = shadowScene(160, 120, {
+      caster: 'mixed',
+      settings: { mapSize: 1024 },
+      few: isSlice,
+    });
     const drawnBy = (renderer: InstanceType<typeof farol.FarolRenderer>) =>
       bench.draw(() => renderer.render(scene, camera));
     const live = new farol.FarolRenderer(bench.webgl, { technique: 'deferred', shadowAtlasSize: 4096 });

@@ -7,7 +7,7 @@ test("shadow cameras and matrices are what stock three leaves, and three's helpe
   benchPage: page,
 }) => {
   const seen = await page.evaluate(() => {
-    const { Bench, compareImages, shadowScene, three: THREE } = window.testPage;
+    const { Bench, compareImages, isSlice, shadowScene, three: THREE } = window.testPage;
     const bench = new Bench(96, 72);
     const { webgl } = bench;
     webgl.shadowMap.enabled = true;
@@ -37,7 +37,7 @@ test("shadow cameras and matrices are what stock three leaves, and three's helpe
         }
       },
     };
-    const scenes = [0, 1].map(() => shadowScene(96, 72, { caster: 'mixed' }));
+    const scenes = [0, 1].map(() => shadowScene(96, 72, { caster: 'mixed', few: isSlice }));
     for (const [name, change] of Object.entries(steps)) {
       const [byFarol, byThree] = scenes.map(({ scene, camera, lights }, i) => {
         change(lights as Caster[]);
@@ -48,7 +48,7 @@ test("shadow cameras and matrices are what stock three leaves, and three's helpe
     }
     // the common idiom: a helper made before anything is drawn
     const helped = (by: 'farol' | 'three') => {
-      const { scene, camera, lights } = shadowScene(96, 72, { caster: 'spot' });
+      const { scene, camera, lights } = shadowScene(96, 72, { caster: 'spot', few: isSlice });
       const helper = new THREE.CameraHelper((lights[0] as Caster).shadow.camera);
       scene.add(helper);
       const draw = () => (by === 'farol' ? bench.byTechnique('deferred', scene, camera) : bench.stock(scene, camera));

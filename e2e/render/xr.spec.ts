@@ -1,5 +1,5 @@
 import type { TechniqueName } from '@farol/renderer';
-import { byExtent } from '@farol/tools/extent';
+import { byExtent, extent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
@@ -9,7 +9,7 @@ import { expect, test } from '../support/test';
 test.use({ viewport: { width: 192, height: 96 } });
 
 async function open(page: Page, pagesURL: string): Promise<void> {
-  await page.goto(`${pagesURL}xr.html`);
+  await page.goto(`${pagesURL}xr.html?tests=${extent}`);
   await page.waitForFunction(() => 'xrPage' in window);
 }
 
@@ -19,12 +19,13 @@ test('each eye is the picture of stock three, in a rig that moves, with lights a
 }) => {
   await open(page, pagesURL);
   const results = await page.evaluate(async () => {
-    const { XRBench, compareImages, device, eyeOf, isFlat, shadowScene, techniquesInTurn, three } = window.xrPage;
+    const { XRBench, compareImages, device, eyeOf, isFlat, isSlice, shadowScene, techniquesInTurn, three } =
+      window.xrPage;
     const bench = new XRBench();
     const { farol, webgl } = bench;
     farol.inferredScale = 1;
     await bench.start('immersive-vr');
-    const { scene } = shadowScene(96, 96, { caster: 'mixed' });
+    const { scene } = shadowScene(96, 96, { caster: 'mixed', few: isSlice });
     const camera = new three.PerspectiveCamera(50, 1, 0.1, 60);
     const rig = new three.Group();
     rig.position.set(0.5, 0.3, 5);
@@ -66,12 +67,12 @@ test('each eye is the picture of stock three, in a rig that moves, with lights a
 test('shadow maps are drawn once, with the first eye, for lights that any eye sees', async ({ page, pagesURL }) => {
   await open(page, pagesURL);
   const { casts, stockCasts, passes, difference } = await page.evaluate(async () => {
-    const { XRBench, compareImages, device, shadowScene, three } = window.xrPage;
+    const { XRBench, compareImages, device, isSlice, shadowScene, three } = window.xrPage;
     const bench = new XRBench();
     const { farol, webgl } = bench;
     webgl.shadowMap.enabled = true;
     await bench.start('immersive-vr');
-    const { scene } = shadowScene(96, 96, { caster: 'mixed' });
+    const { scene } = shadowScene(96, 96, { caster: 'mixed', few: isSlice });
     const camera = new three.PerspectiveCamera(50, 1, 0.1, 60);
     const rig = new three.Group();
     rig.position.z = 5;
@@ -117,11 +118,11 @@ test('shadow maps are drawn once, with the first eye, for lights that any eye se
 test('passthrough shows where nothing is drawn, by the alpha of stock three', async ({ page, pagesURL }) => {
   await open(page, pagesURL);
   const results = await page.evaluate(async () => {
-    const { XRBench, compareImages, effects, shadowScene, three } = window.xrPage;
+    const { XRBench, compareImages, effects, isSlice, shadowScene, three } = window.xrPage;
     const bench = new XRBench({ alpha: true });
     const { farol, webgl } = bench;
     await bench.start('immersive-ar');
-    const { scene } = shadowScene(96, 96, { caster: 'mixed' });
+    const { scene } = shadowScene(96, 96, { caster: 'mixed', few: isSlice });
     const camera = new three.PerspectiveCamera();
     const rig = new three.Group();
     rig.position.z = 10;
@@ -161,11 +162,11 @@ test('effects draw each eye as a picture of its own; what gathers frames is left
 }) => {
   await open(page, pagesURL);
   const results = await page.evaluate(async () => {
-    const { XRBench, compareImages, effects, eyeOf, shadowScene, three } = window.xrPage;
+    const { XRBench, compareImages, effects, eyeOf, isSlice, shadowScene, three } = window.xrPage;
     const bench = new XRBench();
     const { farol, webgl } = bench;
     await bench.start('immersive-vr');
-    const { scene } = shadowScene(96, 96, { caster: 'mixed' });
+    const { scene } = shadowScene(96, 96, { caster: 'mixed', few: isSlice });
     scene.add(new three.AmbientLight(0xffffff, 2));
     const camera = new three.PerspectiveCamera();
     farol.effects = [new effects.AmbientOcclusion(), new effects.SMAA(), new effects.TAA()];
@@ -206,13 +207,13 @@ test('a context that is lost in a session again and again shows the same picture
   await open(page, pagesURL);
   const losses = byExtent({ slice: 2, verify: 20 });
   const { changed, before, after } = await page.evaluate(async (losses) => {
-    const { XRBench, countGpuObjects, effects, shadowScene, three } = window.xrPage;
+    const { XRBench, countGpuObjects, effects, isSlice, shadowScene, three } = window.xrPage;
     const count = countGpuObjects();
     const bench = new XRBench();
     const { farol, webgl } = bench;
     webgl.shadowMap.enabled = true;
     await bench.start('immersive-vr');
-    const { scene } = shadowScene(96, 96, { caster: 'mixed' });
+    const { scene } = shadowScene(96, 96, { caster: 'mixed', few: isSlice });
     const camera = new three.PerspectiveCamera();
     farol.effects = [new effects.AmbientOcclusion(), new effects.SMAA()];
     const draw = async () => {

@@ -1,5 +1,4 @@
 import { extent } from '@farol/tools/extent';
-import type { Page } from '@playwright/test';
 import { test as base } from './test';
 
 export { expect } from '@playwright/test';
@@ -13,19 +12,10 @@ const MOST_CONTEXTS = 8;
  *
  * A test that changes what the page runs on (methods of WebGL, three's own objects) puts it back, or is one of `test`.
  */
-export const test = base.extend<object, { sharedPage: Page }>({
-  sharedPage: [
-    async ({ browser }, use) => {
-      const context = await browser.newContext({ viewport: { width: 640, height: 360 } });
-      await use(await context.newPage());
-      await context.close();
-    },
-    { scope: 'worker' },
-  ],
+export const test = base.extend({
+  context: async ({ sharedPages }, use) => use((await sharedPages('bench')).context()),
 
-  context: async ({ sharedPage }, use) => use(sharedPage.context()),
-
-  page: async ({ sharedPage }, use) => use(sharedPage),
+  page: async ({ sharedPages }, use) => use(await sharedPages('bench')),
 
   benchPage: async ({ page, pagesURL }, use) => {
     const url = `${pagesURL}?tests=${extent}`;

@@ -1,8 +1,9 @@
+import { extent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 
 /** Opens a page in which no part of the renderer's code is there that is fetched late. */
 export async function openLazy(page: Page, pagesURL: string): Promise<void> {
-  await page.goto(`${pagesURL}?lazy`);
+  await page.goto(`${pagesURL}?lazy&tests=${extent}`);
   await page.waitForFunction(() => 'testPage' in window);
 }
 

@@ -63,12 +63,13 @@ export interface Watch {
  * - `watch`: the problems seen; a test that provokes one calls `watch.forgive(/…/)`.
  * - `pagesURL`: where the tests' own pages (e2e/pages) are served, with a slash at its end.
  * - `benchPage`: the first of them, open, with what it offers as `window.testPage`.
- * - `sharedPages`: gives the page of an app that tests of a worker share: see sharedPage.ts. Every test has this fixture,
- *   since one more kind of worker would be one more browser, which compiles all shaders anew.
+ * - `sharedPages`: gives the page of an app, or for Benches, that tests of a worker share: see sharedPage.ts and
+ *   benchTest.ts. Every test has this fixture, since one more kind of worker would be one more browser, which compiles all
+ *   shaders anew.
  */
 export const test = base.extend<
   { watch: Watch; pagesURL: string; benchPage: Page },
-  { sharedPages: (app: 'editor' | 'viewer') => Promise<Page> }
+  { sharedPages: (app: 'editor' | 'viewer' | 'bench') => Promise<Page> }
 >({
   sharedPages: [
     async ({ browser }, use) => {
@@ -79,6 +80,7 @@ export const test = base.extend<
           baseURL: process.env[`FAROL_${app.toUpperCase()}_URL`],
           serviceWorkers: 'block',
           deviceScaleFactor: app === 'editor' ? pixelRatio : undefined,
+          viewport: { width: 640, height: 360 },
         });
         const page = await context.newPage();
         // a test that ends the processes of all pages (deadTab.ts) leaves the next one a new page

@@ -1,7 +1,8 @@
 /**
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
  * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
- * `stanfordDragon.mjs`. `--site` builds the site alone, on top of packages that are built.
+ * `stanfordDragon.mjs`. With `--packages`, the published packages alone; `--site` builds the site alone, on top of packages
+ * that are built.
  */
 import { join } from 'node:path';
 import { ensureInstalled } from './ensureInstalled.mjs';
@@ -19,7 +20,9 @@ if (process.argv.includes('--site')) {
   process.exit();
 }
 const packages = publishedPackages();
-const folders = [...packages.map(({ folder }) => folder), 'apps/viewer', 'apps/editor', 'apps/lab'];
+const folders = packages.map(({ folder }) => folder);
+const onlyPackages = process.argv.includes('--packages');
+if (!onlyPackages) folders.push('apps/viewer', 'apps/editor', 'apps/lab');
 if (process.argv.includes('--tests')) {
   folders.push('e2e/pages');
   process.env.FAROL_STANFORD_DRAGON ??= '1';
@@ -50,7 +53,7 @@ const pages = [
   },
   { folder: 'apps/lab', limit: labLimit, mend: 'The Lab loads too much at once: import() what the first view' },
 ];
-for (const { folder, limit, mend } of pages) {
+for (const { folder, limit, mend } of onlyPackages ? [] : pages) {
   const script = scriptSize(join(root, folder, 'dist'));
   console.log(`${folder}: ${(script / 1000).toFixed(1)} kB of ${limit / 1000} kB at start, minified and gzipped`);
   if (script > limit) {

@@ -153,7 +153,7 @@ export const importRules = [
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
-  { from: 'apps/site', may: ['apps/site', '*'] },
+  { from: 'apps/site', may: ['apps/site', 'public', '*'] },
   {
     // of the Lab types alone: the rest is bundled apart from it
     from: 'apps/lab/rivals',

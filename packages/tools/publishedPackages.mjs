@@ -21,13 +21,21 @@ import { root } from './root.mjs';
  * @param {string} [checkout] - folder of a repository; default this one
  * @returns {PublishedPackage[]} by name of the folder
  */
-export function publishedPackages(checkout = root) {
+export function packedPackages(checkout = root) {
   return readdirSync(join(checkout, 'packages'), { withFileTypes: true })
     .filter((entry) => entry.isDirectory())
     .map(({ name }) => ({ folder: `packages/${name}`, path: join(checkout, 'packages', name) }))
     .map((each) => ({ ...each, manifest: readManifest(each.path) }))
     .filter(({ manifest }) => !manifest.private);
 }
+
+/**
+ * Packages for the registry that pages import, and that are built: those that have `exports`.
+ *
+ * @param {string} [checkout] - folder of a repository; default this one
+ */
+export const publishedPackages = (checkout = root) =>
+  packedPackages(checkout).filter(({ manifest }) => manifest.exports);
 
 /** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
 export function readManifest(folder) {

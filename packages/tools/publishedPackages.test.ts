@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { entriesOf, leftToHost, publishedPackages } from './publishedPackages.mjs';
+import { entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
 const packages = publishedPackages();
@@ -39,6 +39,15 @@ it('leaves dependencies, peers and their parts to the host, and nothing else', (
   for (const id of ['./three', 'three-mesh-bvh', '@farol/engine', '/somewhere/three'])
     expect(external(id), id).toBe(false);
 });
+
+it.each(packedPackages())(
+  '$manifest.name has the version, licence and changelog of the repository',
+  ({ path, manifest }) => {
+    expect(manifest.version).toBe(JSON.parse(read(root, 'package.json')).version);
+    expect(read(path, 'LICENSE')).toBe(read(root, 'LICENSE'));
+    expect(read(path, 'CHANGELOG.md')).toContain(`## [${manifest.version}]`);
+  },
+);
 
 describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
   it('says in package.json what it is, where it comes from and whom to ask', () => {
@@ -100,11 +109,6 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
       ([name, range]) => !name.startsWith('@farol/') && !/^>=\d[\d.]* <\d[\d.]*$/.test(range),
     );
     expect(pinned).toEqual([]);
-  });
-
-  it("has the repository's licence and a changelog of its version", () => {
-    expect(read(path, 'LICENSE')).toBe(read(root, 'LICENSE'));
-    expect(read(path, 'CHANGELOG.md')).toContain(`## [${manifest.version}]`);
   });
 
   it('has a README that stands alone: name, install, code, every entry, and links that lead somewhere from a registry', () => {

@@ -44,18 +44,22 @@ export function copyBuilt(folder) {
 }
 
 /**
- * Runs work that writes or packs the folders `dist` of this checkout, once no other process does.
+ * Runs work that writes or packs the folders `dist` of this checkout, once no other process does. Processes that the work
+ * starts do not wait for it.
  *
  * @template T
  * @param {() => Promise<T>} work
  * @returns {Promise<T>}
  */
 export async function whileNobodyBuilds(work) {
+  if (process.env.FAROL_BUILDS) return work();
   mkdirSync(join(root, '.cache'), { recursive: true });
   while (!take()) await pause(200);
+  process.env.FAROL_BUILDS = '1';
   try {
     return await work();
   } finally {
+    delete process.env.FAROL_BUILDS;
     rmSync(lock, { force: true });
   }
 }

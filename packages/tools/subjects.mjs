@@ -47,9 +47,12 @@ export const subjects = [
 
   ['packages/editing', ['editor/fields', 'examples/attach']],
   ['packages/attach', ['examples/attach']],
+  ['packages/create-farol', []], // by its unit tests
   ['packages/tools', []], // by their unit tests
 
+  ['apps/site/live/thesis', ['thesis/thesis']],
   ['apps/site/live', ['gallery/gallery']],
+  ['apps/site', []], // by the tests of the site
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
   ['apps/lab/src/normals', ['lab/stage']],

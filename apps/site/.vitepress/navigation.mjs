@@ -124,6 +124,44 @@ const techniques = [
   },
 ];
 
+/**
+ * Bar of the thesis's pages.
+ *
+ * @param {string} text
+ * @param {string} folder
+ * @param {string} first - name of the page of contents
+ * @param {Record<string, string>} pages - names by file
+ */
+const thesis = (text, folder, first, pages) => [
+  {
+    text,
+    items: [page(first, folder), ...Object.entries(pages).map(([file, name]) => page(name, `${folder}${file}`))],
+  },
+];
+
+const englishThesis = thesis('The living thesis', '/thesis/', 'Contents', {
+  'light-and-shading': 'Light and shading',
+  multipass: 'Many lights, pass by pass',
+  deferred: 'Deferred rendering',
+  variants: 'The variants',
+  'engine-design': 'Design of the engine',
+  scenes: 'Scenes',
+  results: 'Results',
+  errors: 'Errors and their cure',
+  'future-work': 'Future work',
+});
+const spanishThesis = thesis('La tesis viva', '/es/thesis/', 'Contenido', {
+  'light-and-shading': 'Luz y sombreado',
+  multipass: 'Muchas luces, pasada a pasada',
+  deferred: 'Deferred rendering',
+  variants: 'Las variantes',
+  'engine-design': 'Diseño del engine',
+  scenes: 'Escenas',
+  results: 'Resultados',
+  errors: 'Errores y su remedio',
+  'future-work': 'Trabajo futuro',
+});
+
 /** @type {import('vitepress').DefaultTheme.Config} */
 export const english = {
   nav: [
@@ -133,7 +171,7 @@ export const english = {
     page('Gallery', '/gallery/'),
     page('Thesis', '/thesis/'),
   ],
-  sidebar: { '/techniques/': techniques, '/gallery/': [], '/thesis/': [], '/': guides },
+  sidebar: { '/techniques/': techniques, '/gallery/': [], '/thesis/': englishThesis, '/': guides },
   outline: [2, 3],
 };
 
@@ -142,7 +180,10 @@ export const spanish = {
   description: 'Dibuja escenas corrientes de three.js con cualquier número de luces, y las edita mientras corren.',
   themeConfig: {
     nav: [page('Inicio', '/es/start'), page('Tesis', '/es/thesis/')],
-    sidebar: { '/es/': [{ text: 'Inicio', items: [page('Empezar en un minuto', '/es/start')] }] },
+    sidebar: {
+      '/es/thesis/': spanishThesis,
+      '/es/': [{ text: 'Inicio', items: [page('Empezar en un minuto', '/es/start')] }],
+    },
     outline: { level: [2, 3], label: 'En esta página' },
   },
 };

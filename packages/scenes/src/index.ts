@@ -1,7 +1,7 @@
 /** Demo scenes, and `defineScene` with its types for adding another. */
 export { preloadSceneCode, scenes } from './scenes';
 
-export { benchmarkLights } from './benchmark/benchmarkLights';
+export { benchmarkLights, type BenchmarkOptions } from './benchmark/benchmarkLights';
 export { benchmarkLightsObjects } from './benchmark/benchmarkLightsObjects';
 export { dragons, type DragonsOptions } from './dragon/dragons';
 export { niceScene, type NiceSceneOptions } from './dragon/niceScene';

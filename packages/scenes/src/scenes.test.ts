@@ -141,6 +141,22 @@ describe('benchmarkLights', () => {
   });
 });
 
+test('grids of a scene need be no squares', async () => {
+  const parameters = { n: 2, nRows: 3, m: 4, mRows: 1 };
+  for (const [name, group] of [
+    ['benchmarkLights', 'Planes'],
+    ['benchmarkLightsObjects', 'Objects'],
+  ]) {
+    const scene = await scenes[name].build(parameters, shared);
+    expect(scene.find(group)!.children).toHaveLength(6);
+    expect(new Set(scene.find(group)!.children.map(({ transform }) => transform.position[2])).size).toBe(3);
+    const lights = scene.find('Lights')!.children.map(({ transform }) => transform.position);
+    expect(lights).toHaveLength(4);
+    expect(new Set(lights.map(([, , z]) => z))).toEqual(new Set([0]));
+    scene.dispose();
+  }
+});
+
 describe('benchmarkLightsObjects', () => {
   test('makes meshes of size 1 of any mesh, standing on the floor', async () => {
     const scene = await benchmarkLightsObjects(2, 1, 'temple/column', { assets: shared });

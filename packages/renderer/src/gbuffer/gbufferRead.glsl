@@ -36,9 +36,10 @@ vec4 farol_materialAt(const in ivec2 pixel, const in int flags) {
   return farol_shadingModel(flags) == FAROL_PHONG ? material.rrra : vec4(material.rg, 0.2, 1.0);
 }
 
-// of a Phong surface
+// shininess of a Phong surface; above 0 for Lambert surfaces too, whose lobe counts for nothing: pow(0, 0) is NaN
 float farol_shininessAt(const in ivec2 pixel) {
-  return farol_gStored.z == 0 ? farol_gAccumulationAt(pixel).a : exp2(13.0 * farol_gMaterialAt(pixel).g) - 1.0;
+  return farol_gStored.z == 0 ? farol_gAccumulationAt(pixel).a
+    : max(exp2(13.0 * farol_gMaterialAt(pixel).g) - 1.0, 1e-3);
 }
 
 bool farol_isEmptyPixel(const in ivec2 pixel, const in float depth) {

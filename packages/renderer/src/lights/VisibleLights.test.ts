@@ -195,6 +195,21 @@ it('has plain point lights as their class has them, read before or not', () => {
   expect((plain[1] as Light[]).length).toBeGreaterThan(5);
 });
 
+it.each(['none', 'all-but-points', 'all'] as const)(
+  'has a point light that would cast a shadow as a plain one, unless it has a map: maps of %s',
+  (shadows) => {
+    const light = new PointLight(0x336699, 3, 4, 1.5);
+    light.castShadow = true;
+    const camera = new PerspectiveCamera();
+    const visible = new VisibleLights();
+    visible.collect([light], camera, { shadows, layers: null });
+    const { r, g, b } = light.color;
+    const decay = shadows === 'all' ? -1 : 1.5;
+    expect([...visible.emissions.subarray(0, 4)]).toEqual([r * 3, g * 3, b * 3, decay]);
+    expect(visible.masked).toEqual(shadows === 'all' ? [light] : []);
+  },
+);
+
 it.each<[string, number, (light: PointLight) => unknown]>([
   ['as it is made', 2, () => 0],
   ['that casts a shadow', NaN, (light) => (light.castShadow = true)],

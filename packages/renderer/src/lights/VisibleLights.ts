@@ -96,8 +96,8 @@ export class VisibleLights {
       if (facts.range > 0) {
         const at = this.kept * 4;
         if (!this.addBounded(light, facts.range)) continue;
-        this.emissions[at + 3] = -1;
         if (facts.isMasked) this.addMasked(light);
+        this.writeEmission(at, light as PointLight, kind === 'point' && !facts.isMasked);
         if (kind === 'area') this.areas++;
       } else if (kind === 'ambient' || kind === 'hemisphere') this.addAmbient(light);
       else if (kind === 'field') this.addField(light as LightFieldData);
@@ -164,6 +164,15 @@ export class VisibleLights {
     ambient[3 + c] += slope * up.x;
     ambient[6 + c] += slope * up.y;
     ambient[9 + c] += slope * up.z;
+  }
+
+  /** Writes `emissions` of a light that was read by its class, as `addPoint` does for one that was not. */
+  private writeEmission(at: number, { color, intensity, decay }: PointLight, isPlain: boolean): void {
+    const { emissions } = this;
+    emissions[at] = color.r * intensity;
+    emissions[at + 1] = color.g * intensity;
+    emissions[at + 2] = color.b * intensity;
+    emissions[at + 3] = isPlain && decay >= 0 ? decay : -1;
   }
 
   /** Adds a plain point light, unless it gives no light or reaches nothing that is seen. */

@@ -65,7 +65,7 @@ export class SceneDraws {
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
     this.effects = effects;
-    this.frame.adapters = effects.adapters;
+    this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
   }
 
@@ -83,7 +83,7 @@ export class SceneDraws {
   }
 
   get bytes(): number {
-    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0);
+    return (this.edges?.bytes ?? 0) + (this.scaled?.bytes ?? 0) + (this.frame.session?.bytes ?? 0);
   }
 
   /** Ends a frame, also one that has failed. */
@@ -110,6 +110,9 @@ export class SceneDraws {
 
   /** Called by SceneView: for three's transmission target if an object transmits, then for the host's target. */
   readonly draw: DrawScene = (backs) => {
+    const { session } = this.frame;
+    const isStereo = session !== null && session.adapters !== null;
+    if (isStereo && session.refuses(this.frame, this.picker.active, this.effects.all.length)) return;
     for (const effect of this.effects.all) {
       if (effect.compute === undefined) continue;
       this.recorder.beginPass(effect.name);
@@ -122,6 +125,7 @@ export class SceneDraws {
     else {
       this.drawFrame();
       if (this.frame.ownsPart) this.run('enlargement', this.enlarge);
+      if (isStereo) session.present(this.frame);
     }
   };
 

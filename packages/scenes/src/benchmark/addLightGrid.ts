@@ -1,8 +1,10 @@
 import type { SceneBuilder } from '../SceneBuilder';
 
 interface LightGrid {
-  /** Lights along a side. */
+  /** Lights from left to right. */
   count: number;
+  /** Lights from front to back. Default `count`. */
+  rows?: number;
   /** Side of the square that they share, in metres. */
   side: number;
   /** Height of what they light, in metres. */
@@ -11,18 +13,22 @@ interface LightGrid {
   shadows?: boolean;
 }
 
-/** `count` × `count` moving point lights in a grid over a square, each about as bright where it is, however many there are. */
-export function addLightGrid(build: SceneBuilder, { count, side, floor, shadows = false }: LightGrid): void {
-  const spacing = side / Math.max(count, 1);
+/** `count` × `rows` moving point lights in a grid over a square, each about as bright where it is, however many there are. */
+export function addLightGrid(
+  build: SceneBuilder,
+  { count, rows = count, side, floor, shadows = false }: LightGrid,
+): void {
+  const [across, along] = [side / Math.max(count, 1), side / Math.max(rows, 1)];
+  const spacing = Math.min(across, along);
   const height = Math.min(2, Math.max(0.45, spacing * 0.3));
   const range = Math.max(1.6, Math.min(spacing * 1.15, 12));
-  build.movingLights(count * count, build.group('Lights'), (i, random) => ({
+  build.movingLights(count * rows, build.group('Lights'), (i, random) => ({
     position: [
-      ((i % count) + 0.5) * spacing - side / 2,
+      ((i % count) + 0.5) * across - side / 2,
       floor + height,
-      (Math.floor(i / count) + 0.5) * spacing - side / 2,
+      (Math.floor(i / count) + 0.5) * along - side / 2,
     ],
-    extent: [spacing * 0.7, height * 0.3, spacing * 0.7],
+    extent: [across * 0.7, height * 0.3, along * 0.7],
     speed: Math.min(2, spacing) * (0.5 + random()),
     range,
     intensity: 2.6 * height * height,

@@ -49,7 +49,9 @@ export const arrange: Texts = {
   'Sizes differ by': 'Variación de tamaño',
   'On the surface below': 'Sobre la superficie de debajo',
   Colours: 'Colores',
-  'As bright as one in all': 'Entre todas, el brillo de una',
+  'Share the brightness of one light': 'Repartir el brillo de una luz',
+  '{count} lights of full brightness: share that of one if the picture gets too bright.':
+    '{count} luces con todo su brillo: reparte el de una si la imagen queda demasiado clara.',
   'Intensities differ by': 'Variación de intensidad',
   'Ranges differ by': 'Variación de alcance',
   Where: 'Dónde',

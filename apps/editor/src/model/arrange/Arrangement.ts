@@ -36,21 +36,14 @@ export interface Arrangement {
   /** Seed of the arrangement's random offsets. */
   readonly seed: number;
   readonly colours: LightColours;
-  /** Whether the lights together are as bright as the original; null decides by their number (`MANY_LIGHTS`). */
-  readonly sharesLight: boolean | null;
+  /** Whether the lights together are as bright as the original. */
+  readonly sharesLight: boolean;
   /** Share by which intensities and ranges of lights vary (0 to 1). */
   readonly intensityVariation: number;
   readonly rangeVariation: number;
   /** Whether all are children of a new object. */
   readonly grouped: boolean;
 }
-
-/** Number of lights from which they share the brightness of the original by default. */
-const MANY_LIGHTS = 20;
-
-/** Whether the lights of an arrangement share the brightness of the original. @param total - number of objects */
-export const sharesLight = ({ sharesLight: shares }: Arrangement, total: number): boolean =>
-  shares ?? total >= MANY_LIGHTS;
 
 /** Most objects that one arrangement makes. */
 export const MOST_COPIES = 20_000;

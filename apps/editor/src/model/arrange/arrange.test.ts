@@ -126,14 +126,14 @@ describe('arrangeObjects', () => {
     expect(looks[1].slice(0, 20)).toEqual(looks[0]);
   });
 
-  it('shares the brightness of the original among many, or always, or never', () => {
-    const total = (count: number, sharesLight: boolean | null): number => {
+  it('shares the brightness of the original among all where asked, however many they are', () => {
+    const total = (count: number, sharesLight: boolean): number => {
       const { document, run } = lampDocument();
       run({ count, sharesLight });
       return document.scene.componentsOf(Light).reduce((sum, { intensity }) => sum + intensity, 0);
     };
-    expect([total(4, null), total(4, true), total(40, false)]).toEqual([40, 10, 400]);
-    expect(total(40, null)).toBeCloseTo(10, 6);
+    expect([total(4, false), total(4, true), total(40, false)]).toEqual([40, 10, 400]);
+    expect(total(40, true)).toBeCloseTo(10, 6);
   });
 
   it('stays in the parent of the original, after it, and leaves an original that does not move as it is', () => {

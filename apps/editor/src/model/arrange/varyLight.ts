@@ -2,7 +2,7 @@ import type { FieldEdit } from '@farol/editing';
 import { createRandom, type GameObject, Light, ObjectRenderer } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { Color } from 'three';
-import { type Arrangement, sharesLight } from './Arrangement';
+import type { Arrangement } from './Arrangement';
 
 /** Spreads the generator's seeds, so that those of neighbours are unrelated. */
 const STRIDE = 2654435761;
@@ -28,7 +28,7 @@ function colourOf(hue: number, like: Vector3Tuple): Vector3Tuple {
  */
 export function lightEdits(object: GameObject, arrangement: Arrangement, index: number, total: number): FieldEdit[] {
   const { colours, intensityVariation, rangeVariation, seed } = arrangement;
-  const share = sharesLight(arrangement, total) ? total : 1;
+  const share = arrangement.sharesLight ? total : 1;
   if (colours === 'same' && intensityVariation === 0 && rangeVariation === 0 && share === 1) return [];
   const random = randomOf(seed, index);
   const [anyHue, byIntensity, byRange] = [random(), random(), random()];

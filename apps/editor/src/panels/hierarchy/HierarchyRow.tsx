@@ -37,7 +37,7 @@ export function rowState(tree: TreeInstance<string>, item: ItemInstance<string>,
     ],
     ...[level, setSize, posInSet, item.isSelected(), item.isFocused(), item.isExpanded()],
     object.prefabLink !== null,
-    ...[item.isUnorderedDragTarget(), item.isRenaming() ? tree.getRenamingValue() : null],
+    ...[item.isUnorderedDragTarget(), item.isRenaming(), item.isRenaming() && tree.getRenamingValue()],
   ].join('\n');
 }
 

@@ -114,6 +114,18 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
     document.selection.toggle(item.getId());
   };
 
+  /** A key that selects all that the search lists. */
+  const selectFound = (hotkey: string): ReturnType<typeof rowKey> => ({
+    hotkey,
+    canRepeat: false,
+    preventDefault: true,
+    isEnabled: () => words.length > 0,
+    handler: (_, tree) => {
+      const found = objectsOf(tree.getItems()).filter((object) => !object.lockedInHierarchy);
+      document.selection.set(found.map(({ id }) => id));
+    },
+  });
+
   const tree = useTree<string>({
     instanceBuilder: buildProxiedInstance,
     rootItemId: ROOT,
@@ -146,8 +158,9 @@ export function useObjectTree(scrollTo: (index: number) => void, query: string):
       // not the tree's keys: the field's own handler ignores keys of input methods
       completeRenaming: { hotkey: 'Enter', isEnabled: () => false, handler: () => {} },
       abortRenaming: { hotkey: 'Escape', isEnabled: () => false, handler: () => {} },
-      // Ctrl+A is an action of the editor: it selects everything, folded or not
-      selectAll: { hotkey: 'Control+KeyA', isEnabled: () => false, handler: () => {} },
+      // without a search Ctrl+A is an action of the editor: it selects everything, folded or not
+      selectAll: selectFound('Control+KeyA'),
+      customSelectAll: selectFound('Meta+KeyA'),
       focusNextItem: rowKey('ArrowDown', below, select),
       focusPreviousItem: rowKey('ArrowUp', above, select),
       focusFirstItem: rowKey('Home', first, select),

@@ -165,7 +165,7 @@ export class DuplicateTool implements Tool {
       height: this.hasLights && wide < 0.5 ? 1 : 0,
       seed: 1,
       colours: 'same',
-      sharesLight: null,
+      sharesLight: false,
       intensityVariation: 0,
       rangeVariation: 0,
       grouped: true,

@@ -29,9 +29,11 @@ const LONGEST_STEP = 0.1;
 /** Walk in scenes without an XRRig. */
 const DEFAULTS = { speed: 2, turnStep: Math.PI / 6, teleports: true };
 
-/** Modes that the device has, of 'immersive-vr' and 'immersive-ar'. */
+/** Modes that the device has and the page may use, of 'immersive-vr' and 'immersive-ar'. */
 export async function xrModes(): Promise<XRMode[]> {
-  const { xr } = navigator;
+  // Chromium reports an error in the console where a frame's policy forbids headsets and a page asks for them
+  const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
+  const xr = featurePolicy?.allowsFeature('xr-spatial-tracking') === false ? undefined : navigator.xr;
   const modes: XRMode[] = ['immersive-vr', 'immersive-ar'];
   const has = await Promise.all(modes.map((mode) => xr?.isSessionSupported(mode).catch(() => false) ?? false));
   return modes.filter((_, i) => has[i]);

@@ -5,7 +5,6 @@ import {
   type ArrangementKind,
   type LightColours,
   MOST_COPIES,
-  sharesLight,
 } from '../../../model/arrange/Arrangement';
 import { useEditor, useSignal } from '../../../ui/EditorContext';
 import { Icon } from '../../../ui/Icon';
@@ -144,16 +143,22 @@ function LightPart({ tool, value }: PartProps): ReactNode {
   return (
     <div role="group" aria-label={t('Lights')} className="tool-part">
       <ChoiceRow label={t('Colours')} options={colours()} {...bind(tool, 'colours')} />
-      <SwitchRow
-        label={t('As bright as one in all')}
-        value={sharesLight(value, tool.total)}
-        onChange={(shares) => tool.set({ sharesLight: shares })}
-      />
+      <SwitchRow label={t('Share the brightness of one light')} {...bind(tool, 'sharesLight')} />
+      {!value.sharesLight && tool.total >= MANY_LIGHTS && (
+        <p className="tool-note">
+          {t('{count} lights of full brightness: share that of one if the picture gets too bright.', {
+            count: String(tool.total),
+          })}
+        </p>
+      )}
       <PartRow label={t('Intensities differ by')} {...bind(tool, 'intensityVariation')} />
       <PartRow label={t('Ranges differ by')} {...bind(tool, 'rangeVariation')} />
     </div>
   );
 }
+
+/** Number of lights from which the box says that they may be too bright together. */
+const MANY_LIGHTS = 20;
 
 const parts = { line: LinePart, ring: RingPart, grid: GridPart, scatter: ScatterPart };
 

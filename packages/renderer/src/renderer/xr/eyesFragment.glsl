@@ -1,0 +1,10 @@
+// Head of fragment shaders that draw both eyes at once; lists of lights are of tiles of the union camera's picture.
+// Farol
+uniform highp vec3 farol_eyesWS[2];
+uniform highp vec3 farol_eyesVS[2]; // view space of the union camera
+uniform highp vec4 farol_unionPixels; // pixel of a point: xy * (x, y) / depth + zw
+uniform highp vec2 farol_unionLast; // last pixel of the union camera's picture
+uniform highp vec2 farol_eyeOrigins[2]; // first pixel of an eye in the session's layer
+#define cameraPosition farol_eyesWS[gl_ViewID_OVR]
+#define FAROL_PIXEL(positionVS) \
+  clamp(farol_unionPixels.xy * (positionVS).xy / -(positionVS).z + farol_unionPixels.zw, vec2(0.0), farol_unionLast)
