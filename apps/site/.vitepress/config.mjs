@@ -1,10 +1,11 @@
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
-import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
+import { githubSlug, rewriteLinks, sitePages, untranslated } from '@farol/tools/site/sitePages';
 import { shownCode } from '@farol/tools/site/shownCode';
 import { searchOptions } from '@farol/tools/site/searchOptions';
+import { writeTexts } from '@farol/tools/site/writeTexts';
 import { defineConfig } from 'vitepress';
-import { english, spanish } from './navigation.mjs';
+import { english, groups, spanish } from './navigation.mjs';
 
 const pages = sitePages();
 
@@ -22,12 +23,15 @@ export default defineConfig(({ command }) => ({
     root: { label: 'English', lang: 'en', themeConfig: english },
     es: { label: 'Español', lang: 'es', ...spanish },
   },
-  themeConfig: { search: { provider: 'local', options: searchOptions } },
+  themeConfig: { search: { provider: 'local', options: searchOptions }, untranslated: untranslated(pages) },
   markdown: {
     anchor: { slugify: githubSlug },
     toc: { slugify: githubSlug },
     config: (md) => rewriteLinks(md, pages),
   },
   vite: { plugins: [shownCode(), liveServer()], publicDir: false, server: { fs: { allow: ['../..'] } } },
-  buildEnd: ({ outDir }) => makeRelative(outDir),
+  buildEnd({ outDir }) {
+    makeRelative(outDir);
+    writeTexts(outDir, groups);
+  },
 }));

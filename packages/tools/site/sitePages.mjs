@@ -35,6 +35,14 @@ export function sitePages() {
 }
 
 /**
+ * English pages that have no Spanish one; their Spanish addresses lead to the English pages.
+ *
+ * @param {ReadonlyMap<string, string>} pages - see `sitePages`
+ */
+export const untranslated = (pages) =>
+  [...pages.keys()].filter((name) => !name.startsWith('es/') && !pages.has(`es/${name}`));
+
+/**
  * Markdown of a page, with what it includes, without its front matter.
  *
  * @param {string} path - from the repository's root

@@ -29,7 +29,6 @@ function App() {
   return (
     <>
       <nav>
-        <a href="../index.html">Examples</a>
         <button type="button" onClick={() => setCount(count + 1)}>
           Add a ball
         </button>

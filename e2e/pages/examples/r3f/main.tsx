@@ -49,7 +49,6 @@ function App() {
   return (
     <>
       <nav>
-        <a href="../index.html">Examples</a>
         <DrawerSelect by={by} onChange={setBy} />
         <label>
           <input type="checkbox" checked={smooth} onChange={({ target }) => setSmooth(target.checked)} /> SMAA

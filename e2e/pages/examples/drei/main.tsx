@@ -39,7 +39,6 @@ function App() {
   return (
     <>
       <nav>
-        <a href="../index.html">Examples</a>
         <DrawerSelect by={by} onChange={setBy} />
         <select aria-label="Component" value={part} onChange={({ target }) => setPart(target.value)}>
           {names.map((name) => (
