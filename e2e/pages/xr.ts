@@ -119,6 +119,7 @@ const xrPage = {
   techniquesInTurn,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },
+  xrStereo: () => import('./xrStereo'),
   engine: () => import('@farol/engine'),
   engineXR: () => import('@farol/engine/xr'),
 };
