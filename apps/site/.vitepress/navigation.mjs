@@ -14,7 +14,12 @@ const guides = [
     text: 'Start',
     items: [
       page('Start in a minute', '/start'),
-      ...group('', { renderer: 'The renderer', faq: 'Questions', moving: 'Moving to Farol' }).items,
+      ...group('', {
+        'create-farol': 'npm create farol',
+        renderer: 'The renderer',
+        faq: 'Questions',
+        moving: 'Moving to Farol',
+      }).items,
     ],
   },
   group('Lights', {
