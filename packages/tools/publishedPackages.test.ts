@@ -93,7 +93,9 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
   it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
-    expect(three).toBeTruthy();
+    const [, from, to] = /^>=(\d+\.\d+)\.0 <0\.(\d+)\.0$/.exec(three!)!;
+    for (const page of ['README.md', 'packages/renderer/docs/compatibility.md'])
+      expect(read(root, page)).toContain(`${from} to 0.${Number(to) - 1}`);
     expect(manifest.peerDependencies).toMatchObject({ three, '@types/three': three });
     expect(manifest.peerDependenciesMeta?.['@types/three']).toEqual({ optional: true });
     expect(manifest.peerDependenciesMeta?.three).toBeUndefined();
