@@ -36,7 +36,7 @@ for (const folder of folders) {
 }
 for (const each of packages) await bundleTypes(each);
 // the tests of `npm test` build no site, only its live modules: see e2e/README.md
-await (process.argv.includes('--tests') ? buildLive() : buildSite());
+if (!onlyPackages) await (process.argv.includes('--tests') ? buildLive() : buildSite());
 
 const bytes = bundleSize(join(root, 'packages/renderer/dist'));
 console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);
