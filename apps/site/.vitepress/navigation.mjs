@@ -47,6 +47,7 @@ const guides = [
     accuracy: 'Accuracy',
     performance: 'Performance',
     promises: 'Promises',
+    compatibility: 'Versions and browsers',
     lab: 'Measure on your GPU',
   }),
   group('Write your own', {
