@@ -1,6 +1,6 @@
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
-import { githubSlug, rewriteLinks, sitePages, untranslated } from '@farol/tools/site/sitePages';
+import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
 import { shownCode } from '@farol/tools/site/shownCode';
 import { searchOptions } from '@farol/tools/site/searchOptions';
 import { writeTexts } from '@farol/tools/site/writeTexts';
@@ -23,7 +23,10 @@ export default defineConfig(({ command }) => ({
     root: { label: 'English', lang: 'en', themeConfig: english },
     es: { label: 'Español', lang: 'es', ...spanish },
   },
-  themeConfig: { search: { provider: 'local', options: searchOptions }, untranslated: untranslated(pages) },
+  themeConfig: {
+    search: { provider: 'local', options: searchOptions },
+    translated: [...pages.keys()].filter((name) => name.startsWith('es/')),
+  },
   markdown: {
     anchor: { slugify: githubSlug },
     toc: { slugify: githubSlug },
