@@ -1,7 +1,7 @@
 import { expect, test } from '../support/test';
 
 /**
- * What a headset's two eyes cost beside one picture of the size of one: the atrium under 500 moving lights, by an emulated
+ * Cost of a headset's two eyes beside that of one picture of the size of one: the atrium under 500 moving lights, by an emulated
  * headset. Few lights in a small picture on the software rasteriser, where the times mean little:
  *
  * FAROL_GPU=1 FAROL_TESTS=long npm run e2e -- perf/stereo --workers=1
