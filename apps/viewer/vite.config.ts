@@ -1,6 +1,4 @@
 import { existsSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { appAddresses } from '@farol/tools/appAddresses';
 import { offlineApp } from '@farol/tools/offlineApp';
 import { securePages } from '@farol/tools/contentSecurityPolicy';
@@ -19,13 +17,6 @@ function sponzaUrl(): string | null {
   return shortest === undefined ? null : `./models/Sponza/${encodeURI(shortest.replaceAll('\\', '/'))}`;
 }
 
-/** Pages of the viewer and of the examples: each folder of examples/ with an index.html is one. */
-function pages(): string[] {
-  const folder = fileURLToPath(new URL('.', import.meta.url));
-  const names = readdirSync(join(folder, 'examples')).map((name) => `examples/${name}/index.html`);
-  return ['index.html', 'examples/index.html', ...names.filter((name) => existsSync(join(folder, name)))];
-}
-
 export default defineConfig(({ command }) => ({
   base: './',
   publicDir: '../../public',
@@ -33,12 +24,12 @@ export default defineConfig(({ command }) => ({
   plugins: [stanfordDragon(), securePages(), appAddresses(), offlineApp({ name: 'Farol viewer' })],
   define: { SPONZA_URL: JSON.stringify(sponzaUrl()) },
   resolve: {
-    dedupe: ['three', 'react', 'react-dom'],
+    dedupe: ['three'],
     ...(command === 'serve' ? { conditions: sourceConditions } : {}),
   },
   // late imports: without this list the development server would reload the page when a model needs one
   optimizeDeps: {
-    entries: pages(),
+    entries: ['index.html'],
     include: [
       'three/addons/controls/OrbitControls.js',
       'three/addons/libs/meshopt_decoder.module.js',
@@ -51,5 +42,5 @@ export default defineConfig(({ command }) => ({
       'three/addons/loaders/TGALoader.js',
     ],
   },
-  build: { target: 'es2022', chunkSizeWarningLimit: 2000, rolldownOptions: { input: pages() } },
+  build: { target: 'es2022', chunkSizeWarningLimit: 2000 },
 }));

@@ -17,7 +17,10 @@ const MOST = 17_500;
 const inSlice = ['first-lamp', 'light-ranges', 'light-cookies', 'water-surface', 'bloom-composer'];
 
 /** Limits beside those of a technique, with their reasons. */
-const exceptions: Record<string, Limits | undefined> = {};
+const exceptions: Record<string, Limits | undefined> = {
+  // docs/limits.md: rows of texels where seams of a point light's cube cross a shadow
+  'first-lamp': { largest: 0.05, psnr: 70 },
+};
 
 test.use({ viewport: isWriting ? { width: 480, height: 270 } : { width: 192, height: 108 } });
 

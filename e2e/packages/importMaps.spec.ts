@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { serveFolder } from '@farol/tools/benchServe';
 import { entriesOf, publishedPackages } from '@farol/tools/publishedPackages';
+import { root } from '@farol/tools/root';
 import { expect, test } from '../support/test';
 import { installed, readTarball } from './installed';
 import { importsOf, reachedFrom } from './reachedFrom';
@@ -71,6 +72,19 @@ test('a page with an import map runs every entry, unbundled', async ({ page }) =
       return found;
     }, asked);
     for (const specifier of asked) expect(names[specifier], specifier).toBeGreaterThan(0);
+  } finally {
+    await server.close();
+  }
+});
+
+test('the HTML file of the start page draws lit frames', async ({ page }) => {
+  const start = readFileSync(join(root, 'packages/renderer/docs/start.md'), 'utf8');
+  const html = /```html\n(.*?)```/s.exec(start)![1].replace('<!doctype html>', '$&<link rel="icon" href="data:," />');
+  const server = await serveFolder(host, { isolated: false, texts: { 'start.html': () => html } });
+  try {
+    await page.goto(`${server.url}start.html`);
+    // a picture of one colour has under 3 kB; the software rasteriser takes its time
+    await expect.poll(async () => (await page.screenshot()).length, { timeout: 60_000 }).toBeGreaterThan(10_000);
   } finally {
     await server.close();
   }

@@ -4,7 +4,7 @@ import type { Camera, Scene, WebGLRenderer } from 'three';
 import type { FarolRenderer } from '@farol/renderer';
 import type { FloatImage } from './images';
 
-/** `window.example` as far as the tests use it; apps/viewer/examples/shared/examplePage.ts. */
+/** `window.example` as far as the tests use it; e2e/pages/examples/shared/examplePage.ts. */
 export interface ExampleHandle {
   readonly ready: Promise<void>;
   readonly farol: FarolRenderer;
@@ -35,7 +35,7 @@ declare global {
   }
 }
 
-/** Opens an example of the viewer, standing still, and waits until it can draw. */
+/** Opens a page of e2e/pages/examples, standing still, and waits until it can draw. */
 export async function openExample(page: Page, name: string, technique = 'deferred'): Promise<void> {
   await page.setViewportSize({ width: 320, height: 180 });
   await page.goto(`./examples/${name}/index.html?still&technique=${technique}`);

@@ -23,10 +23,12 @@ const HEIGHT = 108;
 /** Opens a live module, standing still, and lets its clock run once all of its code is there. */
 export async function openLive(page: Page, name: string, seconds: number, frames: number): Promise<void> {
   await page.goto(`./index.html?${name}&still`);
+  await page.waitForFunction(() => 'live' in window);
   await page.evaluate(
     async ([step, frames]) => {
-      const { live, stillClock } = window as unknown as LiveWindow;
-      const farol = await (await live).farol;
+      const page = window as unknown as LiveWindow;
+      const farol = await (await page.live).farol;
+      const { stillClock } = page;
       stillClock.advance(0.001);
       if (farol) await stillClock.until(farol.ready);
       for (let i = 0; i < frames; i++) stillClock.advance(step);

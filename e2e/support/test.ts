@@ -5,7 +5,13 @@ import { byExtent, extent } from '@farol/tools/extent';
 export { expect } from '@playwright/test';
 
 /** App that the tests of a folder open by `page.goto('./')`; the viewer for the others. */
-const apps: Record<string, string | undefined> = { editor: 'EDITOR', gallery: 'LIVE', lab: 'LAB', rivals: 'LAB' };
+const apps: Record<string, string | undefined> = {
+  editor: 'EDITOR',
+  examples: 'PAGES',
+  gallery: 'LIVE',
+  lab: 'LAB',
+  rivals: 'LAB',
+};
 /** Folders whose tests have a window of a desktop's size, unless they ask for another. */
 const desktop = new Set(['editor', 'lab']);
 

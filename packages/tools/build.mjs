@@ -1,10 +1,15 @@
 /**
  * `npm run build`: types and bundles of the packages, then the apps on top of them; the size of the renderer is held.
  * With `--tests`, the browser tests' own pages too, and the Stanford dragon, which is else left out of what is built: see
- * `stanfordDragon.mjs`. With `--packages`, the published packages alone; `--site` builds the site alone, on top of packages
- * that are built.
+ * `stanfordDragon.mjs`. With `--packages`, the published packages alone. The site comes last, but with `--tests` and no
+ * `--site` its live modules alone: see e2e/README.md.
+ *
+ * `npm run build -- --site` builds what the site needs alone; `--to FOLDER` then copies it there, for any host of static
+ * files: it works from any folder of a host, and fetches nothing from elsewhere.
  */
-import { join } from 'node:path';
+import { cpSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
@@ -14,29 +19,36 @@ ensureInstalled();
 // these need what was installed just now
 const { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } = await import('./bundleSize.mjs');
 const { bundleTypes } = await import('./bundleTypes.mjs');
-const { buildLive, buildSite } = await import('./site/buildSite.mjs');
-if (process.argv.includes('--site')) {
-  await buildSite();
-  process.exit();
-}
 const packages = publishedPackages();
-const folders = packages.map(({ folder }) => folder);
+const isForTests = process.argv.includes('--tests');
+const isSiteAsked = process.argv.includes('--site');
+const isSiteAlone = isSiteAsked && !isForTests;
 const onlyPackages = process.argv.includes('--packages');
-if (!onlyPackages) folders.push('apps/viewer', 'apps/editor', 'apps/lab');
-if (process.argv.includes('--tests')) {
+const folders = packages.map(({ folder }) => folder);
+if (!isSiteAlone && !onlyPackages) folders.push('apps/viewer', 'apps/editor', 'apps/lab');
+if (isForTests) {
   folders.push('e2e/pages');
   process.env.FAROL_STANFORD_DRAGON ??= '1';
 }
 
-if (runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
+if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
 const { build } = await import('vite');
 for (const folder of folders) {
   await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'warn' });
   console.log(`built ${folder}/dist`);
 }
+if (!onlyPackages) {
+  const { buildLive, buildSite } = await import('./site/buildSite.mjs');
+  await (isForTests && !isSiteAsked ? buildLive() : buildSite());
+}
+if (isSiteAlone) {
+  const { to } = parseArgs({ options: { site: { type: 'boolean' }, to: { type: 'string' } } }).values;
+  // npm runs scripts in the repository, and says where it was called
+  if (to !== undefined)
+    cpSync(join(root, 'apps/site/dist'), resolve(process.env.INIT_CWD ?? '.', to), { recursive: true });
+  process.exit();
+}
 for (const each of packages) await bundleTypes(each);
-// the tests of `npm test` build no site, only its live modules: see e2e/README.md
-await (process.argv.includes('--tests') ? buildLive() : buildSite());
 
 const bytes = bundleSize(join(root, 'packages/renderer/dist'));
 console.log(`@farol/renderer: ${(bytes / 1000).toFixed(1)} kB of ${rendererLimit / 1000} kB, minified and gzipped`);

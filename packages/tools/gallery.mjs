@@ -8,19 +8,16 @@
 import { ensureBrowser } from './ensureBrowser.mjs';
 import { ensureInstalled } from './ensureInstalled.mjs';
 import { runTool } from './runTool.mjs';
+import { figuresFile } from './site/galleryExamples.mjs';
 
 ensureInstalled();
 const names = process.argv.slice(2);
 const chosen = names.length > 0 ? ['-g', `(${names.join('|')}): what`] : [];
-process.exit(
-  runTool(
-    '@playwright/test',
-    'playwright',
-    ['test', '-c', 'e2e/playwright.config.ts', '--workers=1', 'gallery/', ...chosen],
-    {
-      CHROMIUM_PATH: ensureBrowser(),
-      FAROL_GALLERY: '1',
-      FAROL_TESTS: 'verify',
-    },
-  ),
+const code = runTool(
+  '@playwright/test',
+  'playwright',
+  ['test', '-c', 'e2e/playwright.config.ts', '--workers=1', 'gallery/', ...chosen],
+  { CHROMIUM_PATH: ensureBrowser(), FAROL_GALLERY: '1', FAROL_TESTS: 'verify' },
 );
+runTool('oxfmt', 'oxfmt', [figuresFile]);
+process.exit(code);

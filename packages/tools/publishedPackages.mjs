@@ -7,7 +7,7 @@ import { root } from './root.mjs';
  * @property {string} name
  * @property {string} version
  * @property {string[]} files
- * @property {Record<string, Partial<Record<'farol-source' | 'types' | 'default', string>> | null>} exports
+ * @property {Record<string, Partial<Record<'farol-source' | 'types' | 'default', string>> | string | null>} exports
  * @property {Record<string, string>} [dependencies]
  * @property {Record<string, string>} [peerDependencies]
  * @property {Record<string, { optional?: boolean }>} [peerDependenciesMeta]
@@ -68,8 +68,8 @@ export function leftToHost({ dependencies, peerDependencies }) {
  * @returns {Entry[]}
  */
 export function entriesOf({ name, exports }) {
-  return Object.entries(exports).flatMap(([entry, paths]) =>
-    paths?.['farol-source']
+  return Object.entries(exports ?? {}).flatMap(([entry, paths]) =>
+    typeof paths === 'object' && paths?.['farol-source']
       ? [{ specifier: name + entry.slice(1), name: entry.slice(2) || 'index', source: paths['farol-source'] }]
       : [],
   );

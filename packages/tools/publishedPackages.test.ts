@@ -69,15 +69,19 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
   });
 
   it('has the types and script of each entry at its name in dist, so that import maps may end in /', () => {
-    const entries = Object.entries(manifest.exports).filter(([entry]) => !entry.includes('*'));
+    const named = Object.entries(manifest.exports).filter(([entry]) => !entry.includes('*'));
+    const data = named.filter(([entry]) => entry.endsWith('.json'));
+    for (const [entry, path] of data) expect(path).toBe(`./dist/${entry.slice(2)}`);
+    const entries = named.filter((each) => !data.includes(each));
     for (const [entry, paths] of entries) {
       const name = entry === '.' ? 'index' : entry.slice(2);
-      expect(Object.entries(paths!), entry).toEqual([
+      const conditions = paths as Record<string, string>;
+      expect(Object.entries(conditions), entry).toEqual([
         ['farol-source', expect.stringMatching(/^\.\/src\/.+\.tsx?$/)],
         ['types', `./dist/${name}.d.ts`],
         ['default', `./dist/${name}.js`],
       ]);
-      expect(existsSync(join(path, paths!['farol-source']!)), entry).toBe(true);
+      expect(existsSync(join(path, conditions['farol-source'])), entry).toBe(true);
     }
     expect(entriesOf(manifest).map(({ name }) => name)).toHaveLength(entries.length);
     // entries may end in .js, as the key of an import map has them; what they are made of may not be imported
@@ -89,7 +93,9 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
   it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
-    expect(three).toBeTruthy();
+    const [, from, to] = /^>=(\d+\.\d+)\.0 <0\.(\d+)\.0$/.exec(three!)!;
+    for (const page of ['README.md', 'packages/renderer/docs/compatibility.md'])
+      expect(read(root, page)).toContain(`${from} to 0.${Number(to) - 1}`);
     expect(manifest.peerDependencies).toMatchObject({ three, '@types/three': three });
     expect(manifest.peerDependenciesMeta?.['@types/three']).toEqual({ optional: true });
     expect(manifest.peerDependenciesMeta?.three).toBeUndefined();

@@ -30,12 +30,13 @@ export const appFolders = {
  * @param {boolean} [options.watch] - follow edits of the sources (hot reload); default true
  * @param {Partial<Record<AppName, number>>} [options.network] - ports at which sources are served to the network as well:
  *   over HTTPS, to those who have the token; default none
+ * @param {readonly import('vite').Plugin[]} [options.plugins] - added to those of each app that is served from source
  * @param {readonly string[]} [options.hosts] - addresses of this machine; those in its networks when absent
  * @returns {Promise<{ urls: AppUrls, networkUrls: AppUrls[], close(): Promise<void> }>} URLs end in a slash, those of the
  *   network, one record for each of `hosts`, in a token
  * @throws {Error} when a port is taken
  */
-export async function serveApps({ ports, built = false, watch = true, network = {}, hosts }) {
+export async function serveApps({ ports, built = false, watch = true, network = {}, plugins = [], hosts }) {
   /** @type {AppUrls} */
   const urls = {};
   /** @type {Partial<Record<AppName, number>>} */
@@ -91,7 +92,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
         configFile: join(folder, 'vite.config.ts'),
         logLevel: 'warn',
         clearScreen: false,
-        plugins: [answerAddresses(addresses), ...(relay ? [relayPlugin(relay)] : [])],
+        plugins: [...plugins, answerAddresses(addresses), ...(relay ? [relayPlugin(relay)] : [])],
         server: { host: '127.0.0.1', port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
       });
       closers.push(() => server.close());

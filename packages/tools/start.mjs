@@ -27,7 +27,7 @@ try {
     network: isHost ? { editor: port + 4, viewer: port + 5, lab: port + 6 } : {},
   });
   console.log(
-    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Examples      ${urls.viewer}examples/\n  Farol Lab     ${urls.lab}\n  Farol's site  ${urls.site}\n\n  Ctrl+C stops them.\n`,
+    `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Farol Lab     ${urls.lab}\n  Farol's site  ${urls.site}\n  Examples      ${urls.site}gallery/\n\n  Ctrl+C stops them.\n`,
   );
   if (isHost) await tellNetwork(networkUrls);
   if (urls.editor) openBrowser(urls.editor);

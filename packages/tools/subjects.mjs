@@ -51,7 +51,8 @@ export const subjects = [
   ['packages/tools', []], // by their unit tests
 
   ['apps/site/live/thesis', ['thesis/thesis']],
-  ['apps/viewer/examples', ['examples/pictures']],
+  ['apps/site/live', ['gallery/gallery']],
+  ['apps/site', []], // by the tests of the site
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
   ['apps/lab/src/normals', ['lab/stage']],

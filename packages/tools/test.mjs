@@ -42,7 +42,11 @@ const runs = {
   lint: async () =>
     (await startTool('oxlint', 'oxlint', [], held)) + (await startTool('oxfmt', 'oxfmt', ['--check'], held)) === 0,
   unit: () => vitest(),
-  build: () => whileNobodyBuilds(async () => (await startScript(tool('build.mjs'), ['--tests'], held)) === 0),
+  build: () =>
+    whileNobodyBuilds(
+      async () =>
+        (await startScript(tool('build.mjs'), values.verify ? ['--tests', '--site'] : ['--tests'], held)) === 0,
+    ),
   packages: () => whileNobodyBuilds(() => playwright('packages', 'e2e/packages/playwright.config.ts')),
   browser: () =>
     playwright('browser', 'e2e/playwright.config.ts', { FAROL_E2E: 'built', FAROL_BUILT: copyBuilt(folder) }),

@@ -3,8 +3,9 @@ import { liveServer } from '@farol/tools/site/liveServer';
 import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
 import { shownCode } from '@farol/tools/site/shownCode';
 import { searchOptions } from '@farol/tools/site/searchOptions';
+import { writeTexts } from '@farol/tools/site/writeTexts';
 import { defineConfig } from 'vitepress';
-import { english, spanish } from './navigation.mjs';
+import { english, groups, spanish } from './navigation.mjs';
 
 const pages = sitePages();
 
@@ -22,12 +23,18 @@ export default defineConfig(({ command }) => ({
     root: { label: 'English', lang: 'en', themeConfig: english },
     es: { label: 'Español', lang: 'es', ...spanish },
   },
-  themeConfig: { search: { provider: 'local', options: searchOptions } },
+  themeConfig: {
+    search: { provider: 'local', options: searchOptions },
+    translated: [...pages.keys()].filter((name) => name.startsWith('es/')),
+  },
   markdown: {
     anchor: { slugify: githubSlug },
     toc: { slugify: githubSlug },
     config: (md) => rewriteLinks(md, pages),
   },
   vite: { plugins: [shownCode(), liveServer()], publicDir: false, server: { fs: { allow: ['../..'] } } },
-  buildEnd: ({ outDir }) => makeRelative(outDir),
+  buildEnd({ outDir }) {
+    makeRelative(outDir);
+    writeTexts(outDir, groups);
+  },
 }));

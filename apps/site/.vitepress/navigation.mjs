@@ -3,10 +3,9 @@
 /** @param {string} text @param {string} link */
 const page = (text, link) => ({ text, link });
 
-/** @param {string} text @param {Record<string, string>} pages - names by file in guides/ @param {boolean} [collapsed] */
-const group = (text, pages, collapsed) => ({
+/** @param {string} text @param {Record<string, string>} pages - names by file in guides/ */
+const group = (text, pages) => ({
   text,
-  ...(collapsed === undefined ? {} : { collapsed }),
   items: Object.entries(pages).map(([file, name]) => page(name, `/guides/${file}`)),
 });
 
@@ -15,7 +14,12 @@ const guides = [
     text: 'Start',
     items: [
       page('Start in a minute', '/start'),
-      ...group('', { renderer: 'The renderer', faq: 'Questions', moving: 'Moving to Farol' }).items,
+      ...group('', {
+        'create-farol': 'npm create farol',
+        renderer: 'The renderer',
+        faq: 'Questions',
+        moving: 'Moving to Farol',
+      }).items,
     ],
   },
   group('Lights', {
@@ -43,6 +47,7 @@ const guides = [
     accuracy: 'Accuracy',
     performance: 'Performance',
     promises: 'Promises',
+    compatibility: 'Versions and browsers',
     lab: 'Measure on your GPU',
   }),
   group('Write your own', {
@@ -50,53 +55,42 @@ const guides = [
     'engine-adding': 'Component, scene',
     attach: 'The editor in your page',
   }),
-  group(
-    'Engine',
-    {
-      engine: 'The engine',
-      scenes: 'Demo scenes',
-      'engine-headsets': 'Headsets',
-      'scene-files': 'Scene files',
-      models: 'OBJ, STL and PLY',
-      guard: 'Files of strangers',
-      'editing-package': 'Undo, fields and units',
-    },
-    true,
-  ),
-  group(
-    'Editor',
-    {
-      editor: 'The editor and its plugins',
-      'editor-files': 'Files and exports',
-      'editor-editing': 'Editing',
-      'editor-scripts': 'Scripts',
-      'editor-animation': 'Timeline',
-      'editor-viewport': 'Viewport',
-      'editor-layout': 'Windows and panels',
-      'editor-promises': 'Promises',
-    },
-    true,
-  ),
-  group(
-    'How it is made',
-    {
-      architecture: 'One frame',
-      'light-loops': 'Light loops',
-      'shadow-maps': 'Shadow maps',
-      'attempts/deferred': 'Attempts: deferred',
-      'attempts/forward': 'Attempts: forward',
-      'attempts/frame': 'Attempts: the frame',
-      'attempts/shadow-lookups': 'Attempts: reading shadow maps',
-      'attempts/shadow-casters': 'Attempts: casters',
-      'attempts/shadow-regions': 'Attempts: regions of maps',
-      'attempts/shadow-atlas': 'Attempts: the atlas',
-      'attempts/antialiasing': 'Attempts: anti-aliasing',
-      project: 'The repository',
-      contributing: 'Working on Farol',
-      licences: 'Licences of others',
-    },
-    true,
-  ),
+  group('Engine', {
+    engine: 'The engine',
+    scenes: 'Demo scenes',
+    'engine-headsets': 'Headsets',
+    'scene-files': 'Scene files',
+    models: 'OBJ, STL and PLY',
+    guard: 'Files of strangers',
+    'editing-package': 'Undo, fields and units',
+  }),
+  group('Editor', {
+    editor: 'The editor and its plugins',
+    'editor-files': 'Files and exports',
+    'editor-editing': 'Editing',
+    'editor-scripts': 'Scripts',
+    'editor-animation': 'Timeline',
+    'editor-viewport': 'Viewport',
+    'editor-layout': 'Windows and panels',
+    'editor-promises': 'Promises',
+  }),
+  group('How it is made', {
+    architecture: 'One frame',
+    'light-loops': 'Light loops',
+    'shadow-maps': 'Shadow maps',
+    'attempts/deferred': 'Attempts: deferred',
+    'attempts/forward': 'Attempts: forward',
+    'attempts/frame': 'Attempts: the frame',
+    'attempts/shadow-lookups': 'Attempts: reading shadow maps',
+    'attempts/shadow-casters': 'Attempts: casters',
+    'attempts/shadow-regions': 'Attempts: regions of maps',
+    'attempts/shadow-atlas': 'Attempts: the atlas',
+    'attempts/antialiasing': 'Attempts: anti-aliasing',
+    project: 'The repository',
+    contributing: 'Working on Farol',
+    site: 'This site',
+    licences: 'Licences of others',
+  }),
 ];
 
 /** Techniques by file in techniques/, in the order of their complexity. */
@@ -162,7 +156,9 @@ const spanishThesis = thesis('La tesis viva', '/es/thesis/', 'Contenido', {
   'future-work': 'Trabajo futuro',
 });
 
-/** @type {import('vitepress').DefaultTheme.Config} */
+/** English pages by group, in the reader's order. */
+export const groups = [...guides, ...techniques, ...englishThesis];
+
 export const english = {
   nav: [
     page('Start', '/start'),
@@ -175,15 +171,38 @@ export const english = {
   outline: [2, 3],
 };
 
-/** @type {Partial<import('vitepress').LocaleSpecificConfig<import('vitepress').DefaultTheme.Config>>} */
+/** Spanish pages, then the groups of those that are English alone. */
+const guias = [
+  {
+    text: 'Inicio',
+    items: [page('Empezar en un minuto', '/es/start'), page('Luces y sus alcances', '/es/guides/lights')],
+  },
+  {
+    text: 'Técnicas',
+    items: [page('Comparadas', '/es/techniques/')],
+  },
+  ...[...guides, ...techniques].map(({ text, items }) => ({ text: `${text} (en inglés)`, items })),
+];
+
 export const spanish = {
   description: 'Dibuja escenas corrientes de three.js con cualquier número de luces, y las edita mientras corren.',
   themeConfig: {
-    nav: [page('Inicio', '/es/start'), page('Tesis', '/es/thesis/')],
-    sidebar: {
-      '/es/thesis/': spanishThesis,
-      '/es/': [{ text: 'Inicio', items: [page('Empezar en un minuto', '/es/start')] }],
-    },
+    nav: [
+      page('Inicio', '/es/start'),
+      page('Luces', '/es/guides/lights'),
+      page('Técnicas', '/es/techniques/'),
+      page('Galería', '/gallery/'),
+      page('Tesis', '/es/thesis/'),
+    ],
+    sidebar: { '/es/thesis/': spanishThesis, '/es/': guias },
     outline: { level: [2, 3], label: 'En esta página' },
+    docFooter: { prev: 'Página anterior', next: 'Página siguiente' },
+    darkModeSwitchLabel: 'Apariencia',
+    lightModeSwitchTitle: 'Tema claro',
+    darkModeSwitchTitle: 'Tema oscuro',
+    sidebarMenuLabel: 'Menú',
+    returnToTopLabel: 'Volver arriba',
+    langMenuLabel: 'Idioma',
+    skipToContentLabel: 'Saltar al contenido',
   },
 };

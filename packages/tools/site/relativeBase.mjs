@@ -1,6 +1,8 @@
+import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseSync, Visitor } from 'vite';
+import { policyElement } from '../contentSecurityPolicy.mjs';
 
 /** Base that VitePress builds with; {@link makeRelative} takes it out again. */
 export const placeholderBase = '/FAROL_SITE_BASE/';
@@ -10,7 +12,8 @@ const findBase = (up) =>
   `<script>FAROL_SITE_BASE=new URL("${up}",location).pathname;for(const a of document.querySelectorAll("a[href]"))if(!/^(#|[a-z]+:)/.test(a.getAttribute("href")))a.setAttribute("href",a.pathname+a.hash)</script>`;
 
 /**
- * Makes a built site work from any folder of any host: VitePress knows fixed bases alone.
+ * Makes a built site work from any folder of any host, where VitePress knows fixed bases alone; and gives its pages a
+ * content security policy.
  *
  * @param {string} dist - folder that VitePress built with {@link placeholderBase}
  */
@@ -22,8 +25,30 @@ export function makeRelative(dist) {
     if (name.endsWith('.css')) change((text) => text.replaceAll(placeholderBase, up));
     if (name.endsWith('.js')) change((text) => scriptWithBase(name, text));
     if (name.endsWith('.html'))
-      change((text) => text.replaceAll(placeholderBase, up).replace('</body>', () => `${findBase(up)}</body>`));
+      change((text) =>
+        withPolicy(text.replaceAll(placeholderBase, up).replace('</body>', () => `${findBase(up)}</body>`)),
+      );
   }
+}
+
+/**
+ * A page that fetches from its own host alone, and runs no other scripts than its own.
+ *
+ * @param {string} html
+ */
+function withPolicy(html) {
+  const hashes = [...html.matchAll(/<script(?![^>]*\ssrc=)[^>]*>(.*?)<\/script>/gs)].map(
+    ([, script]) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`,
+  );
+  const policy = [
+    "default-src 'self'",
+    `script-src 'self' ${hashes.join(' ')}`,
+    "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' data:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ');
+  return html.replace('<meta charset="utf-8">', (meta) => `${meta}\n    ${policyElement(policy)}`);
 }
 
 /**

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 
 /**
- * Vite plugin: `import html from './x.ts?shown'` gives a file as highlighted HTML.
+ * Vite plugin: an import whose address ends in `?shown` gives a file as highlighted HTML.
  *
  * @returns {import('vite').Plugin}
  */

@@ -33,7 +33,7 @@ const pages = [
   ['renderer', 'Guide to techniques and lights', 'packages/renderer#readme'],
   ['microshaders', 'Guide to effects and microshaders', 'packages/renderer/docs/authoring.md'],
   ['limits', 'What the techniques cannot do', 'packages/renderer/docs/limits.md'],
-  ['examples', 'Examples for your own page', 'apps/viewer/examples'],
+  ['examples', 'Examples for your own page', 'apps/site/live/gallery'],
 ] as const;
 
 /** One action for each page of the documentation, which opens in a new window. */

@@ -30,7 +30,7 @@ const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
 webgl.toneMappingExposure = 0.9;
 const occlusion = new AmbientOcclusion();
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', effects: [occlusion] });
+const farol = new FarolRenderer(webgl, { technique: 'forward-plus', effects: [occlusion] });
 
 const scene = new Scene();
 scene.background = new Color(0x39445a);

@@ -4,6 +4,7 @@
  * A hall of the scale of Sponza made in code: 254,000 triangles, two storeys of arcades, a hundred lamps.
  *
  * @tags engine, scenes, many lights
+ * @editor ?scene=sponza
  * @still 1 2
  */
 import { App } from '@farol/engine';

@@ -30,7 +30,7 @@ import { UnrealBloomPass } from 'three/addons/postprocessing/UnrealBloomPass.js'
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas });
 webgl.toneMapping = ACESFilmicToneMapping;
-const farol = new FarolRenderer(webgl);
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
 const scene = new Scene();
 scene.background = new Color(0x04050a);

@@ -40,7 +40,7 @@ import {
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
+const farol = new FarolRenderer(webgl, { technique: 'forward-plus' });
 
 const scene = new Scene();
 scene.background = new Color(0x0a1020);

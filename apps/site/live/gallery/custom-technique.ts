@@ -94,7 +94,7 @@ scene.add(floor, new HemisphereLight(0x90a8e0, 0x302820, 0.2));
 const arch = new TorusGeometry(1.6, 0.16, 16, 64);
 for (let i = 0; i < 14; i++) {
   const color = new Color().setHSL(0.55 + 0.02 * i, 0.5, 0.6);
-  const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.25, metalness: 0.6 }));
+  const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.45, metalness: 0.1 }));
   mesh.position.set(1.6 * Math.sin(0.45 * i), 0.9, 5 - 1.3 * i);
   mesh.rotation.y = 0.5 * Math.cos(0.45 * i);
   scene.add(mesh);

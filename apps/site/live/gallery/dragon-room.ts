@@ -14,7 +14,7 @@ const app = new App({
   canvas: document.querySelector('canvas')!,
   parent: document.body,
   renderer: { antialias: true },
-  technique: 'deferred',
+  technique: 'clustered-forward',
   scene: await niceScene({ lights: 12, shadows: true }),
 });
 const { renderer: farol, webgl } = app;

@@ -6,7 +6,17 @@
  * @tags engine, physics, point light
  * @still 2.4 48
  */
-import { App, Camera, Collider, GameObject, Light, MouseController, ObjectRenderer, RigidBody, Scene } from '@farol/engine';
+import {
+  App,
+  Camera,
+  Collider,
+  GameObject,
+  Light,
+  MouseController,
+  ObjectRenderer,
+  RigidBody,
+  Scene,
+} from '@farol/engine';
 import { MathUtils, type Scene as ThreeScene } from 'three';
 
 const stage = new Scene({ name: 'Stair' });

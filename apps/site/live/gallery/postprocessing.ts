@@ -37,7 +37,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, powerPreference: 'high-performance', stencil: false, depth: false });
-const farol = new FarolRenderer(webgl);
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
 const scene = new Scene();
 scene.background = new Color(0x05060a);

@@ -42,7 +42,7 @@ controls.update();
 const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x7d8086, roughness: 0.7 }));
 floor.rotation.x = -Math.PI / 2;
 scene.add(floor, new HemisphereLight(0xb0c4ff, 0x504840, 0.6));
-const steel = new MeshStandardMaterial({ color: 0xe6e9ee, roughness: 0.3, metalness: 0.4 });
+const steel = new MeshStandardMaterial({ color: 0xe6e9ee, roughness: 0.5, metalness: 0.1 });
 const fence = new InstancedMesh(new CylinderGeometry(0.012, 0.012, 1.8, 8), steel, 160);
 const place = new Object3D();
 for (let i = 0; i < 160; i++) {

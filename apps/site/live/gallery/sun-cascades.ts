@@ -31,7 +31,7 @@ const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
 webgl.toneMappingExposure = 0.75;
 webgl.shadowMap.enabled = true;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', shadowCascades: 4 });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', shadowCascades: 4 });
 
 const scene = new Scene();
 scene.background = new Color(0x9fb4d0);

@@ -4,6 +4,7 @@
  * A scene of `@farol/scenes` in an `App`: marble columns, six steady lamps and fifty that wander.
  *
  * @tags engine, scenes, many lights
+ * @editor ?scene=temple
  * @still 1 2
  */
 import { App } from '@farol/engine';

@@ -33,8 +33,10 @@ export class HelpPanel {
     close.textContent = 'Close';
     close.addEventListener('click', () => this.dialog.close());
     const examples = document.createElement('a');
-    examples.href = './examples/index.html';
-    examples.textContent = 'Examples: Farol in other libraries';
+    examples.href = 'https://github.com/farol-renderer/farol/tree/main/apps/site/live/gallery';
+    examples.target = '_blank';
+    examples.rel = 'noopener noreferrer';
+    examples.textContent = 'Examples for your own page';
     this.dialog.append(
       heading('Keys'),
       table(keys),
