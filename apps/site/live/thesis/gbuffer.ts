@@ -16,7 +16,7 @@ figure.describe('A room, and the buffers that it is lit from', 'Una habitación 
 const view = new BufferView();
 view.depths.set(3, 16);
 const probe = new GBufferProbe();
-farol.effects = [view, probe];
+farol.effects = [view];
 const say = figure.say.bind(figure);
 const words: Record<
   'albedo' | 'normal' | 'depth' | 'specular' | 'shininess' | 'ambient' | 'lighting' | 'final',
@@ -115,6 +115,11 @@ const rows = (
 figure.strip.append(table);
 figure.drawFrame = () => {
   farol.render(scene, camera);
+  // its program is compiled once there is a picture to look at
+  if (farol.effects.length === 1) {
+    farol.effects = [view, probe];
+    figure.redraw();
+  }
   figure.label([{ text: '+', x: probe.place.x, y: 0.98 - probe.place.y }]);
   void probe.read(webgl, (values) =>
     rows.forEach(({ row, channels }, r) => {
