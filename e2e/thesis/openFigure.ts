@@ -29,11 +29,13 @@ export interface MultipassFigure extends ComparedFigure {
   drawSum(count: number): void;
 }
 
-/** A picture of the canvas, RGBA of 8 bits, bottom row first. */
+/** Pixels of a figure's picture, as a number that stands for them and as what they are. */
 export interface FigurePicture {
-  readonly width: number;
-  readonly height: number;
-  readonly data: readonly number[];
+  readonly hash: number;
+  /** Number of different colours. */
+  readonly tones: number;
+  /** Share of channels above 60 of 255. */
+  readonly light: number;
 }
 
 /** Opens a figure, on a clock that stands still, and waits until its picture lacks nothing. */
@@ -52,28 +54,23 @@ export const settle = (page: Page): Promise<void> =>
   });
 
 /** Draws the figure and reads its canvas. */
-export async function readFigure(page: Page): Promise<FigurePicture> {
-  return page.evaluate(async () => {
-    const { figure, webgl } = await (window as unknown as FigureWindow).live;
-    const gl = webgl.getContext();
-    figure.draw();
-    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
-    const data = new Uint8Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
-    return { width, height, data: [...data] };
-  });
-}
-
-/** Draws the figure; a number that stands for its pixels. */
-export const figureHash = (page: Page): Promise<number> =>
+export const readFigure = (page: Page): Promise<FigurePicture> =>
   page.evaluate(async () => {
     const { figure, webgl } = await (window as unknown as FigureWindow).live;
     const gl = webgl.getContext();
     figure.draw();
     const data = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
     gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);
-    // FNV-1a
-    let hash = 0x811c9dc5;
-    for (const byte of data) hash = Math.imul(hash ^ byte, 0x01000193);
-    return hash >>> 0;
+    const tones = new Set<number>();
+    let light = 0;
+    let hash = 0x811c9dc5; // FNV-1a
+    data.forEach((value, i) => {
+      hash = Math.imul(hash ^ value, 0x01000193);
+      if (i % 4 === 3) tones.add((data[i - 3] << 16) | (data[i - 2] << 8) | data[i - 1]);
+      else if (value > 60) light++;
+    });
+    return { hash: hash >>> 0, tones: tones.size, light: light / data.length };
   });
+
+/** A number that stands for the figure's pixels. */
+export const figureHash = async (page: Page): Promise<number> => (await readFigure(page)).hash;

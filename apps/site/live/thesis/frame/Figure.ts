@@ -180,6 +180,8 @@ export class Figure {
     this.draw();
     await this.farol.ready;
     this.farol.removeEventListener('redraw', again);
+    // a caption of more lines leaves less height
+    this.fit();
     this.draw();
   }
 
