@@ -51,6 +51,7 @@ export const subjects = [
   ['packages/tools', []], // by their unit tests
 
   ['apps/site/live/thesis', ['thesis/thesis']],
+  ['apps/site', []], // by packages/tools/site, and e2e/site in verify
   ['apps/viewer/examples', ['examples/pictures']],
   ['apps/viewer', ['viewer/url', 'viewer/gui']],
   ['apps/lab/src/charts', ['lab/charts']],
