@@ -13,8 +13,8 @@ const stills = join(liveFolder, 'assets/stills/gallery');
 /** Most bytes of a picture. */
 const MOST = 17_500;
 
-/** One of each way to draw: forward lists, tile lists, images of lights, a surface, a composer of three's. */
-const inSlice = ['first-lamp', 'light-ranges', 'light-cookies', 'water-surface', 'bloom-composer'];
+/** Small scenes of five kinds: a shadow, light layers, an edited microshader, particles, a composer of three's. */
+const inSlice = ['first-lamp', 'light-layers', 'attenuation-edited-live', 'campfire', 'bloom-composer'];
 
 /** Limits beside those of a technique, with their reasons. */
 const exceptions: Record<string, Limits | undefined> = {
