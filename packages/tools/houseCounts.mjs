@@ -9,7 +9,7 @@ export const houseLimits = {
   parametersWithoutDash: 0,
   tinyFiles: 6,
   macrosAcrossFiles: 42,
-  lines: 162_000,
+  lines: 164_000,
 };
 
 /** First words by which a docblock hides its noun. */

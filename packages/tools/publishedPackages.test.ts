@@ -10,6 +10,8 @@ const sideEffects: Readonly<Record<string, readonly string[]>> = {
   'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
   'packages/scenes': ['./src/meshPack.ts', './dist/chunks/meshPack.js'],
 };
+/** Packages for Node, which draw nothing. */
+const withoutThree = ['packages/mcp'];
 const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 
 it('finds the packages that are not private', () => {
@@ -20,6 +22,7 @@ it('finds the packages that are not private', () => {
       '@farol/bake',
       '@farol/editing',
       '@farol/engine',
+      '@farol/mcp',
       '@farol/renderer',
       '@farol/scenes',
     ]),
@@ -86,7 +89,8 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     expect(Object.fromEntries(others)).toEqual(entries.length > 1 ? patterns : {});
   });
 
-  it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
+  it('asks for the same three as the renderer, and for its types if the host uses TypeScript, where it draws', () => {
+    if (withoutThree.includes(folder)) return expect(manifest.peerDependencies).toBeUndefined();
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
     expect(three).toBeTruthy();
