@@ -213,3 +213,36 @@ test('an agent builds a night street with 12 lamps from the empty scene in 25 ca
   await expect(agent.call('undo')).rejects.toThrow('There is nothing to undo.');
   await agent.client.close();
 });
+
+test('what a page of another origin sends reaches neither the agents nor the editor @verify', async ({
+  page,
+  browser,
+  pagesURL,
+}) => {
+  await openEditor(page);
+  await allow(page);
+  const context = await browser.newContext();
+  const stranger = await context.newPage();
+  await stranger.goto(pagesURL);
+  const opens = await stranger.evaluate(
+    ([address, key]) =>
+      Promise.all(
+        ['allow', 'agent', `agent=${key}`, `agent&x-farol-agent=${key}`].map(
+          (query) =>
+            new Promise((resolve) => {
+              const socket = new WebSocket(`${address.replace('http', 'ws')}farol-live?${query}`);
+              socket.addEventListener('open', () => resolve(true));
+              socket.addEventListener('close', () => resolve(false));
+            }),
+        ),
+      ),
+    [served.urls.editor!, served.agentKey],
+  );
+  expect(opens).toEqual([false, false, false, false]);
+  await context.close();
+  // the page still has the agents
+  const agent = new Agent();
+  await agent.connect();
+  expect(await agent.call('get_scene')).toMatchObject({ size: 3 });
+  await agent.client.close();
+});

@@ -6,7 +6,7 @@
  */
 import { join } from 'node:path';
 import { ensureInstalled } from './ensureInstalled.mjs';
-import { publishedPackages } from './publishedPackages.mjs';
+import { builtPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
@@ -19,7 +19,7 @@ if (process.argv.includes('--site')) {
   await buildSite();
   process.exit();
 }
-const packages = publishedPackages();
+const packages = builtPackages();
 const folders = packages.map(({ folder }) => folder);
 const onlyPackages = process.argv.includes('--packages');
 if (!onlyPackages) folders.push('apps/viewer', 'apps/editor', 'apps/lab');

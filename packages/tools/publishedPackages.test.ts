@@ -1,17 +1,15 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
+import { builtPackages, entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
-const packages = publishedPackages();
+const packages = builtPackages();
 /** The built-in components register themselves, the demo scenes their meshes. */
 const sideEffects: Readonly<Record<string, readonly string[]>> = {
   'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
   'packages/scenes': ['./src/meshPack.ts', './dist/chunks/meshPack.js'],
 };
-/** Packages for Node, which draw nothing. */
-const withoutThree = ['packages/mcp'];
 const read = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 
 it('finds the packages that are not private', () => {
@@ -28,6 +26,9 @@ it('finds the packages that are not private', () => {
     ]),
   );
   expect(names).not.toContain('@farol/tools');
+  // it runs in Node: no page imports it
+  const ofPages = publishedPackages().map(({ manifest }) => manifest.name);
+  expect(names.filter((name) => !ofPages.includes(name))).toEqual(['@farol/mcp']);
 });
 
 it('leaves dependencies, peers and their parts to the host, and nothing else', () => {
@@ -89,11 +90,11 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     expect(Object.fromEntries(others)).toEqual(entries.length > 1 ? patterns : {});
   });
 
-  it('asks for the same three as the renderer, and for its types if the host uses TypeScript, where it draws', () => {
-    if (withoutThree.includes(folder)) return expect(manifest.peerDependencies).toBeUndefined();
+  it('asks for the same three as the renderer, and for its types if the host uses TypeScript, unless it runs in Node', () => {
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
     expect(three).toBeTruthy();
+    if (folder === 'packages/mcp') return expect(manifest.peerDependencies).toBeUndefined();
     expect(manifest.peerDependencies).toMatchObject({ three, '@types/three': three });
     expect(manifest.peerDependenciesMeta?.['@types/three']).toEqual({ optional: true });
     expect(manifest.peerDependenciesMeta?.three).toBeUndefined();

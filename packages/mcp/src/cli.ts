@@ -5,6 +5,8 @@ import { findEditor } from './findEditor';
 import { makeServer } from './makeServer';
 
 const link = new EditorLink(() => findEditor());
-await makeServer(link).connect(new StdioServerTransport());
+/** Server of the command `farol-mcp`, which talks by standard input and output. */
+export const server = makeServer(link);
+await server.connect(new StdioServerTransport());
 // a client that goes without a word closes the input
 process.stdin.once('end', () => process.exit(0));

@@ -12,7 +12,7 @@ const isLocal = (url: string): boolean => /^https?:\/\/(localhost|127\.0\.0\.1|\
  * Finds the dev server: by FAROL_AGENT_URL and FAROL_AGENT_KEY, else as `npm start` noted.
  * @throws Error when neither tells, or it is not on this machine
  */
-export function findEditor(env: NodeJS.ProcessEnv = process.env): EditorPlace {
+export function findEditor(env: Readonly<Record<string, string | undefined>> = process.env): EditorPlace {
   const { FAROL_AGENT_URL: url, FAROL_AGENT_KEY: key } = env;
   const place = url && key ? { url, key } : readPlace();
   if (!isLocal(place.url))

@@ -5,8 +5,12 @@ import type { EditorApi } from '../api/EditorApi';
 import { dialogOf } from './readTools';
 import { findObjects } from './findObjects';
 
-/** Commands that need a hand: the browser asks for a file, or the user decides on agents. */
-const byHand: readonly string[] = ['file.open', 'file.agent'];
+/** Commands that need a hand, with what an agent does in their place. */
+const byHand: Readonly<Record<string, string>> = {
+  'file.open': 'the browser asks the user for the file: ask them to open it.',
+  'file.agent': 'the user alone decides on it.',
+  'edit.duplicate-many': 'its settings are set by hand: use the tool duplicate_along.',
+};
 
 /** Longest wait for a command (ms): one that asks the user for a file may never end. */
 const PATIENCE = 20_000;
@@ -16,7 +20,7 @@ const isAvailable = (action: Action, editor: EditorApi): boolean => action.enabl
 export function listActions(editor: EditorApi, { find = '' }: ToolInput<'list_actions'>): object {
   const asked = find.toLowerCase();
   return allActions(editor)
-    .filter(({ id }) => !byHand.includes(id))
+    .filter(({ id }) => !Object.hasOwn(byHand, id))
     .map((action) => ({
       id: action.id,
       name: labelOf(action, editor),
@@ -38,7 +42,7 @@ export async function runAction(editor: EditorApi, { id, objects }: ToolInput<'r
     const mend = alike.length > 0 ? `; there is ${alike.slice(0, 5).join(', ')}` : '';
     throw new Error(`There is no command “${id}”${mend}. list_actions has all.`);
   }
-  if (byHand.includes(id)) throw new Error(`“${labelOf(action, editor)}” needs the user's own hand: ask them.`);
+  if (Object.hasOwn(byHand, id)) throw new Error(`“${labelOf(action, editor)}” cannot be run: ${byHand[id]}`);
   if (objects) document.selection.set(findObjects(document.scene, objects).map((object) => object.id));
   if (!isAvailable(action, editor)) {
     const hint = objects ? '' : ' Many need objects: name them.';

@@ -15,9 +15,10 @@ const shortened = (value: number): number => Number(value.toPrecision(6));
 export function unitOf(field: Field): string | undefined {
   if ('unitBy' in field && field.unitBy) {
     const { field: other, units } = field.unitBy;
-    return Object.entries(units)
-      .map(([value, unit]) => `${unit} for ${other} ${value}`)
-      .join(', ');
+    const ofUnit = (unit: string): string[] => Object.keys(units).filter((value) => units[value] === unit);
+    return [...new Set(Object.values(units))]
+      .map((unit) => `${unit} where ${other} is ${ofUnit(unit).join(', ')}`)
+      .join('; ');
   }
   return numberDisplay(field).unit;
 }

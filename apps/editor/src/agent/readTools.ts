@@ -128,9 +128,10 @@ export function describeType({ document, samples }: EditorApi, { type }: ToolInp
 }
 
 export function getLights({ document, viewport }: EditorApi): object {
-  const { info, technique } = viewport.farol;
+  const { info } = viewport.farol;
   return {
-    technique,
+    technique: info.technique,
+    reason: info.reason,
     drawn: { lights: info.lights, drawCalls: info.drawCalls, triangles: info.triangles },
     lights: [...document.scene.componentsOf(Light)].map((each) => {
       const light = each as Light;

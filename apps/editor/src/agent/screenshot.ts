@@ -59,7 +59,7 @@ export async function takeScreenshot(editor: EditorApi, input: ToolInput<'screen
     { type: 'image', data: data.slice(data.indexOf(',') + 1), mimeType: 'image/jpeg' },
     {
       type: 'text',
-      text: `${width} × ${height} pixels, drawn by ${viewport.farol.technique}${isSmall ? '; the viewport is no wider' : ''}.`,
+      text: `${width} × ${height} pixels, drawn by ${viewport.farol.info.technique}${isSmall ? '; the viewport is no wider' : ''}.`,
     },
   ];
 }
