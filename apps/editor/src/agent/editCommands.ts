@@ -6,7 +6,7 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { EditorApi } from '../api/EditorApi';
 import { poseEdits } from '../model/cameraEdits';
 import type { Container } from '../model/commands/Placement';
-import { addComponent, addObject, canMoveTo, deleteObjects, moveObjects, removeComponents } from '../model/edits';
+import { addComponent, addObject, deleteObjects, moveObjects, removeComponents } from '../model/edits';
 import { renameObject, setActive, setLocked, setStatic } from '../model/edits';
 import { creationNames } from './creationNames';
 import { duplicateAlong } from './duplicateAlong';
@@ -143,12 +143,7 @@ function setEdit(scene: Scene, { object: reference, component, values }: EditOf<
 function moveEdit(scene: Scene, edit: EditOf<'move_object'>): PreparedEdit {
   let found: GameObject | null = null;
   const object = (): GameObject => (found ??= findObject(scene, edit.object));
-  const intoParent = (): Command => {
-    const parent = containerOf(scene, edit.parent);
-    if (!canMoveTo([object()], parent))
-      throw new Error(`“${object().name}” cannot be put below itself: choose another parent.`);
-    return moveObjects(scene, [object()], parent);
-  };
+  const intoParent = (): Command => moveObjects(scene, [object()], containerOf(scene, edit.parent));
   const make = [
     ...(edit.parent === undefined ? [] : [intoParent]),
     ...(isPlacing(edit) ? [() => placing(object(), edit, scene)] : []),
