@@ -4,6 +4,7 @@ import { serveApps } from '@farol/tools/serveApps';
 import { Client } from '@modelcontextprotocol/sdk/client/index.js';
 import { StdioClientTransport } from '@modelcontextprotocol/sdk/client/stdio.js';
 import type { Page } from '@playwright/test';
+import { axeProblems } from '../support/axeProblems';
 import { expect, test } from '../support/test';
 import { history, serialized } from './editor';
 
@@ -212,6 +213,31 @@ test('an agent builds a night street with 12 lamps from the empty scene in 25 ca
   }
   await expect(agent.call('undo')).rejects.toThrow('There is nothing to undo.');
   await agent.client.close();
+});
+
+test('the dialog and the bar that allow an agent are clean to axe in both themes, also at 390 pixels @verify', async ({
+  page,
+}) => {
+  await openEditor(page);
+  const ask = async (): Promise<void> => {
+    for (const theme of ['light', 'dark'] as const) {
+      await page.evaluate((chosen) => window.editor.preferences.setState({ theme: chosen }), theme);
+      await page.locator(`html[data-theme="${theme}"]`).waitFor();
+      expect(await axeProblems(page), theme).toEqual([]);
+    }
+  };
+  await page.getByRole('menuitem', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Let an agent edit…' }).click();
+  await expect(page.getByLabel('Setting of the MCP client')).toContainText('"command": "node"');
+  await ask();
+  await page.getByRole('button', { name: 'Allow it' }).click();
+  const bar = page.getByRole('complementary', { name: 'An agent may edit' });
+  await expect(bar).toContainText('none is connected yet');
+  await expect(page.getByRole('dialog')).toBeHidden();
+  await ask();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect(bar.getByRole('button', { name: 'End it' })).toBeInViewport({ ratio: 1 });
+  await ask();
 });
 
 test('what a page of another origin sends reaches neither the agents nor the editor @verify', async ({

@@ -67,6 +67,7 @@ const guides = [
     'Editor',
     {
       editor: 'The editor and its plugins',
+      agent: 'Let an agent edit',
       'editor-files': 'Files and exports',
       'editor-editing': 'Editing',
       'editor-scripts': 'Scripts',

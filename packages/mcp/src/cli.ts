@@ -1,4 +1,4 @@
-#!/usr/bin/env node
+import type { McpServer } from '@modelcontextprotocol/sdk/server/mcp.js';
 import { StdioServerTransport } from '@modelcontextprotocol/sdk/server/stdio.js';
 import { EditorLink } from './EditorLink';
 import { findEditor } from './findEditor';
@@ -6,7 +6,7 @@ import { makeServer } from './makeServer';
 
 const link = new EditorLink(() => findEditor());
 /** Server of the command `farol-mcp`, which talks by standard input and output. */
-export const server = makeServer(link);
+export const server: McpServer = makeServer(link);
 await server.connect(new StdioServerTransport());
 // a client that goes without a word closes the input
 process.stdin.once('end', () => process.exit(0));
