@@ -1,6 +1,6 @@
 import { dirname, join, normalize } from 'node:path/posix';
 import { type Problem, checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
-import { type Manifest, entriesOf, publishedPackages } from '@farol/tools/publishedPackages';
+import { builtPackages, type Manifest, entriesOf } from '@farol/tools/publishedPackages';
 import { expect, test } from '@playwright/test';
 import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
@@ -10,7 +10,7 @@ import { reachedFrom } from './reachedFrom';
 /** Files of a package beside dist. */
 const papers = ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'];
 
-for (const { manifest } of publishedPackages()) {
+for (const { manifest } of builtPackages()) {
   test.describe(manifest.name, () => {
     test('holds its papers and what its entries reach, nothing else', () => {
       const { files } = readTarball(manifest.name);

@@ -30,12 +30,19 @@ export function packedPackages(checkout = root) {
 }
 
 /**
- * Packages for the registry that pages import, and that are built: those that have `exports`.
+ * Packages for the registry that are built: those that have `exports`.
+ *
+ * @param {string} [checkout] - folder of a repository; default this one
+ */
+export const builtPackages = (checkout = root) => packedPackages(checkout).filter(({ manifest }) => manifest.exports);
+
+/**
+ * Packages for the registry that pages import: those that are built for a page's three.
  *
  * @param {string} [checkout] - folder of a repository; default this one
  */
 export const publishedPackages = (checkout = root) =>
-  packedPackages(checkout).filter(({ manifest }) => manifest.exports);
+  builtPackages(checkout).filter(({ manifest }) => manifest.peerDependencies?.three);
 
 /** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
 export function readManifest(folder) {

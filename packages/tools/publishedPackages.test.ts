@@ -1,10 +1,10 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
+import { builtPackages, entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
-const packages = publishedPackages();
+const packages = builtPackages();
 /** The built-in components register themselves, the demo scenes their meshes. */
 const sideEffects: Readonly<Record<string, readonly string[]>> = {
   'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
@@ -20,11 +20,15 @@ it('finds the packages that are not private', () => {
       '@farol/bake',
       '@farol/editing',
       '@farol/engine',
+      '@farol/mcp',
       '@farol/renderer',
       '@farol/scenes',
     ]),
   );
   expect(names).not.toContain('@farol/tools');
+  // it runs in Node: no page imports it
+  const ofPages = publishedPackages().map(({ manifest }) => manifest.name);
+  expect(names.filter((name) => !ofPages.includes(name))).toEqual(['@farol/mcp']);
 });
 
 it('leaves dependencies, peers and their parts to the host, and nothing else', () => {
@@ -90,9 +94,10 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     expect(Object.fromEntries(others)).toEqual(entries.length > 1 ? patterns : {});
   });
 
-  it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
+  it('asks for the same three as the renderer, and for its types if the host uses TypeScript, unless it runs in Node', () => {
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
+    if (folder === 'packages/mcp') return expect(manifest.peerDependencies).toBeUndefined();
     const [, from, to] = /^>=(\d+\.\d+)\.0 <0\.(\d+)\.0$/.exec(three!)!;
     for (const page of ['README.md', 'packages/renderer/docs/compatibility.md'])
       expect(read(root, page)).toContain(`${from} to 0.${Number(to) - 1}`);

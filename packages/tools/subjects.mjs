@@ -49,6 +49,7 @@ export const subjects = [
   ['packages/editing', ['editor/fields', 'examples/attach']],
   ['packages/attach', ['examples/attach']],
   ['packages/create-farol', []], // by its unit tests
+  ['packages/mcp', ['editor/agent']],
   ['packages/tools', []], // by their unit tests
 
   ['apps/site/live/thesis', ['thesis/thesis']],
@@ -61,6 +62,7 @@ export const subjects = [
   ['apps/lab/src/run', ['lab/keeping']],
   ['apps/lab', ['lab/journey']],
 
+  ['apps/editor/src/agent', ['editor/agent']],
   ['apps/editor/src/fields', ['editor/fields', 'editor/inspector']],
   ['apps/editor/src/language', ['editor/language']],
   ['apps/editor/src/layout', ['editor/layout']],
@@ -72,6 +74,7 @@ export const subjects = [
   ['apps/editor/src/viewport', ['editor/viewport']],
   ['apps/editor/src/files/autosave', ['editor/drafts']],
   ['apps/editor/src/files', ['editor/assets']],
+  ['apps/editor/src/panels/agent', ['editor/agent']],
   ['apps/editor/src/panels/assets', ['editor/assets']],
   ['apps/editor/src/panels/bake', ['editor/bake']],
   ['apps/editor/src/panels/dialogs', ['editor/welcome']],

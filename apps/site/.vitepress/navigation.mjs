@@ -66,6 +66,7 @@ const guides = [
   }),
   group('Editor', {
     editor: 'The editor and its plugins',
+    agent: 'Let an agent edit',
     'editor-files': 'Files and exports',
     'editor-editing': 'Editing',
     'editor-scripts': 'Scripts',
