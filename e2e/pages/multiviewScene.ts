@@ -37,9 +37,9 @@ export function multiviewScene(): { scene: THREE.Scene; camera: THREE.Perspectiv
     scene.add(ball);
   });
   // small, so that a list of another place lacks some
-  for (let i = 0; i < 80; i++) {
-    const lamp = new THREE.PointLight(new THREE.Color().setHSL(i / 80, 1, 0.5), 3, 0.9);
-    lamp.position.set(-4 + ((i * 7) % 80) / 10, 0.3 + 0.8 * (i % 3), 4 - ((i * 11) % 80) / 10);
+  for (let i = 0; i < 96; i++) {
+    const lamp = new THREE.PointLight(new THREE.Color().setHSL(i / 96, 1, 0.5), 3, 0.7);
+    lamp.position.set(-4 + ((i * 7) % 96) / 12, 0.25 + 0.8 * (i % 3), 4 - ((i * 11) % 96) / 12);
     scene.add(lamp);
   }
   return { scene, camera };
