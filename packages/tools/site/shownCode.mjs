@@ -1,5 +1,8 @@
 import { readFile } from 'node:fs/promises';
 
+/** Colours of code, of enough contrast in both themes. */
+export const codeThemes = { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' };
+
 /**
  * Vite plugin: `import html from './x.ts?shown'` gives a file as highlighted HTML.
  *
@@ -15,7 +18,7 @@ export function shownCode() {
       const [path, query] = id.split('?');
       if (query !== 'shown') return null;
       const { createMarkdownRenderer } = await import('vitepress');
-      renderer ??= createMarkdownRenderer(path);
+      renderer ??= createMarkdownRenderer(path, { theme: codeThemes });
       const code = await readFile(path, 'utf8');
       const html = (await renderer).render(`\`\`\`\`${path.split('.').at(-1)}\n${code}\`\`\`\`\n`);
       return `export default ${JSON.stringify(html.replace(/<button[^>]*><\/button>/, ''))}`;
