@@ -1,7 +1,10 @@
 import { readFile } from 'node:fs/promises';
 
 /** Colours of code, of enough contrast in both themes. */
-export const codeThemes = { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' };
+export const codeThemes = /** @type {const} */ ({
+  light: 'github-light-high-contrast',
+  dark: 'github-dark-high-contrast',
+});
 
 /**
  * Vite plugin: `import html from './x.ts?shown'` gives a file as highlighted HTML.
