@@ -1,7 +1,7 @@
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
 import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
-import { shownCode } from '@farol/tools/site/shownCode';
+import { codeThemes, shownCode } from '@farol/tools/site/shownCode';
 import { searchOptions } from '@farol/tools/site/searchOptions';
 import { writeTexts } from '@farol/tools/site/writeTexts';
 import { defineConfig } from 'vitepress';
@@ -28,6 +28,7 @@ export default defineConfig(({ command }) => ({
     translated: [...pages.keys()].filter((name) => name.startsWith('es/')),
   },
   markdown: {
+    theme: codeThemes,
     anchor: { slugify: githubSlug },
     toc: { slugify: githubSlug },
     config: (md) => rewriteLinks(md, pages),

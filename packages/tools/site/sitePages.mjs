@@ -116,8 +116,10 @@ function relativeTo(from, to) {
 export function rewriteLinks(md, pages) {
   md.core.ruler.push('farol-site-links', (state) => {
     const page = state.env.relativePath ?? '';
-    for (const { children } of state.tokens) {
-      for (const token of children ?? []) {
+    for (const block of state.tokens) {
+      // a table that is wider than a phone scrolls, by the keyboard too
+      if (block.type === 'table_open') block.attrSet('tabindex', '0');
+      for (const token of block.children ?? []) {
         // braces in code are no expressions of Vue's
         if (token.type === 'code_inline') token.attrSet('v-pre', '');
         const name = token.type === 'link_open' ? 'href' : token.type === 'image' ? 'src' : '';
