@@ -31,7 +31,8 @@ if (isForTests) {
   process.env.FAROL_STANFORD_DRAGON ??= '1';
 }
 
-if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
+if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', ...(onlyPackages ? folders : ['packages'])]) !== 0)
+  process.exit(1);
 const { build } = await import('vite');
 for (const folder of folders) {
   await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'warn' });
