@@ -27,22 +27,29 @@ test.describe.configure({ timeout: 480_000 });
 
 const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'shaders of lights'] as const;
 /**
- * Sheets that the slice draws by one technique in turn. Most cases of the last four are drawn forward whatever the technique;
- * agreement.spec.ts has each kind of geometry by every technique.
+ * Sheets that the slice draws by the forward technique (0) or that with a G-buffer (1) alone: forward, maps are three's own
+ * code; agreement.spec.ts has each kind of geometry by every technique; the others are drawn forward in most cases.
  */
-const BY_ONE = new Set<string>(['geometry', 'order', 'glTF', 'shaders', 'shaders of lights']);
+const BY_ONE: Partial<Record<(typeof sheets)[number], 0 | 1>> = {
+  maps: 1,
+  geometry: 1,
+  order: 0,
+  glTF: 1,
+  shaders: 0,
+  'shaders of lights': 1,
+};
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {
   test(`each case of each sheet, part ${part + 1}`, async ({ benchPage: page }) => {
     for (const sheet of listed) {
       const { results, unseen } = await page.evaluate(
-        ([name, turn, byOne]) => {
+        ([name, one]) => {
           const { drawn, runSheet, techniqueInTurn, techniquesInTurn } = window.testPage;
           const techniques = techniquesInTurn(4, drawn);
-          return runSheet(name, byOne ? techniqueInTurn(turn, techniques) : techniques);
+          return runSheet(name, one === undefined ? techniques : techniqueInTurn(one, techniques));
         },
-        [sheet, sheets.indexOf(sheet) + 1, BY_ONE.has(sheet)] as const,
+        [sheet, BY_ONE[sheet]] as const,
       );
       expect
         .soft(
