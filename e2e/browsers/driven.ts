@@ -38,7 +38,7 @@ export class Driven {
     await this.page.open(url);
   }
 
-  /** What went wrong in the pages since the last call. */
+  /** Takes the problems of the pages since the last call. */
   async takeProblems(): Promise<string[]> {
     await this.keepProblems();
     return this.problems.splice(0);

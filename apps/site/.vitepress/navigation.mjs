@@ -82,6 +82,7 @@ const guides = [
     'attempts/deferred': 'Attempts: deferred',
     'attempts/forward': 'Attempts: forward',
     'attempts/frame': 'Attempts: the frame',
+    'attempts/enlarging': 'Attempts: enlarging',
     'attempts/shadow-lookups': 'Attempts: reading shadow maps',
     'attempts/shadow-casters': 'Attempts: casters',
     'attempts/shadow-regions': 'Attempts: regions of maps',

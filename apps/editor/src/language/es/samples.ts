@@ -35,8 +35,10 @@ export const samples: Texts = {
   'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
     'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
   'Four Stanford dragons among coloured lights.': 'Cuatro dragones de Stanford entre luces de colores.',
-  'N × N planes with M × M moving lights above them.': 'N × N planos con M × M luces en movimiento encima.',
-  'N × N meshes with M × M moving lights above them.': 'N × N mallas con M × M luces en movimiento encima.',
+  'N × N planes with M × M moving lights above them, or grids that are no squares.':
+    'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
+  'N × N meshes with M × M moving lights above them, or grids that are no squares.':
+    'N × N mallas con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
   'The sample {file} could not be read: the server answered {status}.':
     'No se pudo leer el ejemplo {file}: el servidor respondió {status}.',
   Cascades: 'Cascadas',

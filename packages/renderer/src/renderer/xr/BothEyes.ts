@@ -20,7 +20,7 @@ import type { RenderItem } from '../../frame/RenderItem';
 import { FullscreenPass } from '../../gpu/FullscreenPass';
 import { isDrawnAsCanvas, setDrawnAsCanvas } from '../../three/drawnAsCanvas';
 import { framebufferHandle } from '../../three/handles';
-import { bindFramebuffer, isDepthReversed } from '../../three/state';
+import { bindFramebuffer, bindTexture, unbindTexture, isDepthReversed } from '../../three/state';
 import { type Eye, EyeTwins } from './EyeTwins';
 import presentEyes from './presentEyes.glsl?raw';
 import { setUnionCamera } from './unionCamera';
@@ -210,11 +210,11 @@ export class BothEyes {
   private makeArray(gl: WebGL2RenderingContext, format: number): WebGLTexture {
     const { webgl, size } = this;
     const texture = gl.createTexture();
-    webgl.state.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    bindTexture(webgl, gl.TEXTURE_2D_ARRAY, texture);
     gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, format, size.x, size.y, 2);
     for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
-    webgl.state.unbindTexture();
+    unbindTexture(webgl);
     return texture;
   }
 }
