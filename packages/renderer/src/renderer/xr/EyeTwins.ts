@@ -58,7 +58,7 @@ export class EyeTwins implements TwinAdapter {
     farol_unionLast.value.set(width - 1, height - 1);
   }
 
-  /** Has programs that are compiled from here on use the extension where they name an eye. */
+  /** Adds the extension to programs that name an eye and are compiled from here on. */
   begin(gl: WebGL2RenderingContext): void {
     this.own = Object.getOwnPropertyDescriptor(gl, 'shaderSource');
     this.shaderSource = gl.shaderSource;
