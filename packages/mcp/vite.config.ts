@@ -5,12 +5,12 @@ import { leftToHost, readManifest } from '../tools/publishedPackages.mjs';
 
 const isOfHost = leftToHost(readManifest(import.meta.dirname));
 
-const postBanner = ({ name }: { name: string }): string => (name === 'cli' ? '#!/usr/bin/env node' : '');
+const banner = ({ name }: { name: string }): string => (name === 'cli' ? '#!/usr/bin/env node' : '');
 
 /** The published bundle, for Node: dependencies and Node's own modules are left to the host. */
 export default defineConfig(
   // the command's first line, which shells run it by; declarations may not begin with one
-  mergeConfig(libraryConfig(new URL('.', import.meta.url), { postBanner }), {
+  mergeConfig(libraryConfig(new URL('.', import.meta.url), { banner }), {
     build: {
       ssr: true,
       rolldownOptions: {
