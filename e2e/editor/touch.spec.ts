@@ -151,7 +151,7 @@ test('fingers place a lamp, move it and colour it', async ({ page }) => {
   await page.getByRole('button', { name: 'Colour', exact: true }).tap({ timeout: 20_000 });
   const picker = page.getByRole('dialog', { name: 'Colour' });
   await picker.getByRole('slider', { name: 'Hue' }).tap();
-  await picker.getByRole('slider', { name: 'Color' }).tap();
+  await picker.getByRole('slider', { name: 'Saturation and brightness' }).tap();
   // #408080: the middle of all hues, half as bright and half as strong
   await expect
     .poll(() => fieldOf(page, 'Point light', 'Light', 'diffuse'))
@@ -159,6 +159,8 @@ test('fingers place a lamp, move it and colour it', async ({ page }) => {
   // what is outside closes the picker
   await page.getByRole('searchbox', { name: 'Find a field' }).tap();
   await expect(picker).toBeHidden();
+  await page.locator('[data-help]').getByText('Intensity', { exact: true }).tap();
+  await expect(page.locator('.inspector-help')).toContainText(/./);
   const place = (await fieldOf(page, 'Point light', 'Transform', 'position')) as number[];
   const fingers = await makeFingers(page);
   // the red arrow of the handles points to the right here

@@ -11,6 +11,12 @@ type ColourPickerProps = Pick<
   'value' | 'mixed' | 'label' | 'onPreview' | 'onCommit' | 'onAmend' | 'onDiscard'
 >;
 
+/** The sliders of react-colorful are named in English alone, one of them 'Color'. */
+function nameSliders(picker: HTMLElement | null): void {
+  const names = [t('Saturation and brightness'), t('Hue')];
+  picker?.querySelectorAll('[role=slider]').forEach((slider, i) => slider.setAttribute('aria-label', names[i]));
+}
+
 /** Picks or types a linear colour, as sRGB with an intensity factor for colours brighter than the screen. */
 export function ColourPicker(props: ColourPickerProps): ReactNode {
   const { value, mixed, label, onPreview, onCommit, onAmend, onDiscard } = props;
@@ -52,7 +58,7 @@ export function ColourPicker(props: ColourPickerProps): ReactNode {
 
   return (
     <>
-      <div onPointerDown={pressPointer} onKeyDown={press} onKeyUp={release}>
+      <div ref={nameSliders} onPointerDown={pressPointer} onKeyDown={press} onKeyUp={release}>
         <HexColorPicker color={hex} onChange={pick} />
       </div>
       <div className="colour-fields">

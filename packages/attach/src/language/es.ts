@@ -36,9 +36,9 @@ export const es: Texts = {
   Draws: 'Llamadas de dibujo',
   Frame: 'Fotograma',
   '{rate} frames/s, {calls} draws, {triangles} triangles, {visible} of {total} lights':
-    '{rate} fotogramas/s, {calls} dibujos, {triangles} triángulos, {visible} de {total} luces',
+    '{rate} fotogramas/s, {calls} llamadas de dibujo, {triangles} triángulos, {visible} de {total} luces',
   '{rate} frames/s, {calls} draws, {triangles} triangles':
-    '{rate} fotogramas/s, {calls} dibujos, {triangles} triángulos',
+    '{rate} fotogramas/s, {calls} llamadas de dibujo, {triangles} triángulos',
   "three's own renderer": 'el renderizador de three',
   Inspector: 'Inspector',
   'Nothing is selected: choose an object in the tree, or click one in the picture.':

@@ -35,6 +35,8 @@ export const arrange: Texts = {
   'At random, evenly over what is drawn': 'Al azar, repartidos por lo que se dibuja',
   'As the original': 'Como el original',
   'Any hue': 'Cualquier tono',
+  Hue: 'Tono',
+  'Saturation and brightness': 'Saturación y brillo',
   'All hues in turn': 'Todos los tonos por turno',
   Count: 'Número',
   Arc: 'Arco',

@@ -55,7 +55,8 @@ export function InspectorPanel(): ReactNode {
       onPointerOver={show}
       onFocus={show}
       onBlur={() => setHelp('')}
-      onPointerLeave={() => setHelp('')}
+      // a finger leaves with each tap
+      onPointerLeave={({ pointerType }) => pointerType !== 'touch' && setHelp('')}
     >
       <header className="panel-header">
         <input
