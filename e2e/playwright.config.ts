@@ -24,6 +24,7 @@ export default defineConfig({
   testMatch: '**/*.spec.ts',
   testIgnore: [
     'packages/**', // by a configuration of its own
+    'browsers/**', // by `npm run browsers`, in Firefox and WebKit
     ...(process.env.FAROL_MODELS ? [] : ['models/**']), // by `npm run agree`: glTF models of a folder
     ...(process.env.FAROL_RIVALS ? [] : ['rivals/**']), // by `npm run rivals -- --check`, which installs them
   ],

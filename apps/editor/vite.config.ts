@@ -60,6 +60,7 @@ export default defineConfig(({ command }) => ({
       '@farol/bake > three-mesh-bvh',
       'typescript-in-browser',
       'xatlas-wasm',
+      'zod',
     ],
   },
   resolve: {

@@ -6,7 +6,7 @@ test.use({ reducedMotion: 'reduce' });
 
 /** A comparison that a software rasteriser draws in seconds: one plane, 4 and 9 lights, two techniques, 96 × 54. */
 const tiny =
-  '#preset=custom&series=benchmarkLights:lights:4,9:n=1&size=96x54&techniques=forward,deferred&rounds=2&turn=30&longest=60000';
+  '#preset=custom&series=benchmarkLights:lights:4,9:n=1&size=96x54&techniques=forward,deferred&rounds=1&turn=30&longest=60000';
 
 /** Expects the warning about a software rasteriser, unless a GPU draws. */
 const expectMachine = (page: Page): Promise<void> =>
@@ -40,7 +40,7 @@ test('builds a comparison by mouse and keyboard, and measures it', async ({ page
   await page.keyboard.press('Tab');
   await expect(page.getByRole('checkbox', { name: 'deferred', exact: true })).toBeFocused();
   await page.keyboard.press('Space');
-  await page.getByLabel('Turns for each').fill('2');
+  await page.getByLabel('Turns for each').fill('1');
   await page.getByLabel(/^A turn/).fill('30');
   await page.getByLabel(/^Leave out frames/).fill('60000');
   await page.getByRole('checkbox', { name: /what a change costs/ }).uncheck();

@@ -6,7 +6,8 @@ import { parseSync } from 'vite';
  *
  * @param files - text by path
  * @param atStart - follows static imports alone, not `import()`
- * @returns paths of the package that are reached, the starts among them, and the packages that they import
+ * @returns paths of the package that are reached, the starts among them, and the packages that they import; Node's own
+ *   modules are none
  * @throws Error when a relative import leads to no file
  */
 export function reachedFrom(
@@ -21,7 +22,7 @@ export function reachedFrom(
     if (source === undefined) throw new Error(`${path} is imported, and is not in the package.`);
     for (const specifier of importsOf(path, source, atStart)) {
       if (specifier.startsWith('.')) paths.add(fileOf(path, specifier));
-      else packages.add(/^(@[^/]+\/)?[^/]+/.exec(specifier)![0]);
+      else if (!specifier.startsWith('node:')) packages.add(/^(@[^/]+\/)?[^/]+/.exec(specifier)![0]);
     }
   }
   return { paths, packages };

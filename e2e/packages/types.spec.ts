@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { entriesOf, type Manifest, publishedPackages } from '@farol/tools/publishedPackages';
 import { expect, test } from '@playwright/test';
-import { installed, readTarballs } from './installed';
+import { installed, readTarball } from './installed';
 import { link, linkPeers } from './linkPeers';
 import { reachedFrom } from './reachedFrom';
 import { readSamples } from './samples';
@@ -17,8 +17,8 @@ const modes = [
 /** Import specifiers of all entries, apart by whether their types import a peer that the host need not have. */
 function specifiers(): { alone: string[]; withPeers: string[] } {
   const found = { alone: [] as string[], withPeers: [] as string[] };
-  for (const { files } of readTarballs()) {
-    const manifest = JSON.parse(files.get('package.json')!) as Manifest;
+  for (const { manifest } of publishedPackages()) {
+    const { files } = readTarball(manifest.name);
     const optional = Object.keys(manifest.peerDependenciesMeta ?? {});
     for (const { name, specifier } of entriesOf(manifest)) {
       const { packages } = reachedFrom(files, [`dist/${name}.d.ts`]);

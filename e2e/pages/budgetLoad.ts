@@ -36,7 +36,7 @@ export class BudgetLoad {
     this.bench.farol.technique = 'forward-single-pass';
   }
 
-  /** Has the device look like one without a timer: budgets go by intervals there. */
+  /** Hides the GPU's timer, so that budgets go by intervals. */
   hideTimer(): void {
     const gl = this.bench.webgl.getContext();
     const getExtension = gl.getExtension.bind(gl) as (name: string) => unknown;

@@ -83,7 +83,8 @@ function deviceScene(): TestScene {
 
 /**
  * Draws a scene of lights, shadows, lines and glass on a device that lacks something, by techniques and by stock three, into
- * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`.
+ * a target of the finest colour that the device draws to. Each effect is drawn by `deferred` and by `forward-plus`, but by the
+ * one technique that is asked for where no other is and `whole` is false.
  */
 export function drawDevice(device: DeviceName, { names, effectNames, whole }: DeviceRun): DeviceResults {
   const reference = wholeStock(whole, devices[device]);
@@ -130,7 +131,8 @@ export function drawDevice(device: DeviceName, { names, effectNames, whole }: De
     farol.effects = [];
   };
   for (const name of names) run(name, null);
-  for (const name of effectNames) for (const technique of ['deferred', 'forward-plus'] as const) run(technique, name);
+  const byEffect: readonly TechniqueName[] = whole || names.length > 1 ? ['deferred', 'forward-plus'] : names;
+  for (const name of effectNames) for (const technique of byEffect) run(technique, name);
   return { results, beyond: [...beyond], stockPSNR: compareImages(reference, stock).psnr };
 }
 

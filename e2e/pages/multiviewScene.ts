@@ -36,9 +36,10 @@ export function multiviewScene(): { scene: THREE.Scene; camera: THREE.Perspectiv
     ball.position.set(-2 + 0.7 * i, 1.2 + 0.3 * (i % 3), 2 - 0.5 * (i % 2));
     scene.add(ball);
   });
-  for (let i = 0; i < 40; i++) {
-    const lamp = new THREE.PointLight(new THREE.Color().setHSL(i / 40, 1, 0.5), 4, 2.5);
-    lamp.position.set(-4 + ((i * 7) % 40) / 5, 0.5 + (i % 3), 4 - ((i * 11) % 40) / 5);
+  // small, so that a list of another place lacks some
+  for (let i = 0; i < 96; i++) {
+    const lamp = new THREE.PointLight(new THREE.Color().setHSL(i / 96, 1, 0.5), 3, 0.7);
+    lamp.position.set(-4 + ((i * 7) % 96) / 12, 0.25 + 0.8 * (i % 3), 4 - ((i * 11) % 96) / 12);
     scene.add(lamp);
   }
   return { scene, camera };

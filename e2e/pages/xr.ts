@@ -120,6 +120,7 @@ const xrPage = {
   isSlice,
   countGpuObjects,
   effects: { AmbientOcclusion, SMAA, TAA },
+  xrStereo: () => import('./xrStereo'),
   engine: () => import('@farol/engine'),
   engineXR: () => import('@farol/engine/xr'),
 };

@@ -70,9 +70,10 @@ test('a scene is drawn at a scale as at that size, and then enlarged, by techniq
 for (const [sheet, { temporal, antialias, better }] of [
   ['geometry', { temporal: true, antialias: false, better: 1.5 }],
   ['maps', { temporal: true, antialias: false, better: 1.5 }],
-  ['geometry', { temporal: false, antialias: true, better: 1 }],
+  ['geometry', { temporal: false, antialias: true, better: 1.5 }],
+  ['maps', { temporal: false, antialias: true, better: 0.8 }],
 ] as const)
-  test(`the sheet ${sheet}, enlarged from 0.7 ${temporal ? "by TAA's history" : 'along its edges'}, is nearer to its picture at full size than by bilinear filtering${temporal ? ' @verify' : ''}`, async ({
+  test(`the sheet ${sheet}, enlarged from 0.7 ${temporal ? "by TAA's history" : 'along its edges'}, is nearer to its picture at full size than by bilinear filtering${temporal || sheet === 'maps' ? ' @verify' : ''}`, async ({
     benchPage: page,
   }) => {
     test.setTimeout(240_000);
@@ -88,7 +89,7 @@ test('once drawn at its largest scale, a scene drawn at any other allocates noth
 }) => {
   const found = await page.evaluate(
     ([width, height]) => {
-      const { Bench, compareImages, edgeScene, effects, three } = window.testPage;
+      const { Bench, compareImages, edgeScene, effects, isSlice, three } = window.testPage;
       const { scene, camera } = edgeScene(width, height);
       const bench = new Bench(width, height);
       const { webgl, farol } = bench;
@@ -109,9 +110,10 @@ test('once drawn at its largest scale, a scene drawn at any other allocates noth
       const cases = {
         'clustered-deferred': () => [new effects.AmbientOcclusion(), new effects.SMAA()],
         'tiled-deferred': () => [new effects.TAA()],
-        'clustered-forward': () => [],
         inferred: () => [],
         forward: () => [],
+        // its targets are among those of the others
+        ...(!isSlice && { 'clustered-forward': () => [] }),
       } as const;
       const allocated = Object.entries(cases).flatMap(([technique, make]) => {
         farol.effects = make();

@@ -37,7 +37,7 @@ const LACKS: Record<DeviceName, Few | null> = {
   'texture units above 16': null,
   'varyings above 15': null,
   'fragment uniforms above 224': null,
-  'highp in fragments': [['light-prepass'], []],
+  'highp in fragments': [['tiled-deferred'], []],
   'several draws a call': null,
   'anisotropic filtering': null,
   'compiling aside': null,
@@ -104,11 +104,8 @@ const LITE = [
   ['highp in fragments', 'tiled-deferred'],
 ] as const satisfies [DeviceName, TechniqueName][];
 
-/** Drawn in the slice: one that cannot have a G-buffer, and one whose lists of lights are walked by `mediump`. */
-const LITE_IN_SLICE = new Set<DeviceName>(['float colour buffers', 'highp in fragments']);
-
 for (const [name, technique] of LITE) {
-  const tag = LITE_IN_SLICE.has(name) ? '' : ' @verify';
+  const tag = name === 'float colour buffers' ? '' : ' @verify';
   test(`a device without ${name} is drawn by the quality lite, as by full${tag}`, async ({
     benchPage: page,
     watch,

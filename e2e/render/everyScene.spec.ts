@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { Light } from '@farol/engine';
+import { byExtent } from '@farol/tools/extent';
 import { checkAgreement } from '../support/agreement';
 import { compareImages, type FloatImage, isFlat } from '../support/images';
 import { inTurn, parts } from '../support/parts';
@@ -14,8 +15,8 @@ const ofTechnique = new Set(['final', 'lighting', 'light-count', 'overdraw', 'gr
 
 /** Kinds of light that an engine scene may have, with the share of its intensity that keeps the picture exposed. */
 const kinds = { point: 1, spot: 1, directional: 0.02, hemisphere: 0.02, ambient: 0.02 };
-/** Number of lights of a scene that shine when it is compared with stock three. */
-const COMPARED_LIGHTS = 8;
+/** Number of lights of a scene that shine when it is compared with stock three, which has each in the text of its shaders. */
+const COMPARED_LIGHTS = byExtent({ slice: 4, verify: 8 });
 /** Limits of scenes with surfaces at one depth: stock three shows the last one drawn, one pass a light lights the first. */
 const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, forward': { largest: 1e-3 } };
 
@@ -23,8 +24,8 @@ const exceptions: Record<string, { largest: number } | undefined> = { 'dragons, 
 const WIDTH = 96;
 const HEIGHT = 54;
 
-/** In the slice a technique has its turn in one scene of so many. */
-const SCENES = 6;
+/** In the slice a technique has its turn in one scene of so many: as many as there are techniques, one a scene. */
+const SCENES = 11;
 
 /** Few lights and objects, of the scenes that let one choose. */
 const few = { lights: 12, n: 4, m: 4 };

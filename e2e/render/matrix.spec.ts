@@ -1,40 +1,21 @@
-import { REVISION } from 'three';
 import type { CaseResult } from '../pages/matrix/runSheet';
-import { exceptionOf, strayExceptions } from './matrixExceptions';
+import { caseVerdict } from '../support/caseVerdict';
+import { strayExceptions } from './matrixExceptions';
 import { figuresOf } from '../support/images';
 import { recordComparison } from '../support/comparison';
 import { parts } from '../support/parts';
 import { expect, test } from '../support/benchTest';
 
-/**
- * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by one forward technique and one
- * with a G-buffer, by all of them in `npm run verify`, in linear float against stock three. A cell that is off is named. The
- * forward family runs three's own shaders; what a G-buffer or light buffer holds is rounded there. One pixel of a cell is
- * 0.098%.
- */
-const FORWARD = new Set(['forward', 'forward-single-pass', 'tiled-forward', 'forward-plus', 'clustered-forward']);
-const LARGEST = 1e-4;
-/** Largest difference in linear values of two neighbours of 8 bits in sRGB. */
-const STEP = 0.0091;
-const PSNR = 55;
-const SHARE = 0.001;
-
 /** Cases that are not to be seen. */
 const HIDDEN = new Set(['shadow', 'material that is not visible', 'layers that the camera does not see']);
 
-function failure({ sheet, case: name, technique, ...difference }: CaseResult): string | null {
-  const { largest, psnr, share, alpha } = difference;
-  // of 8 bits, a value on the edge of rounding may go either way: a step is 48 dB
-  const eight = sheet.endsWith('8 bits');
-  const most = eight ? STEP : LARGEST;
-  const near = FORWARD.has(technique) ? largest <= most : (eight || psnr >= PSNR) && share <= SHARE;
-  const within = near && alpha <= LARGEST;
-  const limits = exceptionOf(technique, `${sheet}: ${name}`);
-  const exception = limits !== undefined && alpha <= LARGEST && psnr >= limits.psnr && share <= limits.share;
-  // exceptions are measured on the software rasteriser: a GPU may round to one side of an edge
-  // nor does an older three need them, by which lit surfaces are drawn forward: see `npm run compat`
-  const mayBeNeedless = Boolean(process.env.FAROL_GPU) || Number(REVISION) < 186;
-  const good = limits === undefined ? within : exception && (!within || mayBeNeedless);
+/**
+ * The matrix: each material, map, geometry and order of drawing, in a cell of 32 × 32 pixels, by one forward technique and one
+ * with a G-buffer, by all of them in `npm run verify`, in linear float against stock three. A cell that is off is named.
+ */
+function failure(result: CaseResult): string | null {
+  const { sheet, case: name, technique, ...difference } = result;
+  const { good, within, exception } = caseVerdict(result, Boolean(process.env.FAROL_GPU));
   recordComparison({ suite: sheet, technique, name, good, exception, ...difference });
   if (good) return null;
   const why = within ? ' (no exception is needed)' : '';
@@ -45,20 +26,30 @@ function failure({ sheet, case: name, technique, ...difference }: CaseResult): s
 test.describe.configure({ timeout: 480_000 });
 
 const sheets = ['materials', 'maps', 'geometry', 'order', 'glTF', 'shaders', 'shaders of lights'] as const;
-/** Sheets that the slice draws by one technique in turn: most of their cases are drawn forward whatever the technique. */
-const BY_ONE = new Set<string>(['order', 'glTF', 'shaders', 'shaders of lights']);
+/**
+ * Sheets that the slice draws by the forward technique (0) or that with a G-buffer (1) alone: forward, maps are three's own
+ * code; agreement.spec.ts has each kind of geometry by every technique; the others are drawn forward in most cases.
+ */
+const BY_ONE: Partial<Record<(typeof sheets)[number], 0 | 1>> = {
+  maps: 1,
+  geometry: 1,
+  order: 0,
+  glTF: 1,
+  shaders: 0,
+  'shaders of lights': 1,
+};
 
 // one page for all sheets, unless many browsers share them: most of their time goes to shaders, many of which they share
 for (const [part, listed] of parts(sheets, 1).entries()) {
   test(`each case of each sheet, part ${part + 1}`, async ({ benchPage: page }) => {
     for (const sheet of listed) {
       const { results, unseen } = await page.evaluate(
-        ([name, turn, byOne]) => {
+        ([name, one]) => {
           const { drawn, runSheet, techniqueInTurn, techniquesInTurn } = window.testPage;
           const techniques = techniquesInTurn(4, drawn);
-          return runSheet(name, byOne ? techniqueInTurn(turn, techniques) : techniques);
+          return runSheet(name, one === undefined ? techniques : techniqueInTurn(one, techniques));
         },
-        [sheet, sheets.indexOf(sheet), BY_ONE.has(sheet)] as const,
+        [sheet, BY_ONE[sheet]] as const,
       );
       expect
         .soft(

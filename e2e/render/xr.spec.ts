@@ -1,5 +1,5 @@
 import type { TechniqueName } from '@farol/renderer';
-import { byExtent, extent } from '@farol/tools/extent';
+import { extent } from '@farol/tools/extent';
 import type { Page } from '@playwright/test';
 import { checkAgreement } from '../support/agreement';
 import type { Difference } from '../support/images';
@@ -199,13 +199,13 @@ test('effects draw each eye as a picture of its own; what gathers frames is left
   expect(results.gain).toBeGreaterThan(0.02);
 });
 
-test('a context that is lost in a session again and again shows the same picture and leaks nothing', async ({
+test('a context that is lost in a session again and again shows the same picture and leaks nothing @verify', async ({
   page,
   pagesURL,
   watch,
 }) => {
   await open(page, pagesURL);
-  const losses = byExtent({ slice: 2, verify: 20 });
+  const losses = 20;
   const { changed, before, after } = await page.evaluate(async (losses) => {
     const { XRBench, countGpuObjects, effects, isSlice, shadowScene, three } = window.xrPage;
     const count = countGpuObjects();

@@ -10,7 +10,7 @@ async function open(page: Page, pagesURL: string): Promise<void> {
 }
 
 for (const technique of ['clustered-forward', 'forward-single-pass'] as const)
-  test(`both eyes drawn at once by ${technique} are the pictures of the eyes, by half of the draws`, async ({
+  test(`both eyes drawn at once by ${technique} are the pictures of the eyes, by half of the draws${technique === 'forward-single-pass' ? ' @verify' : ''}`, async ({
     page,
     pagesURL,
     watch,
@@ -25,7 +25,7 @@ for (const technique of ['clustered-forward', 'forward-single-pass'] as const)
       const { scene, camera } = multiviewScene();
       device.position.set(0.1, 1.5, 0.2);
       device.quaternion.set(-0.1, 0.05, 0, Math.sqrt(1 - 0.0125));
-      device.ipd = 0.3;
+      device.ipd = 1.2;
       const draw = async (multiview: boolean) => {
         farol.multiview = multiview;
         await bench.settle(technique, scene, camera);
@@ -80,7 +80,7 @@ test('what cannot be drawn for both eyes at once is drawn eye by eye, with the s
     const bench = new XRBench();
     const { farol } = bench;
     await bench.start('immersive-vr');
-    device.ipd = 0.3;
+    device.ipd = 1.2;
     const ball = (material: InstanceType<typeof three.Material>) => {
       const mesh = new three.Mesh(new three.SphereGeometry(0.3), material);
       mesh.position.set(0, 1.6, 2);

@@ -74,6 +74,12 @@ test('sticks walk, turn by steps and teleport; the session ends as it began', as
   await stick(page, 'right', 1, 0);
   const yaw = () => page.evaluate(() => 2 * Math.asin(window.inXR.rig.object3D.quaternion.y));
   await expect.poll(yaw).toBeCloseTo(-Math.PI / 6, 5);
+  // once a push, however long
+  const turned = await rigPlace(page);
+  await stick(page, 'left', 0, -1);
+  await expect.poll(async () => (await rigPlace(page))[2]).toBeLessThan(turned[2] - 0.3);
+  await stick(page, 'left', 0, 0);
+  expect(await yaw()).toBeCloseTo(-Math.PI / 6, 5);
   await stick(page, 'right', 0, 0);
   await expect.poll(() => page.evaluate(() => window.xrPage.device.controllers.right!.getAxes('thumbstick').x)).toBe(0);
 

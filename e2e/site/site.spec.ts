@@ -75,13 +75,13 @@ test.describe('on a desk', () => {
     await page.goto(`${site}start.html`);
     await page.keyboard.press('Control+k');
     const field = page.getByRole('searchbox');
+    const index = searchIndex();
     for (const question of questions) {
       await field.fill(question);
       const first = page.locator('.result').first();
-      const answers = new RegExp(
-        `guides/(faq\\.html#${anchorOf(question)}$|(canvas|lights|many-objects|phones)\\.html)`,
-      );
-      await expect(first, question).toHaveAttribute('href', answers);
+      // site.test.ts holds that this is the page that answers
+      const answer = index.search(question)[0].id.replace('.md', '.html');
+      await expect(first, question).toHaveAttribute('href', new RegExp(`/a-folder/${answer}$`));
     }
     await page.keyboard.press('Enter');
     await expect(page).toHaveURL(`${site}guides/faq.html#which-browsers`);

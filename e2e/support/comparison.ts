@@ -25,9 +25,14 @@ export function recordComparison(comparison: Comparison): void {
   test.info().annotations.push({ type: COMPARISON, description });
 }
 
+/** Numbers of a record in place of their names. */
+export const numbersOf = <T extends object>(record: T): T =>
+  Object.fromEntries(
+    Object.entries(record).map(([key, value]) => [
+      key,
+      key === 'name' ? value : (special.get(value as string) ?? value),
+    ]),
+  ) as T;
+
 /** Reads what {@link recordComparison} left. */
-export function readComparison(description: string): Comparison {
-  return JSON.parse(description, (key, value: unknown) =>
-    key === 'name' ? value : (special.get(value as string) ?? value),
-  ) as Comparison;
-}
+export const readComparison = (description: string): Comparison => numbersOf(JSON.parse(description) as Comparison);

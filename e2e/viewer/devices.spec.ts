@@ -18,7 +18,7 @@ test('on a device without float colour buffers the viewer draws, and says in one
   // from the menu it stays with what draws
   await page.getByLabel('Render Type').selectOption('Forward+');
   await page.getByLabel('Render Type').selectOption('Tiled deferred');
-  await page.getByLabel('View').selectOption('normal');
+  await page.getByLabel('View').selectOption('Normal');
   await expect(message).toContainText('Shown instead: final.');
   expect(await page.evaluate(() => window.viewer.farol.technique)).toBe('forward-plus');
   expect(watch.forgive(/EXT_color_buffer_float extension not supported/), "three's own").toBe(1);

@@ -36,7 +36,9 @@ test('the menu offers every technique, view and scene, and writes them into the 
   const types = row('Render Type').locator('select');
   const views = row('View').locator('select');
   await expect(types.locator('option')).toHaveCount(known.techniques.length);
-  await expect(views.locator('option')).toHaveText([...known.views]);
+  await expect(views.locator('option')).toHaveText(
+    known.views.map((name) => new RegExp(`^${name.replace('-', '.')}$`, 'i')),
+  );
   await expect(
     page.locator('.lil-gui', { hasText: 'Scenes' }).last().locator('button.lil-title ~ * button'),
   ).toHaveCount(known.scenes.length);
@@ -46,7 +48,14 @@ test('the menu offers every technique, view and scene, and writes them into the 
     await expect.poll(async () => (await addressOf(page)).technique).toBe(technique);
     expect(await page.evaluate(() => window.viewer.farol.technique)).toBe(technique);
   }
-  await views.selectOption('normal');
+  const budget = row('Frame budget').locator('select');
+  await expect(budget.locator('option')).toHaveText(['On touch screens', 'On', 'Off']);
+  await budget.selectOption('On');
+  await expect.poll(async () => (await addressOf(page)).budget).toBe('on');
+  await expect.poll(() => page.evaluate(() => window.viewer.farol.budget !== null)).toBe(true);
+  await budget.selectOption('On touch screens');
+  await expect(row('Quality').locator('option')).toHaveText(['Automatic', 'Full', 'Lite']);
+  await views.selectOption('Normal');
   await expect.poll(async () => (await addressOf(page)).view).toBe('normal');
   expect(await page.evaluate(() => window.viewer.farol.view)).toBe('normal');
 });
@@ -222,9 +231,15 @@ own.describe('on a phone', () => {
   own.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   own('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
-    await openViewer(page, withMenu);
     const technique = page.getByLabel('Render Type');
-    await expect(technique).toBeHidden();
+    for (const [width, height] of [
+      [844, 390],
+      [390, 844],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await openViewer(page, { ...withMenu, n: width > height ? 3 : 4 });
+      await expect(technique).toBeHidden();
+    }
     await page.getByRole('button', { name: 'Farol: ' }).tap();
     await expect(technique).toBeVisible();
   });

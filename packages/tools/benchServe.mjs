@@ -33,9 +33,11 @@ const isolation = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-e
  * @param {number} [options.port] - default 0, a free one
  * @param {Record<string, string>} [options.beside] - folders served under names of their own, `/name/…`
  * @param {Readonly<Record<string, () => string>>} [options.texts] - what answers in place of files, by name: 'apps.json'
+ * @param {(request: import('node:http').IncomingMessage, socket: import('node:stream').Duplex, head: Buffer) => void} [options.upgrade] -
+ *   opens WebSockets; there are none when absent
  * @returns {Promise<{ url: string, close(): Promise<void> }>} the URL ends in a slash
  */
-export async function serveFolder(folder, { isolated = true, port = 0, beside = {}, texts = {} } = {}) {
+export async function serveFolder(folder, { isolated = true, port = 0, beside = {}, texts = {}, upgrade } = {}) {
   const tops = Object.entries(beside).map(([name, each]) => ({ prefix: `/${name}/`, top: resolve(each) }));
   tops.push({ prefix: '/', top: resolve(folder) });
   const server = createServer(async (request, response) => {
@@ -56,6 +58,7 @@ export async function serveFolder(folder, { isolated = true, port = 0, beside = 
       response.writeHead(404).end();
     }
   });
+  if (upgrade) server.on('upgrade', upgrade);
   await new Promise((done, failed) => {
     server.once('error', failed).listen(port, '127.0.0.1', () => done(undefined));
   });

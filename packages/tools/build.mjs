@@ -11,7 +11,7 @@ import { cpSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { ensureInstalled } from './ensureInstalled.mjs';
-import { publishedPackages } from './publishedPackages.mjs';
+import { builtPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 import { runTool } from './runTool.mjs';
 
@@ -19,7 +19,7 @@ ensureInstalled();
 // these need what was installed just now
 const { bundleSize, editorLimit, labLimit, rendererLimit, scriptSize } = await import('./bundleSize.mjs');
 const { bundleTypes } = await import('./bundleTypes.mjs');
-const packages = publishedPackages();
+const packages = builtPackages();
 const isForTests = process.argv.includes('--tests');
 const isSiteAsked = process.argv.includes('--site');
 const isSiteAlone = isSiteAsked && !isForTests;
@@ -31,7 +31,8 @@ if (isForTests) {
   process.env.FAROL_STANFORD_DRAGON ??= '1';
 }
 
-if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', 'packages']) !== 0) process.exit(1);
+if (!isSiteAlone && runTool('typescript', 'tsc', ['-b', ...(onlyPackages ? folders : ['packages'])]) !== 0)
+  process.exit(1);
 const { build } = await import('vite');
 for (const folder of folders) {
   await build({ root: join(root, folder), configFile: join(root, folder, 'vite.config.ts'), logLevel: 'warn' });

@@ -8,8 +8,8 @@ export const houseLimits = {
   riddles: 2,
   parametersWithoutDash: 0,
   tinyFiles: 6,
-  macrosAcrossFiles: 42,
-  lines: 172_000,
+  macrosAcrossFiles: 43,
+  lines: 177_000,
 };
 
 /** First words by which a docblock hides its noun. */

@@ -40,6 +40,7 @@ const editorFolders = [
     'api',
     'files',
     'actions',
+    'agent',
     'ui',
     'fields',
     'panels',
@@ -111,9 +112,9 @@ const editorRules = editorFolders.map((folder, i) => ({
  * In the renderer each folder knows those before it in `rendererFolders`; its other entries plug it into one library each,
  * are optional effects, or serve authors: its core knows none of them. That what is fetched late is not in the core is held
  * by `coreViolations`. Renderer, engine, editing and bake speak plain three; engine and attach -> editing, renderer;
- * apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder knows
+ * mcp runs in Node and knows none of them; apps -> all; nothing imports apps; the browser tests use published entry points only. In the editor each folder knows
  * those before it: style, language, model <- microshaders <- scripts <- viewport; model <- layout; all of these <- api <-
- * files <- actions <- ui <- fields <- panels <- plugins <- Editor.ts. The engine's folders are in floors, see
+ * files <- actions <- agent <- ui <- fields <- panels <- plugins <- Editor.ts. The engine's folders are in floors, see
  * `engineFloors`; their tests may look up.
  */
 export const importRules = [
@@ -151,6 +152,10 @@ export const importRules = [
     may: ['packages/bake', 'three', 'three-mesh-bvh', 'xatlas-wasm'],
   },
   { from: 'packages/editing', may: ['packages/editing', 'three'] },
+  {
+    from: 'packages/mcp',
+    may: ['packages/mcp', '@modelcontextprotocol/sdk', 'ws', 'zod'],
+  },
   { from: 'packages/attach', may: ['packages/attach', 'three', '@farol/renderer', '@farol/editing'] },
   { from: 'apps/viewer', may: ['apps/viewer', '*'] },
   { from: 'apps/site', may: ['apps/site', 'public', '*'] },
@@ -222,7 +227,7 @@ function violation(path, specifier, kind, { from, may, not = [], types = [], fet
     return `${from} may import ${may.join(', ')} only`;
   }
   if (specifier.startsWith('node:')) {
-    return forTests || from === 'e2e' ? null : 'browser code has no Node modules';
+    return forTests || ['e2e', 'packages/mcp'].includes(from) ? null : 'browser code has no Node modules';
   }
   // modules that a Vite plugin of the workspace makes
   if (specifier.startsWith('virtual:')) {

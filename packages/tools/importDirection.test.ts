@@ -12,6 +12,7 @@ const workspaces = [
   'packages/editing',
   'packages/bake',
   'packages/attach',
+  'packages/mcp',
   'packages/tools',
   'apps/viewer',
   'apps/editor',

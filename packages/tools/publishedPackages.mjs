@@ -7,7 +7,7 @@ import { root } from './root.mjs';
  * @property {string} name
  * @property {string} version
  * @property {string[]} files
- * @property {Record<string, Partial<Record<'farol-source' | 'types' | 'default', string>> | null>} exports
+ * @property {Record<string, Partial<Record<'farol-source' | 'types' | 'default', string>> | string | null>} exports
  * @property {Record<string, string>} [dependencies]
  * @property {Record<string, string>} [peerDependencies]
  * @property {Record<string, { optional?: boolean }>} [peerDependenciesMeta]
@@ -30,12 +30,19 @@ export function packedPackages(checkout = root) {
 }
 
 /**
- * Packages for the registry that pages import, and that are built: those that have `exports`.
+ * Packages for the registry that are built: those that have `exports`.
+ *
+ * @param {string} [checkout] - folder of a repository; default this one
+ */
+export const builtPackages = (checkout = root) => packedPackages(checkout).filter(({ manifest }) => manifest.exports);
+
+/**
+ * Packages for the registry that pages import: those that are built for a page's three.
  *
  * @param {string} [checkout] - folder of a repository; default this one
  */
 export const publishedPackages = (checkout = root) =>
-  packedPackages(checkout).filter(({ manifest }) => manifest.exports);
+  builtPackages(checkout).filter(({ manifest }) => manifest.peerDependencies?.three);
 
 /** @param {string} folder @returns {Manifest & { private?: boolean }} its package.json */
 export function readManifest(folder) {
@@ -68,8 +75,8 @@ export function leftToHost({ dependencies, peerDependencies }) {
  * @returns {Entry[]}
  */
 export function entriesOf({ name, exports }) {
-  return Object.entries(exports).flatMap(([entry, paths]) =>
-    paths?.['farol-source']
+  return Object.entries(exports ?? {}).flatMap(([entry, paths]) =>
+    typeof paths === 'object' && paths?.['farol-source']
       ? [{ specifier: name + entry.slice(1), name: entry.slice(2) || 'index', source: paths['farol-source'] }]
       : [],
   );

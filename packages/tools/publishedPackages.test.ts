@@ -1,10 +1,10 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
+import { builtPackages, entriesOf, leftToHost, packedPackages, publishedPackages } from './publishedPackages.mjs';
 import { root } from './root.mjs';
 
-const packages = publishedPackages();
+const packages = builtPackages();
 /** The built-in components register themselves, the demo scenes their meshes. */
 const sideEffects: Readonly<Record<string, readonly string[]>> = {
   'packages/engine': ['./src/components/index.ts', './dist/chunks/components/index.js'],
@@ -20,11 +20,15 @@ it('finds the packages that are not private', () => {
       '@farol/bake',
       '@farol/editing',
       '@farol/engine',
+      '@farol/mcp',
       '@farol/renderer',
       '@farol/scenes',
     ]),
   );
   expect(names).not.toContain('@farol/tools');
+  // it runs in Node: no page imports it
+  const ofPages = publishedPackages().map(({ manifest }) => manifest.name);
+  expect(names.filter((name) => !ofPages.includes(name))).toEqual(['@farol/mcp']);
 });
 
 it('leaves dependencies, peers and their parts to the host, and nothing else', () => {
@@ -69,15 +73,19 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
   });
 
   it('has the types and script of each entry at its name in dist, so that import maps may end in /', () => {
-    const entries = Object.entries(manifest.exports).filter(([entry]) => !entry.includes('*'));
+    const named = Object.entries(manifest.exports).filter(([entry]) => !entry.includes('*'));
+    const data = named.filter(([entry]) => entry.endsWith('.json'));
+    for (const [entry, path] of data) expect(path).toBe(`./dist/${entry.slice(2)}`);
+    const entries = named.filter((each) => !data.includes(each));
     for (const [entry, paths] of entries) {
       const name = entry === '.' ? 'index' : entry.slice(2);
-      expect(Object.entries(paths!), entry).toEqual([
+      const conditions = paths as Record<string, string>;
+      expect(Object.entries(conditions), entry).toEqual([
         ['farol-source', expect.stringMatching(/^\.\/src\/.+\.tsx?$/)],
         ['types', `./dist/${name}.d.ts`],
         ['default', `./dist/${name}.js`],
       ]);
-      expect(existsSync(join(path, paths!['farol-source']!)), entry).toBe(true);
+      expect(existsSync(join(path, conditions['farol-source'])), entry).toBe(true);
     }
     expect(entriesOf(manifest).map(({ name }) => name)).toHaveLength(entries.length);
     // entries may end in .js, as the key of an import map has them; what they are made of may not be imported
@@ -86,10 +94,13 @@ describe.each(packages)('$manifest.name', ({ path, folder, manifest }) => {
     expect(Object.fromEntries(others)).toEqual(entries.length > 1 ? patterns : {});
   });
 
-  it('asks for the same three as the renderer, and for its types if the host uses TypeScript', () => {
+  it('asks for the same three as the renderer, and for its types if the host uses TypeScript, unless it runs in Node', () => {
     const renderer = packages.find((each) => each.manifest.name === '@farol/renderer')?.manifest;
     const { three } = renderer?.peerDependencies ?? {};
-    expect(three).toBeTruthy();
+    if (folder === 'packages/mcp') return expect(manifest.peerDependencies).toBeUndefined();
+    const [, from, to] = /^>=(\d+\.\d+)\.0 <0\.(\d+)\.0$/.exec(three!)!;
+    for (const page of ['README.md', 'packages/renderer/docs/compatibility.md'])
+      expect(read(root, page)).toContain(`${from} to 0.${Number(to) - 1}`);
     expect(manifest.peerDependencies).toMatchObject({ three, '@types/three': three });
     expect(manifest.peerDependenciesMeta?.['@types/three']).toEqual({ optional: true });
     expect(manifest.peerDependenciesMeta?.three).toBeUndefined();

@@ -30,12 +30,13 @@ export const appFolders = {
  * @param {boolean} [options.watch] - follow edits of the sources (hot reload); default true
  * @param {Partial<Record<AppName, number>>} [options.network] - ports at which sources are served to the network as well:
  *   over HTTPS, to those who have the token; default none
+ * @param {readonly import('vite').Plugin[]} [options.plugins] - added to those of each app that is served from source
  * @param {readonly string[]} [options.hosts] - addresses of this machine; those in its networks when absent
- * @returns {Promise<{ urls: AppUrls, networkUrls: AppUrls[], close(): Promise<void> }>} URLs end in a slash, those of the
- *   network, one record for each of `hosts`, in a token
+ * @returns {Promise<{ urls: AppUrls, networkUrls: AppUrls[], agentKey: string, close(): Promise<void> }>} URLs end in a slash,
+ *   those of the network, one record for each of `hosts`, in a token; `agentKey` is the secret of agents (`@farol/mcp`)
  * @throws {Error} when a port is taken
  */
-export async function serveApps({ ports, built = false, watch = true, network = {}, hosts }) {
+export async function serveApps({ ports, built = false, watch = true, network = {}, plugins = [], hosts }) {
   /** @type {AppUrls} */
   const urls = {};
   /** @type {Partial<Record<AppName, number>>} */
@@ -43,21 +44,23 @@ export async function serveApps({ ports, built = false, watch = true, network = 
   /** @type {(() => Promise<void>)[]} */
   const closers = [];
   const reach = Object.keys(network).length > 0 ? await import('./reach/networkServer.mjs') : null;
-  const relay = reach && new (await import('./reach/liveRelay.mjs')).LiveRelay();
-  if (relay) {
-    relay.onProblem = console.warn;
-    closers.push(async () => relay.close());
-  }
+  const { LiveRelay } = await import('./reach/liveRelay.mjs');
+  const agentKey = randomBytes(24).toString('base64url');
+  const relay = new LiveRelay(agentKey);
+  relay.onProblem = console.warn;
+  closers.push(async () => relay.close());
   const token = randomBytes(12).toString('base64url');
   const places = reach ? (hosts ?? reach.networkAddresses()) : [];
   /** @param {string} host @param {string} [end] @returns {AppUrls} */
   const urlsOf = (host, end = '') =>
     Object.fromEntries(Object.entries(networkPorts).map(([name, port]) => [name, `https://${host}:${port}/${end}`]));
-  /** Addresses of the apps; `phone` are those of the page that looks at the editor's scene. @param {import('node:http').IncomingMessage} [request] */
+  /** Addresses of the apps; `phone` are those of the page that looks at the editor's scene, `agent` is the script of the MCP server. @param {import('node:http').IncomingMessage} [request] */
   const addresses = (request) =>
     JSON.stringify({
       ...urls,
-      ...(request && 'encrypted' in request.socket ? urlsOf(String(request.headers.host).replace(/:\d+$/, '')) : {}),
+      ...(request && 'encrypted' in request.socket
+        ? urlsOf(String(request.headers.host).replace(/:\d+$/, ''))
+        : { agent: join(root, 'packages/tools/mcp.mjs') }),
       ...(networkPorts.editor ? { phone: places.map((host) => urlsOf(host, `live.html?token=${token}`).editor) } : {}),
     });
   const close = async () => void (await Promise.all(closers.map((closer) => closer())));
@@ -73,6 +76,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
           // another build of the Lab, for competitors whose key ends in @against
           beside: name === 'lab' && process.env.FAROL_AGAINST ? { against: process.env.FAROL_AGAINST } : {},
           texts: { [addressFile]: addresses },
+          upgrade: upgradeBy(relay),
         });
         closers.push(stop);
         urls[name] = url;
@@ -91,7 +95,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
         configFile: join(folder, 'vite.config.ts'),
         logLevel: 'warn',
         clearScreen: false,
-        plugins: [answerAddresses(addresses), ...(relay ? [relayPlugin(relay)] : [])],
+        plugins: [...plugins, answerAddresses(addresses), relayPlugin(relay)],
         server: { host: '127.0.0.1', port, strictPort: true, ...(watch ? {} : { hmr: false, watch: null }) },
       });
       closers.push(() => server.close());
@@ -100,7 +104,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
       if (!address || typeof address === 'string') throw new Error(`The server of ${name} has no port.`);
       urls[name] = `http://127.0.0.1:${address.port}/`;
       const networkPort = network[name];
-      if (!reach || !relay || networkPort === undefined) continue;
+      if (!reach || networkPort === undefined) continue;
       const front = await reach.serveToNetwork({ app: server, relay, token, port: networkPort, host: hosts?.[0] });
       closers.push(front.close);
       networkPorts[name] = front.port;
@@ -109,7 +113,7 @@ export async function serveApps({ ports, built = false, watch = true, network = 
     await close();
     throw error;
   }
-  return { urls, networkUrls: places.map((host) => urlsOf(host, `?token=${token}`)), close };
+  return { urls, networkUrls: places.map((host) => urlsOf(host, `?token=${token}`)), agentKey, close };
 }
 
 /**
@@ -123,12 +127,20 @@ function relayPlugin(relay) {
     name: 'farol-live-relay',
     configureServer({ middlewares, httpServer }) {
       middlewares.use((request, response, next) => relay.answer(request, response, next));
-      httpServer?.on('upgrade', (request, socket, head) => {
-        if (request.url?.startsWith(livePath)) relay.upgrade(request, socket, head);
-      });
+      httpServer?.on('upgrade', upgradeBy(relay));
     },
   };
 }
+
+/**
+ * Listener that opens the relay's WebSockets and leaves others alone.
+ *
+ * @param {import('./reach/liveRelay.mjs').LiveRelay} relay
+ * @returns {(request: import('node:http').IncomingMessage, socket: import('node:stream').Duplex, head: Buffer) => void}
+ */
+const upgradeBy = (relay) => (request, socket, head) => {
+  if (request.url?.startsWith(livePath)) relay.upgrade(request, socket, head);
+};
 
 /**
  * Vite plugin: answers `apps.json`.

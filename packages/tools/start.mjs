@@ -6,6 +6,7 @@
  */
 import { spawn } from 'node:child_process';
 import { ensureInstalled } from './ensureInstalled.mjs';
+import { noteAgentPlace } from './reach/agentPlace.mjs';
 import { serveApps } from './serveApps.mjs';
 
 const unknown = process.argv.slice(2).filter((each) => each !== '--host');
@@ -22,13 +23,14 @@ if (!Number.isInteger(port) || port < 1 || port > 65529) {
 
 ensureInstalled();
 try {
-  const { urls, networkUrls } = await serveApps({
+  const { urls, networkUrls, agentKey } = await serveApps({
     ports: { editor: port, viewer: port + 1, lab: port + 2, site: port + 3 },
     network: isHost ? { editor: port + 4, viewer: port + 5, lab: port + 6 } : {},
   });
   console.log(
     `\n  Farol editor  ${urls.editor}\n  Farol viewer  ${urls.viewer}\n  Farol Lab     ${urls.lab}\n  Farol's site  ${urls.site}\n  Examples      ${urls.site}gallery/\n\n  Ctrl+C stops them.\n`,
   );
+  noteAgentPlace(String(urls.editor), agentKey);
   if (isHost) await tellNetwork(networkUrls);
   if (urls.editor) openBrowser(urls.editor);
 } catch (error) {

@@ -19,10 +19,11 @@ export const subjects = [
   ['packages/renderer/src/lighting/area-lights', ['render/areaLights']],
   ['packages/renderer/src/materials/gouraud', ['render/shading']],
   ['packages/renderer/src/microshaders', ['render/microshaders', 'render/claims', 'render/toon']],
-  ['packages/renderer/src/renderer/budget', ['render/budget']],
+  ['packages/renderer/src/renderer/budget', ['render/budget', 'perf/frameBudget']],
   ['packages/renderer/src/renderer/learning', ['perf/autoChange']],
   ['packages/renderer/src/renderer/timer', ['perf/draws']],
   ['packages/renderer/src/renderer/warm-up', ['render/lazyCode']],
+  ['packages/renderer/src/renderer/xr', ['render/xr', 'render/xrMultiview']],
   ['packages/renderer/src/shadows', ['render/shadows', 'render/shadowMaps']],
   ['packages/renderer/src/surfaces', ['render/surfaces']],
   ['packages/renderer/src/techniques/light-buffer', ['render/inferred', 'render/toon']],
@@ -48,6 +49,7 @@ export const subjects = [
   ['packages/editing', ['editor/fields', 'examples/attach']],
   ['packages/attach', ['examples/attach']],
   ['packages/create-farol', []], // by its unit tests
+  ['packages/mcp', ['editor/agent']],
   ['packages/tools', []], // by their unit tests
 
   ['apps/site/live/thesis', ['thesis/thesis']],
@@ -60,6 +62,7 @@ export const subjects = [
   ['apps/lab/src/run', ['lab/keeping']],
   ['apps/lab', ['lab/journey']],
 
+  ['apps/editor/src/agent', ['editor/agent']],
   ['apps/editor/src/fields', ['editor/fields', 'editor/inspector']],
   ['apps/editor/src/language', ['editor/language']],
   ['apps/editor/src/layout', ['editor/layout']],
@@ -71,6 +74,7 @@ export const subjects = [
   ['apps/editor/src/viewport', ['editor/viewport']],
   ['apps/editor/src/files/autosave', ['editor/drafts']],
   ['apps/editor/src/files', ['editor/assets']],
+  ['apps/editor/src/panels/agent', ['editor/agent']],
   ['apps/editor/src/panels/assets', ['editor/assets']],
   ['apps/editor/src/panels/bake', ['editor/bake']],
   ['apps/editor/src/panels/dialogs', ['editor/welcome']],

@@ -15,14 +15,14 @@ export function valueModules(...ends) {
     async load(id) {
       const [path] = id.split('?');
       if (!ends.some((end) => path.endsWith(end))) return null;
-      const exported = Object.entries(await run(path));
+      const exported = Object.entries(await runModule(path));
       return exported.map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};`).join('\n');
     },
   };
 }
 
 /** Runs a module in Node, the repository's packages from source. @param {string} id - its path */
-async function run(id) {
+export async function runModule(id) {
   const server = await createServer({
     configFile: false,
     appType: 'custom',

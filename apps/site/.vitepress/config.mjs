@@ -1,7 +1,7 @@
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
-import { githubSlug, rewriteLinks, sitePages, untranslated } from '@farol/tools/site/sitePages';
-import { shownCode } from '@farol/tools/site/shownCode';
+import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
+import { codeThemes, shownCode } from '@farol/tools/site/shownCode';
 import { searchOptions } from '@farol/tools/site/searchOptions';
 import { writeTexts } from '@farol/tools/site/writeTexts';
 import { defineConfig } from 'vitepress';
@@ -23,8 +23,12 @@ export default defineConfig(({ command }) => ({
     root: { label: 'English', lang: 'en', themeConfig: english },
     es: { label: 'Español', lang: 'es', ...spanish },
   },
-  themeConfig: { search: { provider: 'local', options: searchOptions }, untranslated: untranslated(pages) },
+  themeConfig: {
+    search: { provider: 'local', options: searchOptions },
+    translated: [...pages.keys()].filter((name) => name.startsWith('es/')),
+  },
   markdown: {
+    theme: codeThemes,
     anchor: { slugify: githubSlug },
     toc: { slugify: githubSlug },
     config: (md) => rewriteLinks(md, pages),

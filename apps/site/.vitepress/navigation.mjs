@@ -14,7 +14,12 @@ const guides = [
     text: 'Start',
     items: [
       page('Start in a minute', '/start'),
-      ...group('', { renderer: 'The renderer', faq: 'Questions', moving: 'Moving to Farol' }).items,
+      ...group('', {
+        'create-farol': 'npm create farol',
+        renderer: 'The renderer',
+        faq: 'Questions',
+        moving: 'Moving to Farol',
+      }).items,
     ],
   },
   group('Lights', {
@@ -42,6 +47,7 @@ const guides = [
     accuracy: 'Accuracy',
     performance: 'Performance',
     promises: 'Promises',
+    compatibility: 'Versions and browsers',
     lab: 'Measure on your GPU',
   }),
   group('Write your own', {
@@ -60,6 +66,7 @@ const guides = [
   }),
   group('Editor', {
     editor: 'The editor and its plugins',
+    agent: 'Let an agent edit',
     'editor-files': 'Files and exports',
     'editor-editing': 'Editing',
     'editor-scripts': 'Scripts',

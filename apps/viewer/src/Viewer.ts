@@ -144,6 +144,11 @@ export class Viewer {
     this.changed({ quality: name });
   }
 
+  /** @param name - 'auto' is on touch screens */
+  setBudget(name: string): void {
+    this.changed({ budget: name });
+  }
+
   /**
    * Chooses how edges are smoothed: a key of `known.antialiasing`.
    * @throws Error naming the known ones when there is no such anti-aliasing

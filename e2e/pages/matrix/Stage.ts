@@ -54,6 +54,8 @@ export type Render = (scene: THREE.Object3D, camera: THREE.Camera) => void;
 export interface Setting {
   /** Parameters of the WebGLRenderer; settings that have the same share one. */
   readonly renderer?: THREE.WebGLRendererParameters;
+  /** Left out of the slice, since another setting or test has its shaders. */
+  readonly inVerify?: boolean;
   /** Draws to the canvas, of 8 bits. */
   readonly canvas?: boolean;
   readonly target?: THREE.RenderTargetOptions;

@@ -116,7 +116,7 @@ export const settings: Record<string, Setting> = {
     },
   },
   'fog, linear': { prepare: ({ scene }) => (scene.fog = new THREE.Fog(0x668899, 5, 9)) },
-  'fog, exponential': { prepare: ({ scene }) => (scene.fog = new THREE.FogExp2(0x668899, 0.12)) },
+  'fog, exponential': { inVerify: true, prepare: ({ scene }) => (scene.fog = new THREE.FogExp2(0x668899, 0.12)) },
   'background of a texture': { prepare: ({ scene }) => (scene.background = colourMap()) },
   'background of a cube, fainter and turned': {
     prepare({ scene, things }) {
@@ -163,6 +163,7 @@ export const settings: Record<string, Setting> = {
     },
   },
   transmission: {
+    inVerify: true,
     prepare: ({ things }) =>
       (things[2].material = new THREE.MeshPhysicalMaterial({ transmission: 1, thickness: 0.5, roughness: 0.2 })),
   },
@@ -206,6 +207,7 @@ export const settings: Record<string, Setting> = {
     draw: (stage, render) => mapped(stage, () => render(stage.scene, stage.camera)),
   },
   'canvas of linear colours': {
+    inVerify: true,
     canvas: true,
     draw: (stage, render) => mapped(stage, () => render(stage.scene, stage.camera), THREE.LinearSRGBColorSpace),
   },
@@ -225,11 +227,13 @@ export const settings: Record<string, Setting> = {
     prepare: ({ camera }) => ((camera.far = 1e6), camera.updateProjectionMatrix()),
   },
   'logarithmic depth, orthographic': {
+    inVerify: true,
     renderer: { logarithmicDepthBuffer: true },
     draw: ({ scene }, render) => render(scene, ortho()),
   },
   'reversed depth': { renderer: { reversedDepthBuffer: true } },
   'reversed depth, orthographic': {
+    inVerify: true,
     renderer: { reversedDepthBuffer: true },
     draw: ({ scene }, render) => render(scene, ortho()),
   },

@@ -2,14 +2,17 @@ import { createHash, timingSafeEqual } from 'node:crypto';
 import { WebSocketServer } from 'ws';
 import { livePath } from './livePath.mjs';
 
-/** Bounds of what a page may send, bytes but for `looks`: pages that look at one scene. */
-export const liveLimits = { edit: 64e6, look: 1000, asset: 256e6, assets: 1e9, unsent: 128e6, looks: 32 };
+/** Bounds of what a page or an agent may send, bytes but for `looks`, pages that look at one scene, and `agents`. */
+export const liveLimits = {
+  ...{ edit: 64e6, look: 1000, agent: 1e6, asset: 256e6, assets: 1e9, unsent: 128e6 },
+  ...{ looks: 32, agents: 8 },
+};
 
 /** Time between two questions to each page whether it is still there (ms). */
 const PING = 10_000;
 
 /** Kinds of messages that each side may send. */
-const kinds = { edit: ['whole', 'parts', 'end'], look: ['again'] };
+const kinds = { edit: ['whole', 'parts', 'end'], look: ['again'], allow: ['result'], agent: ['name', 'call'] };
 
 /**
  * Edited scene that pages look at.
@@ -30,17 +33,28 @@ export function isSecret(text, secret) {
  * Passes edits of a scene from an editor's page on to pages that look at it, and tells the editor how many look. It keeps
  * no scene: a page that begins to look is announced to the editor, which sends it everything. An editor opens the socket
  * with `?edit=KEY`, a secret of its own; the session's id, which others look at by `?look=ID`, is a hash of it.
+ *
+ * It also passes calls of agents (`@farol/mcp`) to the page whose user allows them, and the results back. Such a page opens
+ * the socket with `?allow`; the last one has the agents. An agent opens it with `?agent` and `agentKey` in a header, which
+ * no page can send.
  */
 export class LiveRelay {
   /** @type {Map<string, Session>} */
   sessions = new Map();
   /** Problems of messages that were dropped, for the terminal. @type {(problem: string) => void} */
   onProblem = () => {};
+  /** Page whose user lets agents edit; null for none. @type {import('ws').WebSocket | null} */
+  allowing = null;
+  /** Agents by number. @type {Map<number, import('ws').WebSocket>} */
+  agents = new Map();
 
-  constructor() {
+  /** @param {string} [agentKey] - secret of the agents; none is let in when absent */
+  constructor(agentKey) {
+    this.agentKey = agentKey;
     const options = { noServer: true, perMessageDeflate: false };
     this.editors = new WebSocketServer({ ...options, maxPayload: liveLimits.edit });
     this.lookers = new WebSocketServer({ ...options, maxPayload: liveLimits.look });
+    this.agentServer = new WebSocketServer({ ...options, maxPayload: liveLimits.agent });
     this.count = 0;
     /** Sockets that have not answered the last question. @type {WeakSet<import('ws').WebSocket>} */
     this.silent = new WeakSet();
@@ -53,7 +67,8 @@ export class LiveRelay {
   }
 
   /**
-   * Opens a WebSocket for an editor or for a page that looks. A page of another origin is refused.
+   * Opens a WebSocket for an editor, for a page that looks or for an agent. A page of another origin is refused, and so is an
+   * agent of another machine or without the key.
    *
    * @param {import('node:http').IncomingMessage} request - let in already, see `networkGate`
    * @param {import('node:stream').Duplex} socket
@@ -62,13 +77,30 @@ export class LiveRelay {
   upgrade(request, socket, head) {
     const { searchParams } = new URL(request.url ?? '/', 'http://host');
     const [key, look] = [searchParams.get('edit'), searchParams.get('look')];
+    if (searchParams.has('agent')) return this.upgradeAgent(request, socket, head);
     const session = look === null ? null : this.sessions.get(look);
     if (!isOwnOrigin(request)) return refuse(socket, '403 Forbidden');
+    if (searchParams.has('allow'))
+      return this.editors.handleUpgrade(request, socket, head, (opened) => this.addAllowing(opened));
     if (key === null ? look === null : !/^[\w-]{22,64}$/.test(key)) return refuse(socket, '400 Bad Request');
     if (key !== null) this.editors.handleUpgrade(request, socket, head, (opened) => this.addEditor(key, opened));
     else if (session && session.looks.size >= liveLimits.looks) refuse(socket, '503 Service Unavailable');
     else
       this.lookers.handleUpgrade(request, socket, head, (opened) => this.addLook(/** @type {string} */ (look), opened));
+  }
+
+  /**
+   * @param {import('node:http').IncomingMessage} request
+   * @param {import('node:stream').Duplex} socket
+   * @param {Buffer} head
+   */
+  upgradeAgent(request, socket, head) {
+    const { origin, host, 'x-farol-agent': key } = request.headers;
+    // browsers name an origin; over HTTPS, `serveToNetwork` lets other machines in
+    const isHere = origin === undefined && !('encrypted' in request.socket) && isLocalHost(host);
+    if (!isHere || !this.agentKey || !isSecret(String(key), this.agentKey)) return refuse(socket, '403 Forbidden');
+    if (this.agents.size >= liveLimits.agents) return refuse(socket, '503 Service Unavailable');
+    this.agentServer.handleUpgrade(request, socket, head, (opened) => this.addAgent(opened));
   }
 
   /**
@@ -112,7 +144,11 @@ export class LiveRelay {
 
   close() {
     clearInterval(this.timer);
-    for (const socket of [...this.editors.clients, ...this.lookers.clients]) socket.terminate();
+    for (const socket of this.sockets()) socket.terminate();
+  }
+
+  sockets() {
+    return [...this.editors.clients, ...this.lookers.clients, ...this.agentServer.clients];
   }
 
   /** @param {string} id @returns {Session} */
@@ -159,6 +195,37 @@ export class LiveRelay {
     else tell(socket, { kind: 'away' });
   }
 
+  /** @param {import('ws').WebSocket} socket */
+  addAllowing(socket) {
+    this.allowing?.close(4000, 'Another page lets agents edit.');
+    this.allowing = socket;
+    this.listen(socket, 'allow', (message, text) => {
+      const agent = this.agents.get(Number(message.to));
+      if (agent) pass(agent, text);
+    });
+    socket.on('close', () => {
+      if (this.allowing !== socket) return;
+      this.allowing = null;
+      for (const agent of this.agents.values()) tell(agent, { kind: 'away' });
+    });
+    tell(socket, { kind: 'hello' });
+    for (const agent of this.agents.values()) tell(agent, { kind: 'there' });
+  }
+
+  /** @param {import('ws').WebSocket} socket */
+  addAgent(socket) {
+    const number = ++this.count;
+    this.agents.set(number, socket);
+    this.listen(socket, 'agent', (message) => {
+      if (this.allowing) tell(this.allowing, { ...message, number });
+      else if (message.kind === 'call') tell(socket, { kind: 'away' });
+    });
+    socket.on('close', () => {
+      this.agents.delete(number);
+      if (this.allowing) tell(this.allowing, { kind: 'left', number });
+    });
+  }
+
   /** Drops a session that nobody edits and nobody looks at. @param {string} id */
   forget(id) {
     const session = this.sessions.get(id);
@@ -167,7 +234,7 @@ export class LiveRelay {
 
   /**
    * @param {import('ws').WebSocket} socket
-   * @param {'edit' | 'look'} side
+   * @param {keyof typeof kinds} side
    * @param {(message: { kind: string, to?: unknown }, text: string) => void} take
    */
   listen(socket, side, take) {
@@ -186,7 +253,7 @@ export class LiveRelay {
 
   /** Ends sockets that did not answer, and asks the others. */
   ask() {
-    for (const socket of [...this.editors.clients, ...this.lookers.clients]) {
+    for (const socket of this.sockets()) {
       if (this.silent.has(socket)) socket.terminate();
       else {
         this.silent.add(socket);
@@ -223,8 +290,11 @@ function pass(socket, text) {
  */
 export function isOwnOrigin({ headers: { origin, host = '' }, socket }) {
   if ('encrypted' in socket) return origin === `https://${host}`;
-  return origin === `http://${host}` && /^(localhost|127\.0\.0\.1|\[::1\])(:\d+)?$/.test(host);
+  return origin === `http://${host}` && isLocalHost(host);
 }
+
+/** Whether a request asks for this machine by its own name. @param {string | undefined} host */
+const isLocalHost = (host = '') => /^(localhost|127\.0\.0\.1|\[::1\])(:\d+)?$/.test(host);
 
 /** @param {import('node:stream').Duplex} socket @param {string} status */
 export const refuse = (socket, status) => void socket.end(`HTTP/1.1 ${status}\r\nConnection: close\r\n\r\n`);

@@ -7,6 +7,7 @@ import { LiveRelay, liveLimits } from './liveRelay.mjs';
 import { tokenIn } from './networkServer.mjs';
 
 const KEY = 'a-secret-of-the-editors';
+const AGENT_KEY = 'a-secret-of-the-agents';
 
 /** A page's socket, with what it was told. */
 class Page {
@@ -44,7 +45,7 @@ const problems: string[] = [];
 
 beforeEach(async () => {
   problems.length = 0;
-  relay = new LiveRelay();
+  relay = new LiveRelay(AGENT_KEY);
   relay.onProblem = (problem) => problems.push(problem);
   server = createServer((request, response) => relay.answer(request, response, () => response.writeHead(404).end()));
   server.on('upgrade', (request, socket, head) => relay.upgrade(request, socket, head));
@@ -149,6 +150,61 @@ describe('the relay of live edits', () => {
     expect((await fetch(url)).status).toBe(404);
     expect(await put({ origin, 'x-farol-key': KEY })).toBe(200);
     expect(await (await fetch(url)).text()).toBe(body);
+  });
+});
+
+describe('the relay of agents', () => {
+  const agentSocket = (headers: Record<string, string>): Page =>
+    new Page(new WebSocket(`${origin.replace('http', 'ws')}/farol-live?agent`, { headers }));
+  const agent = (): Page => agentSocket({ 'x-farol-agent': AGENT_KEY });
+
+  it('lets in by the key alone, and nothing that a browser sends, of this page or of another', async () => {
+    expect(await refusal(agentSocket({}))).toBe(403);
+    expect(await refusal(agentSocket({ 'x-farol-agent': 'another-key' }))).toBe(403);
+    expect(await refusal(agentSocket({ 'x-farol-agent': AGENT_KEY, origin }))).toBe(403);
+    expect(await refusal(agentSocket({ 'x-farol-agent': AGENT_KEY, origin: 'null' }))).toBe(403);
+    expect(await refusal(agentSocket({ 'x-farol-agent': AGENT_KEY, host: 'elsewhere.example' }))).toBe(403);
+    expect(await refusal(open('allow', 'https://elsewhere.example'))).toBe(403);
+    expect(await refusal(open(`agent=${AGENT_KEY}`))).toBe(403);
+    relay.agentKey = undefined;
+    expect(await refusal(agentSocket({ 'x-farol-agent': 'undefined' }))).toBe(403);
+  });
+
+  it('says that nobody allows it, then passes calls on with the number of the agent, and results back to it alone', async () => {
+    const [first, second] = [agent(), agent()];
+    await new Promise((resolve) => first.socket.on('open', resolve));
+    first.say({ kind: 'call', id: 1, tool: 'get_scene', input: {} });
+    await first.hears('away');
+    const page = open('allow');
+    await page.hears('hello');
+    await first.hears('there');
+    await second.hears('there');
+    first.say({ kind: 'call', id: 2, tool: 'get_scene', input: {}, number: 77 });
+    const { number, id } = await page.hears('call');
+    expect(id).toBe(2);
+    page.say({ kind: 'result', to: number, id, content: [] });
+    await first.hears('result');
+    expect(second.told.map(({ kind }) => kind)).toEqual(['there']);
+    first.socket.close();
+    expect((await page.hears('left')).number).toBe(number);
+    page.socket.close();
+    await second.hears('away');
+  });
+
+  it('gives the agents to the page that allowed them last, and ends what is too large or of no kind', async () => {
+    const one = open('allow');
+    await one.hears('hello');
+    const two = open('allow');
+    await two.hears('hello');
+    expect(await one.closed).toBe(4000);
+    const client = agent();
+    await new Promise((resolve) => client.socket.on('open', resolve));
+    client.say({ kind: 'whole' });
+    await client.hears('problem');
+    client.socket.send('x'.repeat(liveLimits.agent + 1));
+    expect(await client.closed).toBe(1009);
+    await two.hears('left');
+    expect(two.told.map(({ kind }) => kind)).toEqual(['hello', 'left']);
   });
 });
 

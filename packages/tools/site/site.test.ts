@@ -95,7 +95,7 @@ describe('the search', () => {
     ['Phones?', 'phones', 'guides/faq.md'],
     ['How do I write a technique?', 'write a technique', 'guides/authoring.md'],
     ['How do I profile?', 'profile', 'guides/faq.md'],
-    ['Which versions of three?', 'versions of three', 'guides/faq.md'],
+    ['Which versions of three?', 'versions of three', 'guides/compatibility.md'],
     ['From ClusteredLighting?', 'ClusteredLighting', 'guides/faq.md'],
     ['With an import map, from a CDN?', 'import map', 'guides/faq.md'],
     ['What happens in the first frames, while code is fetched?', 'first frames', 'guides/renderer.md'],

@@ -23,7 +23,8 @@ const frontMatter = /^---\n.*?\n---\n/s;
 export function sitePages() {
   const names = readdirSync(join(root, pagesFolder), { recursive: true, encoding: 'utf8' })
     .map((name) => name.replaceAll('\\', '/'))
-    .filter((name) => name.endsWith('.md'));
+    // those in brackets stand for pages that a script lists: the examples of the gallery
+    .filter((name) => name.endsWith('.md') && !name.includes('['));
   return new Map(
     names.toSorted().map((name) => {
       const path = `${pagesFolder}/${name}`;
@@ -33,14 +34,6 @@ export function sitePages() {
     }),
   );
 }
-
-/**
- * English pages that have no Spanish one; their Spanish addresses lead to the English pages.
- *
- * @param {ReadonlyMap<string, string>} pages - see `sitePages`
- */
-export const untranslated = (pages) =>
-  [...pages.keys()].filter((name) => !name.startsWith('es/') && !pages.has(`es/${name}`));
 
 /**
  * Markdown of a page, with what it includes, without its front matter.
@@ -123,8 +116,10 @@ function relativeTo(from, to) {
 export function rewriteLinks(md, pages) {
   md.core.ruler.push('farol-site-links', (state) => {
     const page = state.env.relativePath ?? '';
-    for (const { children } of state.tokens) {
-      for (const token of children ?? []) {
+    for (const block of state.tokens) {
+      // a table that is wider than a phone scrolls, by the keyboard too
+      if (block.type === 'table_open') block.attrSet('tabindex', '0');
+      for (const token of block.children ?? []) {
         // braces in code are no expressions of Vue's
         if (token.type === 'code_inline') token.attrSet('v-pre', '');
         const name = token.type === 'link_open' ? 'href' : token.type === 'image' ? 'src' : '';

@@ -1,7 +1,7 @@
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { root } from '../root.mjs';
-import { pagesFolder, readPage, siteLink, sitePages, untranslated } from './sitePages.mjs';
+import { pagesFolder, readPage, siteLink, sitePages } from './sitePages.mjs';
 
 const files = sitePages();
 
@@ -41,13 +41,13 @@ export function writeTexts(dist, groups) {
   writeFileSync(join(dist, 'llms.txt'), `# Farol\n\n> ${about}\n${lines.join('\n')}\n`);
   const all = groups.flatMap(({ items }) => items.map(({ link }) => textOf(nameOf(link))));
   writeFileSync(join(dist, 'llms-full.txt'), `${all.join('\n\n---\n\n')}\n`);
-  for (const name of untranslated(files)) {
-    const page = name.replace(/\.md$/, '.html');
+  const pages = readdirSync(dist, { recursive: true, encoding: 'utf8' }).map((name) => name.replaceAll('\\', '/'));
+  for (const page of pages) {
+    if (!page.endsWith('.html') || page === '404.html' || page.startsWith('es/') || existsSync(join(dist, 'es', page)))
+      continue;
     const to = `${'../'.repeat(page.split('/').length)}${page}`;
-    write(
-      join(dist, 'es', page),
-      `<!doctype html><title>Farol</title><meta http-equiv="refresh" content="0; url=${to}" />\n`,
-    );
+    const head = `<title>Farol</title><meta http-equiv="refresh" content="0; url=${to}" />`;
+    write(join(dist, 'es', page), `<!doctype html>${head}\n`);
   }
 }
 

@@ -95,6 +95,12 @@ export const openOnPhone: Action = {
   run: ({ dialogs }) => void dialogs.show({ kind: 'phone' }),
 };
 
+export const letAgentEdit: Action = {
+  id: 'file.agent',
+  label: 'Let an agent edit…',
+  run: ({ dialogs }) => void dialogs.show({ kind: 'agent' }),
+};
+
 /** Opens the current scene in the Lab, which measures techniques. */
 export const measure: Action = {
   id: 'file.measure',

@@ -24,6 +24,7 @@ import {
 import { deselect, duplicate, redo, remove, selectAll, undo } from './edit';
 import {
   exportScene,
+  letAgentEdit,
   measure,
   newScene,
   open,
@@ -70,7 +71,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     new: [welcome, newScene, { submenu: 'Samples', actions: openExamples }],
     open: [open],
     save: [save, saveAs],
-    share: [exportScene, openOnPhone, measure],
+    share: [exportScene, openOnPhone, letAgentEdit, measure],
     recover: [recover],
   },
   edit: {

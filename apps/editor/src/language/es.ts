@@ -1,6 +1,7 @@
 import type { Texts } from '@farol/editing';
 import { es as editing } from '@farol/editing/es';
 import { actions } from './es/actions';
+import { agent } from './es/agent';
 import { animation } from './es/animation';
 import { areaLights } from './es/areaLights';
 import { arrange } from './es/arrange';
@@ -35,6 +36,7 @@ export const ofEngine = messageTranslator(engine);
 export const es: Texts = {
   ...editing,
   ...actions,
+  ...agent,
   ...animation,
   ...areaLights,
   ...arrange,

@@ -79,6 +79,11 @@ export interface PhoneDialog {
   readonly kind: 'phone';
 }
 
+/** Asks whether agents may edit, and says how one is set up. */
+export interface AgentDialog {
+  readonly kind: 'agent';
+}
+
 export interface TextDialog {
   readonly kind: 'text';
   readonly title: string;
@@ -102,7 +107,8 @@ export type DialogRequest =
   | WelcomeDialog
   | AboutDialog
   | ExportDialog
-  | PhoneDialog;
+  | PhoneDialog
+  | AgentDialog;
 
 /** The open dialog; one at a time. */
 export class Dialogs {

@@ -18,11 +18,8 @@ export default {
     // a page that has no Spanish text is shown in English
     router.onBeforeRouteChange = (to) => {
       const [path] = to.slice(siteData.value.base.length).split(/[?#]/);
-      const page = `${path
-        .replace(/^es\//, '')
-        .replace(/\.html$/, '')
-        .replace(/(^|\/)$/, '$1index')}.md`;
-      if (!path.startsWith('es/') || !siteData.value.themeConfig.untranslated.includes(page)) return true;
+      const page = `${path.replace(/\.html$/, '').replace(/(^|\/)$/, '$1index')}.md`;
+      if (!path.startsWith('es/') || siteData.value.themeConfig.translated.includes(page)) return true;
       void router.go(siteData.value.base + path.slice(3));
       return false;
     };

@@ -88,7 +88,7 @@ controls.range({
   label: say('Turn the planet', 'Girar el planeta'),
   value: 0,
   min: 0,
-  max: 360,
+  max: 355,
   step: 5,
   format: (value) => `${value}°`,
   change: (value) => void (planet.transform.rotation = [0, (value * Math.PI) / 180, 0]),

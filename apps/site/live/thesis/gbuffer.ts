@@ -1,6 +1,7 @@
 /** The G-buffer taken apart (thesis 2.2.3.1, 2.2.3.3.1, 3.1.1, 4.1). */
 import { AmbientLight, DirectionalLight } from 'three';
 import { BufferView } from './buffers/BufferView';
+import { GBufferProbe } from './buffers/GBufferProbe';
 import { Figure } from './frame/Figure';
 import { lamps, room } from './frame/room';
 
@@ -14,6 +15,7 @@ figure.describe('A room, and the buffers that it is lit from', 'Una habitación 
 
 const view = new BufferView();
 view.depths.set(3, 16);
+const probe = new GBufferProbe();
 farol.effects = [view];
 const say = figure.say.bind(figure);
 const words: Record<
@@ -90,6 +92,45 @@ controls.choice({
     ['2', 'B'],
   ],
   change: (channel) => void (view.channel = Number(channel)),
+});
+
+const table = document.createElement('table');
+const heads = ['R', 'G', 'B', 'A', say('target', 'destino')];
+table.innerHTML = `<tr>${heads.map((head) => `<th>${head}</th>`).join('')}</tr>`;
+/** Rows of the table, with the number of channels that each target has. */
+const rows = (
+  [
+    [1, say('depth 32F', 'profundidad 32F')],
+    [4, say('RT0 16F: accumulation RGB, shininess', 'RT0 16F: acumulación RGB, brillo')],
+    [2, say('RT1 16F: normal, folded', 'RT1 16F: normal, plegada')],
+    [4, say('RT2 8: specular RGB, strength', 'RT2 8: especular RGB, fuerza')],
+    [4, say('RT3 8: √ diffuse RGB, kind of surface', 'RT3 8: √ difuso RGB, tipo de superficie')],
+  ] as const
+).map(([channels, name]) => {
+  const row = table.insertRow();
+  for (let i = 0; i < 4; i++) row.insertCell();
+  row.insertCell().textContent = name;
+  return { row, channels };
+});
+figure.strip.append(table);
+figure.drawFrame = () => {
+  farol.render(scene, camera);
+  // its program is compiled once there is a picture to look at
+  if (farol.effects.length === 1) {
+    farol.effects = [view, probe];
+    figure.redraw();
+  }
+  figure.label([{ text: '+', x: probe.place.x, y: 0.98 - probe.place.y }]);
+  void probe.read(webgl, (values) =>
+    rows.forEach(({ row, channels }, r) => {
+      for (let i = 0; i < channels; i++) row.cells[i].textContent = values[4 * r + i].toFixed(r === 0 ? 6 : 3);
+    }),
+  );
+};
+webgl.domElement.addEventListener('pointermove', ({ offsetX, offsetY }) => {
+  const { clientWidth, clientHeight } = webgl.domElement;
+  probe.place.set(offsetX / clientWidth, 1 - offsetY / clientHeight);
+  figure.redraw();
 });
 figure.animate(move);
 

@@ -60,7 +60,7 @@ for (const term of ['ambient', 'diffuse', 'specular'] as const) {
   controls.check({ name: term, label: names[term], value: true, change: (on) => void (sum[term] = on) });
   controls.range({
     name: `${term}-strength`,
-    label: 'k',
+    label: `k ${names[term].toLowerCase()}`,
     value: strengths[term],
     min: 0,
     max: 1.5,

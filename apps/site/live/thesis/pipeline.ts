@@ -24,13 +24,15 @@ figure.describe('A knot at one stage of the pipeline', 'Un nudo en una etapa de 
 const lit = new MeshPhongMaterial({ color: 0xc8703c, specular: 0x404040, shininess: 40 });
 const plain = new MeshBasicMaterial({ color: 0xc8703c });
 const knot = new Mesh<BufferGeometry>(new TorusKnotGeometry(), lit);
-const points = new Points<BufferGeometry>(
+const points = new Points<BufferGeometry, PointsMaterial>(
   knot.geometry,
   new PointsMaterial({ color: 0xffb454, size: 4, sizeAttenuation: false }),
 );
 const wires = new LineSegments<BufferGeometry>(knot.geometry, new LineBasicMaterial({ color: 0x6aa0e0 }));
 const sun = new DirectionalLight(0xffffff, 2.6);
 sun.position.set(2, 3, 3);
+/** Vertices as they are in their buffer. */
+const stored = new TorusKnotGeometry(1, 0.34, 96, 14);
 let normals: VertexNormalsHelper | null = null;
 scene.add(knot, points, wires, sun, new AmbientLight(0xffffff, 0.3));
 
@@ -83,6 +85,9 @@ const choose = controls.choice<Stage>({
   change(stage) {
     const at = stages.findIndex(([name]) => name === stage);
     points.visible = at < 2;
+    // as they lie in the buffer, before the program has moved them
+    points.geometry = at === 0 ? stored : knot.geometry;
+    points.material.color.set(at === 0 ? 0x9098a8 : 0xffb454);
     wires.visible = at === 2;
     if (normals !== null) normals.visible = at === 2;
     knot.visible = at > 2;
@@ -102,7 +107,7 @@ controls.button('next', say('Next', 'Siguiente'), () => {
 controls.range({
   name: 'bend',
   label: say('Bend', 'Doblar'),
-  value: 0,
+  value: 0.4,
   min: -1,
   max: 1,
   step: 0.05,
@@ -117,7 +122,8 @@ controls.range({
       position.setXYZ(i, x * Math.cos(angle) - z * Math.sin(angle), y, x * Math.sin(angle) + z * Math.cos(angle));
     }
     geometry.computeVertexNormals();
-    knot.geometry = points.geometry = geometry;
+    knot.geometry = geometry;
+    if (points.geometry !== stored) points.geometry = geometry;
     wires.geometry = new WireframeGeometry(geometry);
     const wasShown = normals?.visible ?? false;
     normals?.removeFromParent();

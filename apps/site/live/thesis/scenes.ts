@@ -107,9 +107,9 @@ controls.choice<TechniqueName>({
   label: 'Render Type',
   value: 'deferred',
   options: [
-    ['forward', 'Forward'],
-    ['deferred', 'Deferred'],
     ['auto', 'Auto'],
+    ['deferred', 'Deferred'],
+    ['forward', 'Forward'],
   ],
   change: (value) => void (farol.technique = value),
 });

@@ -23,7 +23,7 @@ farol.technique = technique satisfies TechniqueName;
 const { label } = techniques[technique];
 figure.describe(`${label}, step by step`, `${label}, paso a paso`);
 
-const { group, lights, move } = lamps(40, 2.6, 4);
+const { group, lights, move } = lamps(40, 2.2, 4);
 const pane = new Mesh(
   new SphereGeometry(0.55, 32, 24),
   new MeshPhongMaterial({ color: 0x90d0e0, transparent: true, opacity: 0.45, shininess: 80 }),
@@ -40,7 +40,9 @@ const volumes = lights.map((light) => {
 const view = new BufferView();
 view.depths.set(3, 16);
 farol.effects = [view];
-farol.heatMapMaximum = 16;
+farol.heatMapMaximum = 24;
+/** Techniques that draw what is transparent after all else, by a program of its own. */
+const isPaneLate = technique !== 'inferred' && technique !== 'forward-plus' && !technique.endsWith('forward');
 let count = 40;
 let showsVolumes = false;
 let at = 0;
@@ -52,6 +54,7 @@ function show(): void {
   const isView = step.show === 'light-count' || step.show === 'overdraw' || step.show === 'final';
   farol.view = (isView ? step.show : 'final') as View;
   view.show = isView ? null : (step.show as BufferName);
+  pane.visible = !isPaneLate || step.show === 'final';
   lights.forEach((light, i) => (light.visible = i < count));
   volumes.forEach((volume, i) => {
     volume.visible = showsVolumes && i < count;
@@ -84,7 +87,7 @@ controls.range({
 controls.range({
   name: 'range',
   label: say('Range (m)', 'Alcance (m)'),
-  value: 2.6,
+  value: 2.2,
   min: 0.8,
   max: 6,
   step: 0.1,

@@ -28,7 +28,8 @@ export function labFragment(
 ): string | null {
   const value = (name: string): number => numberOf(parameters[name], numberOf(defaults[name]?.default, 0));
   if (scene === 'benchmarkLights') {
-    return `#preset=custom&series=benchmarkLights:lights:${lightsRound(value('m') ** 2)}:n=${value('n')}`;
+    const lights = value('m') * (value('mRows') || value('m'));
+    return `#preset=custom&series=benchmarkLights:lights:${lightsRound(lights)}:n=${value('n')}`;
   }
   if (scene !== 'sponza' && scene !== 'temple') return null;
   return `#preset=custom&series=${scene}:lights:${lightsRound(value('lights'))}`;

@@ -21,6 +21,9 @@ describe('labFragment', () => {
     expect(labFragment('benchmarkLights', { n: 4, m: 10 }, defaultsOf('benchmarkLights'))).toBe(
       '#preset=custom&series=benchmarkLights:lights:25,50,100,200,400:n=4',
     );
+    expect(labFragment('benchmarkLights', { n: 4, m: 20, mRows: 5 }, defaultsOf('benchmarkLights'))).toBe(
+      '#preset=custom&series=benchmarkLights:lights:25,50,100,200,400:n=4',
+    );
   });
 
   it('names each count once, within what the Lab measures', () => {

@@ -17,6 +17,12 @@ function labelOf(name: string): string {
   return name === 'none' ? 'None' : effectEntries[name].label;
 }
 
+/** Choices of the menu: values by label, which is their name with a capital where `labels` has none. */
+const labelled = (names: readonly string[], labels: Record<string, string> = {}): Record<string, string> =>
+  Object.fromEntries(
+    names.map((name) => [labels[name] ?? name[0].toUpperCase() + name.slice(1).replaceAll('-', ' '), name]),
+  );
+
 /** The menu at the top right, made from the registries of techniques, views and scenes. */
 export class ViewerMenu {
   readonly statistics = new StatisticsPanel();
@@ -28,6 +34,7 @@ export class ViewerMenu {
     technique: string;
     view: string;
     quality: string;
+    budget: string;
     aa: string;
     decals: boolean;
     particles: number;
@@ -43,21 +50,27 @@ export class ViewerMenu {
 
   constructor(private readonly viewer: Viewer) {
     const { gui } = this;
-    const { technique, view, quality, aa, decals, particles, rectangles, dragon, time } = viewer.state;
-    this.values = { technique, view, quality, aa, decals, particles, rectangles, dragon, stopped: time !== null };
+    const { technique, view, quality, budget, aa, decals, particles, rectangles, dragon, time } = viewer.state;
+    const shown = { technique, view, quality, budget, aa, decals, particles, rectangles, dragon };
+    this.values = { ...shown, stopped: time !== null };
     const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
     gui
       .add(this.values, 'technique', names)
       .name('Render Type')
       .onChange((name: string) => viewer.chooseTechnique(name));
     gui
-      .add(this.values, 'view', [...known.views])
+      .add(this.values, 'view', labelled(known.views))
       .name('View')
       .onChange((name: string) => viewer.chooseView(name));
     gui
-      .add(this.values, 'quality', [...known.qualities])
+      .add(this.values, 'quality', labelled(known.qualities, { auto: 'Automatic' }))
       .name('Quality')
       .onChange((name: string) => viewer.setQuality(name));
+    gui
+      .add(this.values, 'budget', labelled(known.budgets, { auto: 'On touch screens' }))
+      .name('Frame budget')
+      .onChange((name: string) => viewer.setBudget(name)).domElement.title =
+      'Whether slow frames are drawn smaller and enlarged.';
     gui
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
       .name('Anti-aliasing')
@@ -114,8 +127,8 @@ export class ViewerMenu {
     const figures = gui.addFolder('Last frame');
     figures.$children.append(this.statistics.element);
 
-    // an open menu would cover most of a phone's picture
-    if (innerWidth < 600) gui.close();
+    // an open menu would cover most of a phone's picture, whichever way round it is held
+    if (innerWidth < 600 || (innerHeight < 600 && matchMedia('(pointer: coarse)').matches)) gui.close();
     viewer.onChange(() => this.refresh());
     this.refresh();
   }
@@ -126,6 +139,7 @@ export class ViewerMenu {
     this.values.technique = state.technique;
     this.values.view = state.view;
     this.values.quality = state.quality;
+    this.values.budget = state.budget;
     this.values.aa = state.aa;
     this.values.decals = state.decals;
     this.values.particles = state.particles;

@@ -32,7 +32,7 @@ function describeRange(field: { min?: number; max?: number; unit?: string }): st
 }
 
 /** Allowed values of a field in words, as the end of "must be …". */
-function allowedBy(field: Field): string {
+export function allowedBy(field: Field): string {
   switch (field.kind) {
     case 'number':
       return `${field.integer ? 'a whole number' : 'a finite number'}${describeRange(field)}`;

@@ -1,7 +1,7 @@
 /** Declarations of fields: kinds, values, how a value is checked, and what an inspector reads. */
 export * from './Field';
 export * from './fields';
-export { checkFieldValue, describeValue, isFieldValue, MOST_KEYS } from './checkFieldValue';
+export { allowedBy, checkFieldValue, describeValue, isFieldValue, MOST_KEYS } from './checkFieldValue';
 export { FieldError } from './FieldError';
 export { isFieldVisible } from './isFieldVisible';
 export { colourKeys, curveAt, fullKeys, gradientAt, joinKeys, opacityKeys } from './keys';

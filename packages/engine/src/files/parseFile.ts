@@ -115,6 +115,11 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
   return file;
 }
 
+const headKeys = [
+  ...['$schema', 'format', 'version', 'name', 'settings', 'activeCamera', 'assets', 'assetFolders', 'prefabs'],
+  ...['microShaders', 'views', 'objects'],
+];
+
 /**
  * First half of `parseFile`, without the search for missing assets.
  * @param problems - receives the problems
@@ -122,21 +127,8 @@ export function parseFile(input: unknown, options: ParseOptions = {}): FarolFile
  */
 export function readFile(input: unknown, registry: ComponentRegistry, problems: ProblemList): FarolFile {
   const raw = migrateFile(checkHead(typeof input === 'string' ? parseJson(input) : input));
-  problems.onlyKeys(raw, '', [
-    ...[
-      'format',
-      'version',
-      'name',
-      'settings',
-      'activeCamera',
-      'assets',
-      'assetFolders',
-      'prefabs',
-      'microShaders',
-      'views',
-      'objects',
-    ],
-  ]);
+  problems.onlyKeys(raw, '', headKeys);
+  if (raw.$schema !== undefined) problems.text(raw.$schema, '$schema', true);
   const prefabs = readPrefabs(raw.prefabs ?? [], 'prefabs', registry, problems);
   const objects = readObjects(raw.objects, 'objects', registry, problems);
   checkLinks(objects, 'objects', new Set(prefabs.map(({ id }) => id)), problems);

@@ -30,7 +30,7 @@ export function readValues(
 
 /** Values written by an older version of the component, brought up to date; null, and a problem, when that fails. */
 function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, problems: ProblemList): unknown {
-  const { values } = record;
+  const values = problems.record(record.values, join(path, 'values'));
   const at = join(path, 'version');
   const version = readVersion(record.version, at, problems);
   if (version === null) return null;
@@ -47,7 +47,7 @@ function migrate(type: ComponentClass, record: JsonRecord, path: PathLike, probl
     return null;
   }
   try {
-    return type.migrate({ ...problems.record(values, join(path, 'values')) }, version);
+    return type.migrate({ ...values }, version);
   } catch (error) {
     problems.add(
       at,

@@ -9,12 +9,13 @@ import type { TwinAdapter } from './TwinAdapter';
 export interface Session {
   /** Index of the eye that is drawn, in the order in which they are drawn. */
   eye: number;
-  /** Adapters of twins that draw both eyes at once; null while each eye is drawn by itself. */
+  /** Adapters of twins that draw both eyes at once, of which WebGL has no timers; null while each eye is drawn by itself. */
   readonly adapters: readonly TwinAdapter[] | null;
   /** Bytes of targets of the session's own. */
   readonly bytes: number;
   /** Whether a frame of both eyes must be drawn eye by eye instead. Called when all that it draws is known. */
   refuses(frame: Frame, technique: string, effects: number): boolean;
+  dispose(): void;
   /** Ends a frame of both eyes, inside three's `render`. */
   present(frame: Frame): void;
   /**

@@ -246,7 +246,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
   private readonly drawScene: DrawByCamera = (scene, camera, update, updatesCamera, seenBy, session): void => {
     if (this.disposed) return; // by a callback of the host's for another camera of an array
     const eye = session?.eye ?? 0;
-    // WebGL has no timers of draws to both eyes at once
     this.recorder.begin(this.timing && !session?.adapters, eye);
     this.twins.begin();
     const byThree = this.frame.queue.refused.begin(scene);
@@ -262,7 +261,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     let done = false;
     const effects = frame.view === 'final' ? this.effectList.of(target, session !== null) : NO_EFFECTS;
     const sceneView = this.viewOf(scene);
-    sceneView.seenBy = seenBy;
     draws.begin(sceneView, effects, this);
     try {
       this.info.budget = draws.scale();
@@ -380,7 +378,6 @@ export class FarolRenderer extends EventDispatcher<FarolEvents> implements Requi
     this.twins.dispose();
     this.lights.dispose(this.frame);
     this.finder.dispose();
-    this.xr?.dispose();
   };
 
   /** Picks the technique by the lights that the camera sees. @returns the order in which it wants them */

@@ -64,6 +64,7 @@ export class SceneDraws {
     picker.mayMeasure = this.checked === null;
     picker.passTimer = this.recorder.passTimer;
     this.sceneView = sceneView;
+    sceneView.seenBy = this.frame.seenBy;
     this.effects = effects;
     this.frame.adapters = this.frame.session?.adapters ?? effects.adapters;
     this.frame.gbufferExtras = effects.attachments;
@@ -96,6 +97,7 @@ export class SceneDraws {
     this.picker.learning?.dispose();
     this.edges?.dispose();
     this.scaled?.dispose();
+    this.frame.session?.dispose();
   }
 
   /** Scales the frame to hold the budget. @returns figures of that; null without a budget, or until its code is there */

@@ -27,6 +27,7 @@ export const actions: Texts = {
   'Save as…': 'Guardar como…',
   'Export and share…': 'Exportar y compartir…',
   'Open on a phone…': 'Abrir en un teléfono…',
+  'Let an agent edit…': 'Dejar que un agente edite…',
   'Measure this scene': 'Medir esta escena',
   'the Lab': 'el laboratorio',
   'Recover…': 'Recuperar…',

@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { Dialog } from '@base-ui/react/dialog';
-import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef } from 'react';
+import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef, useState } from 'react';
 import { readableText } from '../../model/readableText';
 import type { ConfirmDialog, DialogRequest } from '../../model/Dialogs';
 import { useEditor, useSignal } from '../../ui/EditorContext';
@@ -15,6 +15,8 @@ const AboutDialog = lazy(async () => ({ default: (await import('./AboutDialog'))
 const TextDialog = lazy(async () => ({ default: (await import('./TextDialog')).TextDialog }));
 const ProgressDialog = lazy(async () => ({ default: (await import('./ProgressDialog')).ProgressDialog }));
 const ExportDialog = lazy(async () => ({ default: (await import('./ExportDialog')).ExportDialog }));
+const AgentDialog = lazy(async () => ({ default: (await import('./AgentDialog')).AgentDialog }));
+const AgentBar = lazy(async () => ({ default: (await import('../agent/AgentBar')).AgentBar }));
 const PhoneDialog = lazy(async () => ({ default: (await import('./PhoneDialog')).PhoneDialog }));
 
 const shapes: Partial<Record<DialogRequest['kind'], string>> = {
@@ -28,22 +30,27 @@ export function DialogHost(): ReactNode {
   useSignal(dialogs.changed);
   const { current } = dialogs;
   const popup = useRef<HTMLDivElement>(null);
+  const [isAgentAsked, setAgentAsked] = useState(false);
+  if (current?.kind === 'agent' && !isAgentAsked) setAgentAsked(true);
   return (
-    <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
-      <Dialog.Portal>
-        <Dialog.Backdrop className="backdrop" />
-        <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
-          <Suspense fallback={null}>
-            {current && (
-              <>
-                <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
-                <FocusField popup={popup} />
-              </>
-            )}
-          </Suspense>
-        </Dialog.Popup>
-      </Dialog.Portal>
-    </Dialog.Root>
+    <>
+      <Suspense fallback={null}>{isAgentAsked && <AgentBar />}</Suspense>
+      <Dialog.Root open={current !== null} onOpenChange={(open) => !open && dialogs.close(false)}>
+        <Dialog.Portal>
+          <Dialog.Backdrop className="backdrop" />
+          <Dialog.Popup ref={popup} className={`dialog ${(current && shapes[current.kind]) ?? ''}`}>
+            <Suspense fallback={null}>
+              {current && (
+                <>
+                  <Content request={current} onClose={(agreed) => dialogs.close(agreed)} />
+                  <FocusField popup={popup} />
+                </>
+              )}
+            </Suspense>
+          </Dialog.Popup>
+        </Dialog.Portal>
+      </Dialog.Root>
+    </>
   );
 }
 
@@ -74,6 +81,7 @@ function Content({ request, onClose }: { request: DialogRequest; onClose(agreed:
   if (request.kind === 'progress') return <ProgressDialog request={request} onClose={() => onClose(false)} />;
   if (request.kind === 'export') return <ExportDialog onClose={() => onClose(false)} />;
   if (request.kind === 'phone') return <PhoneDialog onClose={() => onClose(false)} />;
+  if (request.kind === 'agent') return <AgentDialog onClose={() => onClose(false)} />;
   if (request.kind === 'palette') return <CommandPalette onClose={() => onClose(false)} />;
   return (
     <>

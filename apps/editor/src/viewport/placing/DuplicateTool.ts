@@ -194,7 +194,7 @@ export class DuplicateTool implements Tool {
 }
 
 /** Height of an object's origin above its lowest point (m); 0 without a mesh. */
-function footOf(object: GameObject): number {
+export function footOf(object: GameObject): number {
   let isDrawn = false;
   object.traverse((each) => (isDrawn ||= draws(each)));
   if (!isDrawn) return 0;

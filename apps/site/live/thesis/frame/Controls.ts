@@ -134,10 +134,9 @@ export class Controls {
     chosen: (value: V) => void,
   ): (value: V) => void {
     const group = document.createElement('fieldset');
-    const legend = document.createElement('legend');
-    legend.textContent = label;
+    if (label === '') group.setAttribute('aria-label', name);
+    else group.append(Object.assign(document.createElement('legend'), { textContent: label }));
     const inputs = new Map<V, HTMLInputElement>();
-    group.append(legend);
     for (const [value, text] of options) {
       const input = document.createElement('input');
       Object.assign(input, { type: 'radio', name, value });

@@ -132,9 +132,12 @@ export class Figure {
   /** Draws pictures beside one another, in as many columns as fit, each with its label. */
   panels(parts: readonly { readonly text: string; draw(): void }[]): void {
     const { clientWidth, clientHeight } = this.picture;
-    const most = Math.max(1, Math.round((clientWidth / clientHeight) * 1.3));
-    const rows = Math.ceil(parts.length / most);
-    const columns = Math.ceil(parts.length / rows);
+    // as many columns as leave panels about as wide as high, in full rows
+    const counts = parts.map((_, i) => i + 1).filter((count) => parts.length % count === 0);
+    const slant = (columns: number): number =>
+      Math.abs(Math.log((clientWidth * parts.length) / (1.1 * clientHeight * columns ** 2)));
+    const columns = counts.reduce((best, one) => (slant(one) < slant(best) ? one : best));
+    const rows = parts.length / columns;
     const [width, height] = [1 / columns, 1 / rows];
     const labels = parts.map(({ text, draw }, i) => {
       const x = (i % columns) * width;
@@ -177,6 +180,8 @@ export class Figure {
     this.draw();
     await this.farol.ready;
     this.farol.removeEventListener('redraw', again);
+    // a caption of more lines leaves less height
+    this.fit();
     this.draw();
   }
 

@@ -154,7 +154,9 @@ export class BothEyes {
     this.webgl.setRenderTarget(this.layer);
   }
 
-  dispose(): void {
+  /** Frees the arrays; also called when a session ends. */
+  readonly dispose = (): void => {
+    this.webgl.xr.removeEventListener('sessionend', this.dispose);
     const gl = this.webgl.getContext();
     this.target?.dispose();
     gl.deleteTexture(this.color);
@@ -163,7 +165,7 @@ export class BothEyes {
     this.size.set(0, 0);
     this.pass.dispose();
     this.attach = null;
-  }
+  };
 
   private readonly refused = ({ object, material, shading, ownShader }: RenderItem): boolean => {
     const [first, second] = this.eyes.cameras;
@@ -184,6 +186,7 @@ export class BothEyes {
     const { webgl, size } = this;
     if (size.x !== width || size.y !== height) {
       this.dispose();
+      webgl.xr.addEventListener('sessionend', this.dispose);
       size.set(width, height);
       this.color = this.makeArray(gl, gl.RGBA8);
       this.depth = this.makeArray(gl, gl.DEPTH_COMPONENT24);

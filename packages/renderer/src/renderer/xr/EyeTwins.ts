@@ -11,6 +11,8 @@ const FOG = '#include <fog_vertex>';
 const VIEW_DIRECTION = 'normalize( vViewPosition )';
 /** Place of a pixel in the host's target, see targetPixel.glsl. */
 const PIXEL = 'gl_FragCoord.xy + farol_targetOrigin';
+/** Place of a pixel in the picture whose tiles have light lists, see lightLoopClustered.glsl. */
+const TILE = 'gl_FragCoord.xy - farol_offset) >> farol_grid.x';
 const offset = new Matrix4();
 
 /** Camera of an eye, as three's WebXRManager has them. */
@@ -87,6 +89,7 @@ export class EyeTwins implements TwinAdapter {
         shader.vertexShader = `${eyesVertex}\n${vertex}`;
         const fragment = shader.fragmentShader
           .replaceAll(VIEW_DIRECTION, 'normalize( vViewPosition + farol_eyesVS[gl_ViewID_OVR] )')
+          .replaceAll(TILE, 'farol_unionPixel(positionVS)) >> farol_grid.x')
           .replaceAll(PIXEL, `${PIXEL} + farol_eyeOrigins[gl_ViewID_OVR]`);
         shader.fragmentShader = `${eyesFragment}\n${fragment}`;
       },

@@ -16,7 +16,6 @@ export class XRDraws implements Session {
   eye = 0;
   private readonly lights: Light[] = [];
   private readonly known = new Set<Light>();
-
   private readonly bothEyes: BothEyes;
   /** Both eyes are drawn by one call each: see `FarolOptions.multiview`. */
   both: BothEyes | null = null;
@@ -76,6 +75,7 @@ export class XRDraws implements Session {
     if (wait > 0) this.waits.set(scene, wait - 1);
     if (wait > 0 || !bothEyes.begin(scene, eyes)) return false;
     this.both = bothEyes;
+    this.refused = false;
     this.eye = 0;
     try {
       const updated = beforeRender(webgl, scene, eyes);

@@ -6,5 +6,8 @@ uniform highp vec4 farol_unionPixels; // pixel of a point: xy * (x, y) / depth +
 uniform highp vec2 farol_unionLast; // last pixel of the union camera's picture
 uniform highp vec2 farol_eyeOrigins[2]; // first pixel of an eye in the session's layer
 #define cameraPosition farol_eyesWS[gl_ViewID_OVR]
-#define FAROL_PIXEL(positionVS) \
-  clamp(farol_unionPixels.xy * (positionVS).xy / -(positionVS).z + farol_unionPixels.zw, vec2(0.0), farol_unionLast)
+
+vec2 farol_unionPixel(const in vec3 positionVS) {
+  vec2 pixel = farol_unionPixels.xy * positionVS.xy / -positionVS.z + farol_unionPixels.zw;
+  return clamp(pixel, vec2(0.0), farol_unionLast);
+}

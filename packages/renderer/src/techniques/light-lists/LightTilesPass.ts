@@ -14,9 +14,9 @@ import { textureHandle } from '../../three/handles';
 const LIGHTS_PER_QUAD = 128;
 /**
  * Part of its range in which a plain point light is listed with the quality 'lite': beyond, light that falls off with the square
- * of the distance is at most 0.4% of that at half of the range.
+ * of the distance is at most 1.1% of that at half of the range.
  */
-const LITE_REACH = 0.97;
+const LITE_REACH = 0.95;
 /** Side of the blocks whose depths are bounded first (pixels). */
 const BLOCK = 4;
 /** Shared uniforms of the pass: without the lists, which it must not read while writing them. */

@@ -45,14 +45,10 @@ uvec2 farol_tileMarks(const in int word) {
 }
 #endif
 
-#ifndef FAROL_PIXEL
-#define FAROL_PIXEL(positionVS) (gl_FragCoord.xy - farol_offset)
-#endif
-
 // Opens two loops over the lights of a pixel's cluster; farol_record is a light's record.
 // without: leaves lights out that are known to light none of the tile (farol_marks)
 #define FAROL_FOR_EACH_UNMARKED(positionVS, without) \
-  ivec2 farol_tile = ivec2(FAROL_PIXEL(positionVS)) >> farol_grid.x; \
+  ivec2 farol_tile = ivec2(gl_FragCoord.xy - farol_offset) >> farol_grid.x; \
   ivec2 farol_ranks = ivec2(farol_depthBin(-(positionVS).z)); \
   int farol_lastWord = max(farol_ranks.x <= farol_ranks.y ? farol_ranks.y >> 5 : -1, farol_grid.z - 1); \
   for (int farol_word = farol_grid.z > 0 ? 0 : farol_ranks.x >> 5; farol_word <= farol_lastWord; \
