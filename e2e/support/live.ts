@@ -4,7 +4,7 @@ import type { FloatImage } from './images';
 
 /** `window` of a live module's page that was opened with `&still`; apps/site/live. */
 interface LiveWindow {
-  live: Promise<{ farol?: FarolRenderer | Promise<FarolRenderer> }>;
+  live: Promise<{ farol?: FarolRenderer | Promise<FarolRenderer>; ready?: Promise<unknown> }>;
   stillClock: { advance(seconds: number): void; until<T>(promise: Promise<T>): Promise<T> };
   drawBoth(width: number, height: number): Promise<BothPictures>;
 }
@@ -27,10 +27,12 @@ export async function openLive(page: Page, name: string, seconds: number, frames
   await page.evaluate(
     async ([step, frames]) => {
       const page = window as unknown as LiveWindow;
-      const farol = await (await page.live).farol;
+      const { farol: asked, ready } = await page.live;
+      const farol = await asked;
       const { stillClock } = page;
       stillClock.advance(0.001);
       if (farol) await stillClock.until(farol.ready);
+      if (ready) await stillClock.until(ready);
       for (let i = 0; i < frames; i++) stillClock.advance(step);
       if (farol) await stillClock.until(farol.ready);
     },

@@ -70,6 +70,8 @@ function takeAway(farol: FarolRenderer): string[] {
   farol.effects = [];
   farol.view = 'final';
   farol.budget = null;
+  if (farol.quality === 'lite') leftOut.push("quality 'lite'");
+  farol.quality = 'full';
   farol.antialias = false;
   farol.areaLightThreshold = 0;
   if (farol.lightLayers) leftOut.push('light layers');

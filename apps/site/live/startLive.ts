@@ -15,6 +15,8 @@ export interface LiveModule {
   readonly webgl?: WebGLRenderer | Promise<WebGLRenderer>;
   readonly scene?: Scene | Promise<Scene>;
   readonly camera?: Camera | Promise<Camera>;
+  /** Fulfilled when work that goes on for many frames, such as a bake, is done. */
+  readonly ready?: Promise<unknown>;
 }
 
 /**

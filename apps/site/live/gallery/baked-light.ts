@@ -77,7 +77,7 @@ async function bake(): Promise<void> {
   baked.apply();
   output.value = 'Baked: three bounces';
 }
-void bake();
+const ready = bake();
 
 function resize(): void {
   camera.aspect = innerWidth / innerHeight;
@@ -94,4 +94,4 @@ webgl.setAnimationLoop((milliseconds) => {
   farol.render(scene, camera);
 });
 
-export { camera, farol, scene, webgl };
+export { camera, farol, ready, scene, webgl };

@@ -88,13 +88,13 @@ const nearFirst: Technique = {
 };
 farol.technique = farol.addTechnique('near-first', nearFirst);
 
-const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x7e8088, roughness: 0.5 }));
+const floor = new Mesh(new PlaneGeometry(40, 40), new MeshStandardMaterial({ color: 0x7e8088, roughness: 0.85 }));
 floor.rotation.x = -Math.PI / 2;
 scene.add(floor, new HemisphereLight(0x90a8e0, 0x302820, 0.2));
 const arch = new TorusGeometry(1.6, 0.16, 16, 64);
 for (let i = 0; i < 14; i++) {
   const color = new Color().setHSL(0.55 + 0.02 * i, 0.5, 0.6);
-  const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.45, metalness: 0.1 }));
+  const mesh = new Mesh(arch, new MeshStandardMaterial({ color, roughness: 0.7 }));
   mesh.position.set(1.6 * Math.sin(0.45 * i), 0.9, 5 - 1.3 * i);
   mesh.rotation.y = 0.5 * Math.cos(0.45 * i);
   scene.add(mesh);

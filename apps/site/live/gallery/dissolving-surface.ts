@@ -28,7 +28,7 @@ const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
 webgl.shadowMap.enabled = true;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred' });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
 const scene = new Scene();
 scene.background = new Color(0x08070a);

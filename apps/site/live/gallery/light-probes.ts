@@ -69,7 +69,7 @@ async function bake(): Promise<void> {
   setBakedSurroundings(scene, { grid: new ProbeGrid(box, coefficients), hasSky: false });
   for (const mesh of balls) mesh.visible = true;
 }
-void bake();
+const ready = bake();
 
 function resize(): void {
   camera.aspect = innerWidth / innerHeight;
@@ -89,4 +89,4 @@ webgl.setAnimationLoop((milliseconds) => {
   farol.render(scene, camera);
 });
 
-export { camera, farol, scene, webgl };
+export { camera, farol, ready, scene, webgl };

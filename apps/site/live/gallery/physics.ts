@@ -17,8 +17,10 @@ import {
   RigidBody,
   Scene,
 } from '@farol/engine';
+import { loadRapier } from '@farol/engine/physics';
 import { MathUtils, type Scene as ThreeScene } from 'three';
 
+await loadRapier(); // else the scene fetches it while its first frames are drawn
 const stage = new Scene({ name: 'Stair' });
 const add = (name: string, position: [number, number, number], scale: [number, number, number] = [1, 1, 1]) => {
   const object = new GameObject(name);
@@ -28,7 +30,7 @@ const add = (name: string, position: [number, number, number], scale: [number, n
   return object;
 };
 const view = add('Camera', [7, 5, 9]);
-view.transform.lookAt([0, 1.2, 0]);
+view.transform.lookAt([7, 5, 9], [0, 1.2, 0]);
 stage.activeCamera = view.addComponent(Camera, { fov: 0.75 });
 view.addComponent(MouseController); // drag to look around
 

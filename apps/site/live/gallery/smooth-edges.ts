@@ -1,7 +1,7 @@
 /**
  * Smooth edges, four ways
  *
- * None, SMAA, multisampled edges and TAA over a G-buffer, on the worst of all scenes: thin fences and wires.
+ * None, SMAA, multisampled edges and TAA, on the worst of all scenes: thin fences and wires.
  *
  * @tags effect, anti-aliasing
  */
@@ -29,7 +29,7 @@ import type { FarolEffect } from '@farol/renderer';
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: false });
 webgl.toneMapping = ACESFilmicToneMapping;
-const farol = new FarolRenderer(webgl, { technique: 'clustered-deferred', effects: [new TAA()] });
+const farol = new FarolRenderer(webgl, { technique: 'clustered-forward', effects: [new TAA()] });
 
 const scene = new Scene();
 scene.background = new Color(0x0b0e16);
