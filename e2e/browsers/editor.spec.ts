@@ -50,6 +50,11 @@ async function edit(driven: Driven): Promise<void> {
 async function usePicture(driven: Driven): Promise<void> {
   await driven.click('[role=treeitem]', 'Box');
   await driven.press('f');
+  // the view goes there in many frames
+  const view = (): Promise<number[]> => driven.evaluate(() => window.editor.viewport.camera.matrixWorld.toArray());
+  let seen = '';
+  const isStill = async (): Promise<boolean> => seen === (seen = JSON.stringify(await view()));
+  await expect.poll(isStill).toBe(true);
   await driven.press('Escape');
   await driven.until(() => window.editor.document.selection.ids.length === 0);
   await driven.clickAt((await pointsOf(driven, 'Box')).middle);
@@ -64,7 +69,6 @@ async function usePicture(driven: Driven): Promise<void> {
   expect(to[0]).toBeGreaterThan(from[0] + 0.05);
   expect(to.slice(1)).toEqual(from.slice(1));
 
-  const view = (): Promise<number[]> => driven.evaluate(() => window.editor.viewport.camera.matrixWorld.toArray());
   const distance = (): Promise<number> =>
     driven.evaluate(() => {
       const { camera, target } = window.editor.viewport.editorCamera;
