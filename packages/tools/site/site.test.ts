@@ -99,7 +99,7 @@ describe('the search', () => {
     ['From ClusteredLighting?', 'ClusteredLighting', 'guides/faq.md'],
     ['With an import map, from a CDN?', 'import map', 'guides/faq.md'],
     ['What happens in the first frames, while code is fetched?', 'first frames', 'guides/renderer.md'],
-    ['Which browsers?', 'browsers', 'guides/faq.md'],
+    ['Which browsers?', 'which browsers', 'guides/faq.md'],
   ];
 
   it('has all questions of the page of questions in this table', () => {
