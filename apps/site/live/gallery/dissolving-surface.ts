@@ -27,6 +27,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 const canvas = document.querySelector('canvas')!;
 const webgl = new WebGLRenderer({ canvas, antialias: true });
 webgl.toneMapping = ACESFilmicToneMapping;
+webgl.toneMappingExposure = 2.2;
 webgl.shadowMap.enabled = true;
 const farol = new FarolRenderer(webgl, { technique: 'clustered-forward' });
 
@@ -46,7 +47,7 @@ uniform vec3 rimColor; // = #ff6a20 Colour of the rim
 void surface(inout SurfaceData s) {
   float rest = farol_fractalNoise(s.positionOS * 5.0) - share;
   if (rest < 0.0) discard;
-  s.emissive += rimColor * 9.0 * smoothstep(0.05, 0.0, rest);
+  s.emissive += rimColor * 4.0 * smoothstep(0.05, 0.0, rest);
 }`,
 );
 const floor = new Mesh(new PlaneGeometry(30, 30), new MeshStandardMaterial({ color: 0x9a9288, roughness: 0.8 }));
@@ -57,19 +58,19 @@ const statue = new Mesh(new TorusKnotGeometry(0.75, 0.27, 256, 48), material);
 statue.position.y = 1.3;
 statue.castShadow = statue.receiveShadow = true;
 const values = setSurface(material, dissolve, { share: 0.4 });
-scene.add(floor, statue, new HemisphereLight(0x8090c0, 0x302820, 0.25));
-const spot = new SpotLight(0xffe0b8, 190, 14, 0.45, 0.6);
+scene.add(floor, statue, new HemisphereLight(0x8090c0, 0x302820, 0.12));
+const spot = new SpotLight(0xffe0b8, 80, 14, 0.45, 0.6);
 spot.position.set(2.5, 5, 3);
 spot.target = statue;
 spot.castShadow = true;
 spot.shadow.mapSize.set(1024, 1024);
 spot.shadow.normalBias = 0.03;
-const back = new SpotLight(0x4a7aff, 120, 14, 0.5, 0.6);
+const back = new SpotLight(0x4a7aff, 50, 14, 0.5, 0.6);
 back.position.set(-4, 3, -3);
 back.target = statue;
 back.castShadow = true;
 back.shadow.normalBias = 0.03;
-const ember = new PointLight(0xff6a20, 5, 4);
+const ember = new PointLight(0xff6a20, 2.2, 4);
 ember.position.y = 1.3;
 scene.add(spot, back, ember);
 
