@@ -64,6 +64,7 @@ test('every option is a property, of the same default and values; one that does 
       quality: 'auto',
       budget: null,
       learning: false,
+      multiview: false,
       timing: false,
       effects: 0,
       shadowAtlasSize: null,

@@ -10,7 +10,7 @@ async function open(page: Page, pagesURL: string): Promise<void> {
 }
 
 for (const technique of ['clustered-forward', 'forward-single-pass'] as const)
-  test(`both eyes drawn at once by ${technique} are the pictures of the eyes, by half of the draws${technique === 'forward-single-pass' ? ' @verify' : ''}`, async ({
+  test(`both eyes drawn at once by ${technique} are the pictures of the eyes, by half of the draws @verify`, async ({
     page,
     pagesURL,
     watch,
