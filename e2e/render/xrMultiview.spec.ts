@@ -70,7 +70,7 @@ for (const technique of ['clustered-forward', 'forward-single-pass'] as const)
     watch.forgive(/context|at onDeviceFrame/i);
   });
 
-test('what cannot be drawn for both eyes at once is drawn eye by eye, with the same picture', async ({
+test('what cannot be drawn for both eyes at once is drawn eye by eye, with the same picture @verify', async ({
   page,
   pagesURL,
 }) => {

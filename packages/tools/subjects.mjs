@@ -23,7 +23,7 @@ export const subjects = [
   ['packages/renderer/src/renderer/learning', ['perf/autoChange']],
   ['packages/renderer/src/renderer/timer', ['perf/draws']],
   ['packages/renderer/src/renderer/warm-up', ['render/lazyCode']],
-  ['packages/renderer/src/renderer/xr', ['render/xr', 'render/xrMultiview']],
+  ['packages/renderer/src/renderer/xr', ['render/xr']],
   ['packages/renderer/src/shadows', ['render/shadows', 'render/shadowMaps']],
   ['packages/renderer/src/surfaces', ['render/surfaces']],
   ['packages/renderer/src/techniques/light-buffer', ['render/inferred', 'render/toon']],
