@@ -1,5 +1,5 @@
 import type { Field, FieldKind, NumberField } from '@farol/engine/fields';
-import type { ComponentType } from 'react';
+import { type ComponentType, createElement } from 'react';
 import { AssetEditor } from './AssetEditor';
 import { BooleanEditor } from './BooleanEditor';
 import { ChoiceEditor } from './ChoiceEditor';
@@ -34,7 +34,10 @@ export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEdito
 };
 
 const late = (name: 'IntensityEditor' | 'TemperatureEditor'): ComponentType<OwnerFieldProps<NumberField>> =>
-  lateComponent<OwnerFieldProps<NumberField>>(async () => (await import('./light'))[name], NumberEditor);
+  lateComponent<OwnerFieldProps<NumberField>>(
+    async () => (await import('./light'))[name],
+    (props) => createElement(NumberEditor, props),
+  );
 
 /** Editors of numbers with an `input` of their own, fetched when first shown. */
 export const numberEditors = { intensity: late('IntensityEditor'), temperature: late('TemperatureEditor') };
