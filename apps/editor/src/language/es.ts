@@ -20,6 +20,7 @@ import { picture } from './es/picture';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
+import { sunAndMoon } from './es/sunAndMoon';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { surfaces } from './es/surfaces';
@@ -55,6 +56,7 @@ export const es: Texts = {
   ...player,
   ...profiles,
   ...rendering,
+  ...sunAndMoon,
   ...triggers,
   ...scripts,
   ...samples,
