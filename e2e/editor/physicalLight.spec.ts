@@ -1,6 +1,9 @@
+import { pathToFileURL } from 'node:url';
 import type { Light, SunAndMoon } from '@farol/engine';
 import type { Page } from '@playwright/test';
 import { addObject, history } from './editor';
+import { pixelAt } from './models';
+import { playerPicture } from './player';
 import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1280, height: 800 } });
@@ -52,6 +55,32 @@ test('a light is a bulb of 60 W, is shown in lumens and dimmed in them, and turn
   expect(await lamp(page)).toEqual(before);
 });
 
+test('automatic exposure keeps a surface as bright under a light 64 times as strong, within its limits @verify', async ({
+  page,
+}) => {
+  await addObject(page, 'Mesh', 'Plane');
+  const green = async (intensity: number, values: Record<string, string | number>): Promise<number> => {
+    await page.evaluate(
+      ([strength, settings]) => {
+        const { scene } = window.editor.document;
+        for (const light of scene.componentsOf<Light>('Light')) light.intensity = strength;
+        scene.settings.backgroundColour = [strength / 4, strength / 4, strength / 4];
+        for (const [name, value] of Object.entries(settings)) scene.settings.set(name, value);
+      },
+      [intensity, values] as const,
+    );
+    await page.evaluate(() => window.editor.viewport.picture.ready);
+    return (await pixelAt(page, 0.5, 0.55))[1];
+  };
+  const dim = await green(1, { exposureBy: 'automatic', toneMapping: 'linear' });
+  expect(dim).toBeGreaterThan(30);
+  expect(dim).toBeLessThan(230);
+  expect(Math.abs((await green(64, {})) - dim)).toBeLessThan(6);
+  // the limit of a bright day: a picture in dim light stays dark
+  expect(await green(1, { exposureLeast: 6 })).toBeLessThan(dim / 3);
+  expect(await green(64, { exposureBy: 'factor' })).toBe(255);
+});
+
 test('sun and moon are added, go down with the day’s slider, and to Sydney by a click on the map; a step each @verify', async ({
   page,
 }) => {
@@ -82,4 +111,93 @@ test('sun and moon are added, go down with the day’s slider, and to Sydney by 
   expect(await history(page)).toHaveLength(steps + 2);
   for (let i = 0; i < 2; i++) await page.keyboard.press('ControlOrMeta+z');
   expect(await sun()).toEqual(before);
+});
+
+test('the light meter reads lux in the light and in the shadow, and false colours show both @verify', async ({
+  page,
+}) => {
+  await addObject(page, 'Mesh', 'Plane');
+  await addObject(page, 'Mesh', 'Box');
+  const places = await page.evaluate(() => {
+    const { viewport, document } = window.editor;
+    const { scene, selection } = document;
+    for (const light of scene.componentsOf<Light>('Light')) {
+      light.enabled = light.type === 'directional';
+      Object.assign(light, { intensity: 300, castShadow: true });
+      light.gameObject.transform.set('rotation', [-Math.PI / 2, 0, 0]);
+    }
+    const { position } = scene.find('Plane')!.object3D;
+    const board = scene.find('Box')!.transform;
+    board.set('position', [position.x, position.y + 1, position.z]);
+    board.set('scale', [1, 0.05, 1]);
+    selection.set([]);
+    viewport.renderNow();
+    const { width, height } = viewport.canvas.getBoundingClientRect();
+    return [-0.9, 0].map((x) => {
+      const { x: u, y: v } = position
+        .clone()
+        .set(position.x + x, position.y, position.z)
+        .project(viewport.camera as never);
+      return { x: ((u + 1) / 2) * width, y: ((1 - v) / 2) * height };
+    });
+  });
+  const palette = async (name: string): Promise<void> => {
+    await page.keyboard.press('ControlOrMeta+k');
+    await page.getByRole('combobox', { name: 'Search commands' }).fill(name);
+    await page.keyboard.press('Enter');
+  };
+  await palette('Light meter');
+  const meter = page.getByRole('region', { name: 'Light meter' });
+  const canvas = page.locator('.viewport-place canvas');
+  await canvas.click({ position: places[0] });
+  await expect(meter.getByRole('status')).toContainText(/(299|300|301) lx.*6\.9 EV/);
+  await canvas.click({ position: places[1] });
+  await expect(meter.getByRole('status')).toContainText(/^Illuminance0 lx/);
+  await meter.getByRole('button', { name: 'Close' }).click();
+  await palette('False colours');
+  await expect(page.getByRole('figure', { name: /Scale: from 0.1 lux/ })).toBeVisible();
+  const { width, height } = (await canvas.boundingBox())!;
+  const colours = (): Promise<number[][]> =>
+    Promise.all(places.map(({ x, y }) => pixelAt(page, x / width, y / height)));
+  // 300 lx are between green and yellow, nothing is black
+  await expect
+    .poll(async () => (await colours()).map(([r, g]) => [r > 100, g > 100]))
+    .toEqual([
+      [true, true],
+      [false, false],
+    ]);
+});
+
+test('an exported page has the sky of the hour in nits, by an automatic exposure @verify', async ({
+  page,
+  context,
+}, info) => {
+  await addObject(page, 'Light', 'Sun and moon');
+  await page.evaluate(() => {
+    const { scene, selectedObjects } = window.editor.document;
+    selectedObjects[0].getComponent('SunAndMoon')!.set('brightness', 'measured');
+    scene.settings.exposureBy = 'automatic';
+    scene.activeCamera!.gameObject.transform.set('rotation', [0.4, 0, 0]);
+  });
+  await page.keyboard.press('Control+Shift+E');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Web page…' }).click();
+  const html = info.outputPath('sky.html');
+  await (await download).saveAs(html);
+  const other = await context.newPage();
+  const problems: string[] = [];
+  other.on('pageerror', (error) => problems.push(error.message));
+  other.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  await other.setViewportSize({ width: 160, height: 90 });
+  await other.goto(pathToFileURL(html).href);
+  const bytes = await playerPicture(other);
+  const [red, , blue] = [0, 1, 2].map((channel) => {
+    let sum = 0;
+    for (let at = channel; at < 160 * 4 * 20; at += 4) sum += bytes[at];
+    return sum / (160 * 20);
+  });
+  expect(blue).toBeGreaterThan(red + 20);
+  expect(red).toBeGreaterThan(15);
+  expect(blue).toBeLessThan(235);
+  expect(problems).toEqual([]);
 });

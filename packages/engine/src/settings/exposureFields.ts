@@ -11,7 +11,7 @@ const by = (way: string): { visibleWhen: FieldCondition } => ({
  */
 export const exposureFields = <First extends string>(first: First, label: string) => ({
   exposureBy: choice<First | 'value' | 'camera' | 'automatic'>(first, [first, 'value', 'camera', 'automatic'], {
-    help: 'Of a number, of an exposure value, of aperture, time and ISO as a camera has them, or by how bright the picture is.',
+    help: 'By a factor, an exposure value, aperture, time and ISO as a camera has them, or by how bright the picture is.',
     label: 'Exposure by',
     optionLabels: {
       [first]: label,

@@ -37,7 +37,7 @@ export const photometry = {
   'Sun at noon': 'Sol de mediodía',
   'Overcast sky': 'Cielo cubierto',
   'Full moon': 'Luna llena',
-  'Of a number, of an exposure value, of aperture, time and ISO as a camera has them, or by how bright the picture is.':
+  'By a factor, an exposure value, aperture, time and ISO as a camera has them, or by how bright the picture is.':
     'Por un número, por un valor de exposición, por apertura, tiempo e ISO como en una cámara, o según lo clara que sea la imagen.',
   'Exposure by': 'Exposición según',
   Factor: 'Factor',

@@ -31,6 +31,8 @@ export const sunAndMoon = {
     'Mostrar el cielo de la hora, que también ilumina la escena.',
   'Hours that pass in a second while the scene plays.':
     'Horas que pasan en un segundo mientras la escena se reproduce.',
+  'Sun and moon give this light its colour, intensity and direction.':
+    'El sol y la luna dan a esta luz su color, su intensidad y su dirección.',
   'Set place of {name}': 'Fijar lugar de {name}',
   'Map of the world: click to set the place, arrow keys move it':
     'Mapa del mundo: un clic fija el lugar, las flechas lo mueven',
