@@ -48,7 +48,7 @@ const names = {
       'particlePreset',
     ],
     ...['CharacterController', 'Collider', 'Joint', 'PhysicsSystem', 'RigidBody'],
-    ...['lightShadows', 'meshShadows'],
+    ...['lightShadows', 'meshShadows', 'sunShadows'],
     ...[
       'RandomMovement',
       'Room',

@@ -50,7 +50,7 @@ export { EventTrigger } from './components/EventTrigger';
 export { Grabbable } from './components/Grabbable';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
-export { lightShadows, meshShadows } from './components/newShadows';
+export { lightShadows, meshShadows, sunShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { morphField } from './components/MorphTargets';
 export { MouseController } from './components/MouseController';
