@@ -14,6 +14,7 @@ import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
 import { particles } from './es/particles';
+import { photometry } from './es/photometry';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
@@ -48,6 +49,7 @@ export const es: Texts = {
   ...messages,
   ...panels,
   ...particles,
+  ...photometry,
   ...physics,
   ...picture,
   ...player,
