@@ -12,6 +12,10 @@ import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
 import { creations } from './model/creations';
+import { buildLibraryItem } from './model/library/buildLibraryItem';
+import { libraryMaterials } from './model/library/materials';
+import { libraryNames } from './model/library/names';
+import { libraryTags } from './model/library/tags';
 import { panels } from './panels';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
@@ -71,6 +75,13 @@ function entryTexts(): Record<string, string[]> {
   );
 }
 
+/** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
+function libraryTexts(): string[] {
+  const ids = Object.values(libraryNames).flatMap((names) => Object.keys(names));
+  const objects = ids.flatMap((id) => buildLibraryItem(id)!.prefab.objects.map(({ name }) => name));
+  return [...objects, ...Object.keys(libraryMaterials), ...Object.values(libraryTags).flat()];
+}
+
 /** Texts that the editor may look up besides those of entries. */
 function otherTexts(): string[] {
   const scene = new Scene();
@@ -86,6 +97,7 @@ function otherTexts(): string[] {
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
+    ...libraryTexts(),
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
     ...views.map(englishViewLabel),

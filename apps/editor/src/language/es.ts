@@ -10,6 +10,7 @@ import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
+import { library } from './es/library';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
@@ -45,6 +46,7 @@ export const es: Texts = {
   ...buildings,
   ...components,
   ...edits,
+  ...library,
   ...materials,
   ...messages,
   ...panels,
