@@ -10,6 +10,7 @@ import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
@@ -44,6 +45,7 @@ export const es: Texts = {
   ...buildings,
   ...components,
   ...edits,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,

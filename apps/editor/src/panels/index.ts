@@ -38,6 +38,13 @@ export const panels: readonly Panel[] = [
     load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
   },
   {
+    id: 'lights',
+    title: 'Lights',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
+  },
+  {
     id: 'frame',
     title: 'Frame',
     icon: 'gauge',

@@ -17,7 +17,7 @@ const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial']
 const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
-import { angle, asset, boolean, choice, colour, number } from '@farol/editing/fields';
+import { angle, asset, boolean, choice, colour, number, object } from '@farol/editing/fields';
 
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
@@ -46,6 +46,11 @@ export const lightFields = {
       of: { ...unitOf('lx', 'ambient', 'hemisphere', 'directional'), ...unitOf('cd', 'point', 'spot'), ...nits },
     },
     help: 'Candela for point and spot lights, nits (cd/m²) for rectangles, discs and tubes, lux for the others; multiplies every colour of the light.',
+  }),
+  group: object(null, {
+    help: 'Object with a Light Group, whose dimmer and colour multiply those of the light.',
+    label: 'Light group',
+    noneLabel: 'No group',
   }),
   width: number(1, {
     unit: 'm',
