@@ -11,6 +11,7 @@ import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
 import { library } from './es/library';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
@@ -47,6 +48,7 @@ export const es: Texts = {
   ...components,
   ...edits,
   ...library,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,
