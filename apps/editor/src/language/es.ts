@@ -10,6 +10,8 @@ import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
+import { library } from './es/library';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
@@ -46,6 +48,8 @@ export const es: Texts = {
   ...buildings,
   ...components,
   ...edits,
+  ...library,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,

@@ -16,6 +16,7 @@ import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
 import { applyLightFields, colourOfLight } from './applyLightFields';
 import { lightFields } from './lightFields';
+import { type LightMaster, LightGroups, tintLight } from './lightGroups';
 import { newLights } from './newLights';
 import { SkyLight } from './SkyLight';
 
@@ -60,6 +61,8 @@ export class Light extends component(lightFields) {
 
   private light: AnyLight | null = null;
   private given: Parameters<Light['give']>[0] = null;
+  /** Intensity of the three light before its group's dimmer. */
+  private fullIntensity = 1;
   /** Name of the photometric profile that is being loaded; null for none. */
   private waitsFor: string | null = null;
 
@@ -118,11 +121,13 @@ export class Light extends component(lightFields) {
 
   override onEnterScene(scene: Scene): void {
     followSoftness(scene);
+    LightGroups.of(scene).add(this, this.group);
     this.onActiveChanged();
-    if (scene.settings.shadowSoftness !== 1 || this.profile !== null) this.applyFields();
+    if (scene.settings.shadowSoftness !== 1 || this.profile !== null || this.group !== null) this.applyFields();
   }
 
-  override onLeaveScene(): void {
+  override onLeaveScene(scene: Scene): void {
+    LightGroups.of(scene).remove(this);
     this.waitsFor = null;
   }
 
@@ -133,7 +138,19 @@ export class Light extends component(lightFields) {
   override onFieldChanged(name: string): void {
     if (name === 'mode') this.onActiveChanged();
     else if (name === 'type') this.makeLight();
-    else this.applyFields();
+    else {
+      if (name === 'group' && this.scene) {
+        LightGroups.of(this.scene).remove(this);
+        LightGroups.of(this.scene).add(this, this.group);
+      }
+      this.applyFields();
+    }
+  }
+
+  /** @internal Called when the factors of the light's group change. */
+  followGroup(tints: boolean): void {
+    if (tints) this.applyFields();
+    else this.three.intensity = this.fullIntensity * (this.master?.dimmer ?? 1);
   }
 
   /** @internal Writes all fields to the three light. */
@@ -143,10 +160,20 @@ export class Light extends component(lightFields) {
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
     if (given) three.color.setRGB(...given.colour);
     if (given) three.intensity = given.intensity;
-    if (!(three instanceof PointLight || three instanceof SpotLight)) return;
-    const profile = this.takeProfile();
-    storeLightOptions(three, { profile: profile?.texture });
-    if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
+    if (three instanceof PointLight || three instanceof SpotLight) {
+      const profile = this.takeProfile();
+      storeLightOptions(three, { profile: profile?.texture });
+      if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
+    }
+    this.fullIntensity = three.intensity;
+    const { master } = this;
+    if (!master) return;
+    three.intensity *= master.dimmer;
+    tintLight(three, master.colour);
+  }
+
+  private get master(): LightMaster | null {
+    return this.group === null || !this.scene ? null : LightGroups.of(this.scene).masterOf(this.group);
   }
 
   /** Loaded photometric profile that the field names; null for none, and until loaded. */
@@ -164,9 +191,11 @@ export class Light extends component(lightFields) {
     return null;
   }
 
-  /** Whether the light is drawn: a light in the baked lightmaps is not. */
+  /** Whether the light is drawn: not while it is in the baked lightmaps, or others are shown alone. */
   private get isDrawn(): boolean {
-    return this.enabled && !(this.mode === 'baked' && this.scene?.baked.hides(this.id));
+    const { scene } = this;
+    if (!this.enabled || (this.mode === 'baked' && scene?.baked.hides(this.id))) return false;
+    return !scene || !LightGroups.of(scene).isMuted(this);
   }
 
   private makeLight(): void {

@@ -1,3 +1,8 @@
+import { angle, asset, boolean, choice, colour, number, object } from '@farol/editing/fields';
+import { HIGHEST_KELVIN, LOWEST_KELVIN } from '../photometry/colourTemperature';
+import { lampKinds } from '../photometry/lampKinds';
+import { intensityUnits, unitLabels } from '../photometry/lightUnits';
+
 const withPlace = { visibleWhen: { field: 'type', equals: ['point', 'spot'] } };
 const withDirectColour = { visibleWhen: { field: 'type', equals: ['directional', 'point', 'spot'] } };
 const spot = { visibleWhen: { field: 'type', equals: ['spot'] } };
@@ -16,11 +21,6 @@ const nearFar = { visibleWhen: { field: 'attenuation', equals: ['near-far'] }, .
 const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial'] }, ...fading };
 const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
-
-import { angle, asset, boolean, choice, colour, number } from '@farol/editing/fields';
-import { HIGHEST_KELVIN, LOWEST_KELVIN } from '../photometry/colourTemperature';
-import { lampKinds } from '../photometry/lampKinds';
-import { intensityUnits, unitLabels } from '../photometry/lightUnits';
 
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
@@ -80,6 +80,11 @@ export const lightFields = {
     help: 'Kind of lamp whose watts stand for the light.',
     optionLabels: { incandescent: 'Incandescent', halogen: 'Halogen', fluorescent: 'Fluorescent', led: 'LED' },
     besideField: 'intensity',
+  }),
+  group: object(null, {
+    help: 'Object with a Light Group, whose dimmer and colour multiply those of the light.',
+    label: 'Light group',
+    noneLabel: 'No group',
   }),
   width: number(1, {
     unit: 'm',
