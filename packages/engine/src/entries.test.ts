@@ -55,6 +55,7 @@ const names = {
       'Room',
       'ScriptAsset',
       'Sound',
+      'SunAndMoon',
       'SurfaceAsset',
       'Transform',
       'Wall',
