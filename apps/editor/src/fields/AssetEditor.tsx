@@ -25,7 +25,7 @@ const noneOf = (type: AssetField['assetType']): string =>
   ({
     mesh: t('No mesh'),
     texture: t('No texture'),
-    material: t('No material'),
+    material: t('Own material'),
     shader: t('No shader'),
     model: t('No model'),
     script: t('No script'),

@@ -64,6 +64,7 @@ export const panels: readonly Panel[] = [
     title: 'Scripts',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./scripts/ScriptsPanel').then(({ ScriptsPanel }) => ScriptsPanel),
   },
   {
@@ -71,6 +72,7 @@ export const panels: readonly Panel[] = [
     title: 'Microshaders',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
   },
   {
@@ -78,6 +80,7 @@ export const panels: readonly Panel[] = [
     title: 'Timeline',
     icon: 'timeline',
     place: 'bottom',
+    height: 340,
     load: () => import('./timeline/TimelinePanel').then(({ TimelinePanel }) => TimelinePanel),
   },
 ];

@@ -8,7 +8,6 @@ export const panels: Texts = {
   'Show it again': 'Mostrarlo de nuevo',
   'No mesh': 'Sin malla',
   'No texture': 'Sin textura',
-  'No material': 'Sin material',
   'No shader': 'Sin shader',
   'No model': 'Sin modelo',
   'No object': 'Sin objeto',
@@ -178,10 +177,10 @@ export const panels: Texts = {
   Make: 'Crear',
   'Import and export': 'Importar y exportar',
   'Import XML…': 'Importar XML…',
-  "Import the thesis's": 'Importar los de la tesis',
+  'Import the Phong lights of 2015': 'Importar las luces Phong de 2015',
   'Export XML…': 'Exportar XML…',
   'Those of the scene; all, when it has none.': 'Los de la escena; todos, si no tiene ninguno.',
-  'A command, a technique, a view, something to add, an object':
+  'A command, a field, a panel, a sample, something to add, an object':
     'Una orden, una técnica, una vista, algo que añadir, un objeto',
   Commands: 'Órdenes',
   'Add, {folder}': 'Añadir, {folder}',
@@ -321,6 +320,8 @@ export const panels: Texts = {
   'The objects of the model. Unpack it to edit them.': 'Los objetos del modelo. Al desempaquetarlo se pueden editar.',
   'And {count} more.': 'Y {count} más.',
   'The animations of the model.': 'Las animaciones del modelo.',
+  'Nothing is selected: these are the settings of the whole scene.':
+    'No hay nada seleccionado: estos son los ajustes de toda la escena.',
   'Used by': 'Lo usan',
   'What uses this asset.': 'Lo que usa este recurso.',
   'Nothing in the scene uses it.': 'Nada de la escena lo usa.',
