@@ -181,7 +181,7 @@ export const panels: Texts = {
   'Export XML…': 'Exportar XML…',
   'Those of the scene; all, when it has none.': 'Los de la escena; todos, si no tiene ninguno.',
   'A command, a field, a panel, a sample, something to add, an object':
-    'Una orden, una técnica, una vista, algo que añadir, un objeto',
+    'Una orden, un campo, un panel, una muestra, algo que añadir, un objeto',
   Commands: 'Órdenes',
   'Add, {folder}': 'Añadir, {folder}',
   on: 'sí',
