@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { addObject } from './editor';
+import { dropFiles, redBox } from './models';
 import { expect, test } from './sharedEditor';
 
 test.use({ viewport: { width: 1280, height: 800 } });
@@ -74,4 +75,42 @@ test('panels of many lines open at a useful height, which the user may change fo
   expect(sized).toBeLessThan(250);
   await open(page, 'scripts');
   await expect.poll(async () => (await page.locator('#panel-scripts').boundingBox())?.height).toBe(sized);
+});
+
+test('assets are under headings and have names of words; parts of an import are folded into its card @verify', async ({
+  page,
+}) => {
+  const panel = page.getByRole('region', { name: 'Assets' });
+  await expect(panel.locator('[data-asset="box"]')).toHaveText('Box');
+  await dropFiles(page, '.assets-body', [redBox()]);
+  await expect(panel.locator('[data-asset="box.glb"]')).toBeVisible();
+  await expect(panel.locator('.assets-heading').first()).toHaveText('Of this scene');
+  await expect(panel.locator('[data-asset^="box.glb/"]')).toHaveCount(0);
+  const parts = panel.getByRole('button', { name: /^\d+ parts?$/ });
+  await parts.click();
+  await expect(parts).toHaveAttribute('aria-expanded', 'true');
+  await expect(panel.locator('[data-asset^="box.glb/"]').first()).toBeVisible();
+  await parts.click();
+  await panel.getByLabel('Search assets').fill('box.glb mesh');
+  await expect(panel.locator('[data-asset^="box.glb/"]').first()).toBeVisible();
+});
+
+test('the palette finds a field by its help, shows it in the inspector, and adds a component @verify', async ({
+  page,
+}) => {
+  const search = page.getByRole('combobox', { name: 'Search commands' });
+  await page.keyboard.press('Control+k');
+  await search.fill('tone mapping');
+  await page.getByRole('option', { name: 'Tone mapping' }).first().click();
+  const inspector = page.getByRole('region', { name: 'Inspector' });
+  await expect(inspector.getByRole('searchbox', { name: 'Find a field' })).toHaveValue('Tone mapping');
+  await expect(inspector.locator('[data-field]')).toHaveCount(1);
+  await addObject(page, 'Mesh', 'Box');
+  await page.keyboard.press('Control+k');
+  await search.fill('random movement');
+  await page
+    .getByRole('option', { name: /Random Movement/ })
+    .first()
+    .click();
+  await expect.poll(() => page.evaluate(() => window.editor.commands.history.at(-1))).toContain('Random Movement');
 });

@@ -12,6 +12,7 @@ import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
 import { firstLanguage } from './language/languages';
+import { englishWords } from './files/assetKinds';
 import { creations } from './model/creations';
 import { panels } from './panels';
 
@@ -72,6 +73,10 @@ function entryTexts(): Record<string, string[]> {
   );
 }
 
+/** Words of the names of built-in assets. */
+const builtinWords = ({ assets }: Scene): string[] =>
+  assets.list().map((name) => englishWords(name.replace(/^.*\//, '').replace(/@\d+$|-normal.*$/g, '')));
+
 /** Texts that the editor may look up besides those of entries. */
 function otherTexts(): string[] {
   const scene = new Scene();
@@ -87,6 +92,7 @@ function otherTexts(): string[] {
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
+    ...builtinWords(scene),
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
     ...views.map(englishViewLabel),
