@@ -50,6 +50,8 @@ export { EventTrigger } from './components/EventTrigger';
 export { Grabbable } from './components/Grabbable';
 export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
+export { LightGroup } from './components/LightGroup';
+export { soloLights } from './components/lightGroups';
 export { lightShadows, meshShadows, sunShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { morphField } from './components/MorphTargets';

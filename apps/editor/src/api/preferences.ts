@@ -1,7 +1,7 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import { keptInBrowser } from '../model/keptInBrowser';
-import type { Language } from '../language/languages';
+import type { Language } from '@farol/editing';
 import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
