@@ -59,6 +59,7 @@ const guides = [
     engine: 'The engine',
     scenes: 'Demo scenes',
     'engine-headsets': 'Headsets',
+    'engine-photometry': 'Light in real units',
     'scene-files': 'Scene files',
     models: 'OBJ, STL and PLY',
     guard: 'Files of strangers',

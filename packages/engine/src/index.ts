@@ -5,6 +5,7 @@
 export { App, type AppOptions, type FrameInfo } from './app/App';
 export { createWebGLRenderer, noWebGL2 } from './app/createWebGLRenderer';
 export { followEffects } from './picture/followEffects';
+export { exposureFields } from './settings/exposureFields';
 export { effectFields } from './settings/effectFields';
 export { techniqueAbilities, type TechniqueAbilities } from './picture/techniqueAbilities';
 export { PictureRenderer, type PictureRendererOptions, type ScenePainter } from './picture/PictureRenderer';
@@ -64,6 +65,7 @@ export { shapeOf, type ShapeSource } from './core/ShapeSource';
 export { Room } from './components/Room';
 export { Wall } from './components/Wall';
 export { XRRig } from './components/XRRig';
+export { SunAndMoon } from './components/SunAndMoon';
 export { RigidBody } from './components/RigidBody';
 export type { CollisionEvent } from './physics/CollisionEvent';
 export { PhysicsSystem } from './physics/PhysicsSystem';

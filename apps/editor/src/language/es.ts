@@ -22,6 +22,7 @@ import { picture } from './es/picture';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
+import { sunAndMoon } from './es/sunAndMoon';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { surfaces } from './es/surfaces';
@@ -59,6 +60,7 @@ export const es: Texts = {
   ...player,
   ...profiles,
   ...rendering,
+  ...sunAndMoon,
   ...triggers,
   ...scripts,
   ...samples,

@@ -70,6 +70,8 @@ export interface NumberField extends FieldBase {
   /** Step of one notch when a number is scrubbed. */
   readonly step?: number;
   readonly integer?: boolean;
+  /** Amount shown for 1 of the stored number, in an editor with a unit of its own. */
+  readonly scale?: number;
   /** Kind of number that editors have a control for: a light's intensity in its unit, a colour temperature. */
   readonly input?: 'intensity' | 'temperature';
 }

@@ -60,6 +60,7 @@ export class Light extends component(lightFields) {
   static override readonly newObjects: readonly NewObject[] = newLights;
 
   private light: AnyLight | null = null;
+  private given: Parameters<Light['give']>[0] = null;
   /** Intensity of the three light before its group's dimmer. */
   private fullIntensity = 1;
   /** Name of the photometric profile that is being loaded; null for none. */
@@ -83,7 +84,13 @@ export class Light extends component(lightFields) {
 
   /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
   get colour(): Vector3Tuple {
-    return colourOfLight(this);
+    return this.given?.colour ?? colourOfLight(this);
+  }
+
+  /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
+  give(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
+    this.given = light;
+    if (this.light) this.applyFields();
   }
 
   /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
@@ -149,7 +156,10 @@ export class Light extends component(lightFields) {
   /** @internal Writes all fields to the three light. */
   applyFields(): void {
     const { three } = this;
+    const { given } = this;
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
+    if (given) three.color.setRGB(...given.colour);
+    if (given) three.intensity = given.intensity;
     if (three instanceof PointLight || three instanceof SpotLight) {
       const profile = this.takeProfile();
       storeLightOptions(three, { profile: profile?.texture });

@@ -19,6 +19,7 @@ import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { ParticleEmitter } from './ParticleEmitter';
 import { RandomMovement } from './RandomMovement';
+import { SunAndMoon } from './SunAndMoon';
 import { RigidBody } from './RigidBody';
 import { Room } from './Room';
 import { Wall } from './Wall';
@@ -32,6 +33,7 @@ const components = [
   Animation,
   Animator,
   Light,
+  SunAndMoon,
   LightGroup,
   Camera,
   Decal,

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { chromaticityOf, colourOfKelvin, lightOfKelvin, luminanceOf } from './colourTemperature';
+import { evOfCamera, evOfIlluminance, evOfLuminance, exposureOfEV } from './exposure';
 import { lampEfficacies } from './lampKinds';
 import { lightPresets, valuesOfPreset } from './lightPresets';
 import { type IntensityUnit, type PhotometricLight, solidAngleOf, unitFactor, unitsFor } from './lightUnits';
@@ -150,5 +151,27 @@ describe('presets', () => {
   test('a bulb of 60 W is 69 cd, a candle 1 cd', () => {
     expect(valuesOfPreset(lightPresets.bulb60, light({})).intensity).toBeCloseTo(69.23, 1);
     expect(valuesOfPreset(lightPresets.candle, light({})).intensity).toBe(1);
+  });
+});
+
+describe('exposure', () => {
+  // ISO 2720: exposure values of f-numbers and times in whole steps
+  test.each([
+    [1, 1, 100, 0],
+    [1.4, 1, 100, 1],
+    [16, 1 / 125, 100, 15],
+    [2.8, 1 / 60, 800, 6],
+    [5.6, 1 / 30, 400, 8],
+  ])('f/%d, %d s, ISO %d is EV %d', (aperture, time, iso, ev) => {
+    expect(Math.abs(evOfCamera(aperture, time, iso) - ev)).toBeLessThan(0.15);
+  });
+
+  test('meters: 4,096 cd/m² and 81,920 lx are EV 15', () => {
+    expect([evOfLuminance(4096), evOfIlluminance(81920)]).toEqual([15, 15]);
+  });
+
+  test('an evenly lit picture at its own exposure is as bright as the saturation based speed says, 10.4%', () => {
+    for (const luminance of [0.01, 1, 4096])
+      expect(luminance * exposureOfEV(evOfLuminance(luminance))).toBeCloseTo(12.5 / (100 * 1.2), 6);
   });
 });

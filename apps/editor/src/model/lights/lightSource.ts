@@ -1,6 +1,7 @@
 import { fieldInUnit, t } from '@farol/editing';
 import { Light, type ParticleEmitter } from '@farol/engine';
-import { type Field, isFieldVisible, type NumberField, variantOfField } from '@farol/engine/fields';
+import { shownIntensity } from '@farol/engine/photometry';
+import { type Field, isFieldVisible, type NumberField, variantOfField, type Vector3Tuple } from '@farol/engine/fields';
 
 /** A component that lights the scene: a Light, or a ParticleEmitter whose particles are lights. */
 export type LightSource = Light | ParticleEmitter;
@@ -31,6 +32,10 @@ export type FieldColumn = keyof typeof columnFields;
 
 /** The number field behind a cell, with the label and the unit that it has for this light. */
 export function shownField(source: LightSource, name: string): NumberField {
+  if (source instanceof Light && name === 'intensity') {
+    const { symbol, factor } = shownIntensity(source);
+    return { ...(source.fields[name] as NumberField), unit: symbol, scale: factor };
+  }
   const get = (other: string) => source.getAuthored(other);
   const variant = variantOfField(source.fields[name] as Field, get);
   return fieldInUnit(variant, (other) => [get(other)]) as NumberField;
@@ -41,6 +46,17 @@ export function temperatureText(source: LightSource): string {
   const name = ['temperature', 'kelvin'].find((each) => Object.hasOwn(source.fields, each) && isShown(source, each));
   return name === undefined ? '' : t('{count} K', { count: Number(source.getAuthored(name)) });
 }
+
+/** Unit that a light's intensity is shown in, and its factor. */
+export function unitOf(source: LightSource): string {
+  if (!(source instanceof Light)) return '';
+  const { symbol, factor } = shownIntensity(source);
+  return `${symbol} ${factor}`;
+}
+
+/** Linear colour that a light shines with, whether set by hand or by its temperature. */
+export const colourOf = (source: LightSource, name: string): Vector3Tuple =>
+  source instanceof Light ? source.colour : (source.getAuthored(name) as Vector3Tuple);
 
 /** Id of the object that is a light's group; null for none. */
 export const groupOf = (source: LightSource): string | null => (source instanceof Light ? source.group : null);

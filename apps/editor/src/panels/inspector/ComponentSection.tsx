@@ -20,6 +20,7 @@ import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
 
 const LateLightBar = lateComponent(async () => (await import('./LightBar')).LightBar);
+const LateSunBar = lateComponent(async () => (await import('./sun/SunBar')).SunBar);
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
@@ -77,11 +78,12 @@ export function ComponentSection(props: { components: readonly Component[] }): R
         </>
       }
     >
+      {typeName === 'Light' && <LateLightBar components={components} />}
       <FieldList owners={components} />
       <ObjectSurfaceBar components={components} />
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
-      {typeName === 'Light' && <LateLightBar components={components} />}
+      {typeName === 'SunAndMoon' && <LateSunBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

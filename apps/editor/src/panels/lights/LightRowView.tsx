@@ -1,10 +1,11 @@
 import { FieldGesture, formatNumber, numberDisplay, t } from '@farol/editing';
 import type { LightGroup } from '@farol/engine';
-import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
+import type { FieldOwner } from '@farol/engine/fields';
 import { memo, type MouseEvent, type ReactNode } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
 import { setEnabled } from '../../model/edits';
 import {
+  colourOf,
   columnFields,
   type FieldColumn,
   groupOf,
@@ -13,6 +14,7 @@ import {
   type LightSource,
   shownField,
   temperatureText,
+  unitOf,
 } from '../../model/lights/lightSource';
 import type { LightRow, LightTable } from '../../model/lights/LightTable';
 import { ownersName } from '../../model/ownersName';
@@ -73,7 +75,15 @@ export function rowState(table: LightTable, row: LightRow): string {
   const { source } = row;
   const values = Object.values(columnFields).map((fieldOf) => authored(source, fieldOf(source)));
   return [
-    ...[name, activeInHierarchy, source.enabled, kindOf(source), table.areSolo([source]), temperatureText(source)],
+    ...[
+      name,
+      activeInHierarchy,
+      source.enabled,
+      kindOf(source),
+      table.areSolo([source]),
+      temperatureText(source),
+      unitOf(source),
+    ],
     ...[groupOf(source), table.costOf(row).toFixed(4), ...values],
   ].join('\n');
 }
@@ -152,7 +162,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
       ) : (
         <ColourCell
           label={labelled(t('Colour'))}
-          colour={source.getAuthored(colour) as Vector3Tuple}
+          colour={colourOf(source, colour)}
           text={temperatureText(source)}
           tabIndex={tabIndex}
           onPick={(anchor) => desk.onPick({ anchor, edited: source })}

@@ -1,9 +1,10 @@
 import { Popover } from '@base-ui/react/popover';
-import { FieldGesture, t } from '@farol/editing';
-import { LightGroup } from '@farol/engine';
-import type { Vector3Tuple } from '@farol/engine/fields';
+import { FieldGesture, type FieldUpdate, t } from '@farol/editing';
+import { Light, LightGroup } from '@farol/engine';
+import type { FieldValue, NumberField, Vector3Tuple } from '@farol/engine/fields';
 import { useVirtualizer } from '@tanstack/react-virtual';
 import { type KeyboardEvent, type MouseEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
+import { TemperatureEditor } from '../../fields/light';
 import { ColourPicker } from '../../fields/ColourPicker';
 import { setEnabled } from '../../model/edits';
 import type { LightRow, LightTable } from '../../model/lights/LightTable';
@@ -170,25 +171,29 @@ const objectIds = (rows: readonly LightRow[]): string[] =>
 function Picker({ table, pick, onClose }: { table: LightTable; pick: ColourPick; onClose(): void }): ReactNode {
   const editor = useEditor();
   const { anchor, edited } = pick;
-  const name = edited instanceof LightGroup ? 'colour' : 'diffuse';
+  const isWarm = edited instanceof Light && edited.colourBy === 'temperature';
+  const name = edited instanceof LightGroup ? 'colour' : isWarm ? 'kelvin' : 'diffuse';
   const gesture = useMemo(() => {
     const owners = table.editedBy(edited).filter((each) => name in each.fields);
     return new FieldGesture(editor.commands, owners, name, () => ownersName(owners));
   }, [editor, table, edited, name]);
+  const gestures = {
+    ...{ name, mixed: false, label: t('Colour'), description: '', disabled: false },
+    onPreview: <V extends FieldValue>(update: FieldUpdate<V>) => editor.attempt(() => gesture.preview(update)),
+    onCommit: <V extends FieldValue>(update?: FieldUpdate<V>) => editor.attempt(() => gesture.commit(update)),
+    onAmend: <V extends FieldValue>(update: FieldUpdate<V>) => editor.attempt(() => gesture.amend(update)),
+    onDiscard: () => gesture.discard(),
+  };
   return (
     <Popover.Root open onOpenChange={(isOpen) => !isOpen && onClose()}>
       <Popover.Portal>
         <Popover.Positioner className="positioner" anchor={anchor} sideOffset={4} align="end">
           <Popover.Popup className="popup colour-popup" aria-label={t('Colour')}>
-            <ColourPicker
-              value={edited.getAuthored(name) as Vector3Tuple}
-              mixed={false}
-              label={t('Colour')}
-              onPreview={(update) => editor.attempt(() => gesture.preview(update))}
-              onCommit={(update) => editor.attempt(() => gesture.commit(update))}
-              onAmend={(update) => editor.attempt(() => gesture.amend(update))}
-              onDiscard={() => gesture.discard()}
-            />
+            {isWarm ? (
+              <TemperatureEditor {...gestures} field={edited.fields.kelvin as NumberField} value={edited.kelvin} />
+            ) : (
+              <ColourPicker {...gestures} value={edited.getAuthored(name) as Vector3Tuple} />
+            )}
           </Popover.Popup>
         </Popover.Positioner>
       </Popover.Portal>
