@@ -99,6 +99,8 @@ export function LabPage({ onLanguage }: { onLanguage(language: Language): Promis
       </header>
       <main>
         <Hero
+          run={run}
+          isReference={!isRunning && displayed.isReference}
           stage={stage}
           isBusy={isRunning || isStarting}
           onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}

@@ -357,4 +357,12 @@ export const page: Texts = {
   'Bytes of render targets and light data.': 'Bytes de destinos de dibujo y datos de luces.',
   Uploads: 'Envíos',
   'Bytes sent to the device in a frame.': 'Bytes enviados al dispositivo en un fotograma.',
+  'On {device} (a reference, not your machine):': 'En {device} (una referencia, no es tu equipo):',
+  'On {device}:': 'En {device}:',
+  'Fastest, or as fast as the fastest, in {wins} of {cases} cases.':
+    'La más rápida, o igual de rápida, en {wins} de {cases} casos.',
+  'With up to {few} lights: {first}; with {many} or more: {second}.':
+    'Con hasta {few} luces: {first}; con {many} o más: {second}.',
+  'a tie: within the spread': 'empate: dentro de la dispersión',
+  'To compare two runs, check the boxes before them.': 'Para comparar dos mediciones, se marcan sus casillas.',
 };
