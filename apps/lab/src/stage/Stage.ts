@@ -58,7 +58,7 @@ export interface Stage {
   device(): Promise<{ renderer: string; timer: boolean; software: boolean; webgpu: string | null }>;
   /** Lets `auto` learn in a case, see `learnCase`. Missing in older builds, as are the next two. */
   learn?(labCase: LabCase, signal: AbortSignal, onShare: (share: number) => void): Promise<void>;
-  /** What `auto` has learnt in this browser. */
+  /** Verdicts that `auto` has learnt in this browser. */
   learnt?(): Promise<LearntChoice[]>;
   clearLearnt?(): Promise<void>;
   /**

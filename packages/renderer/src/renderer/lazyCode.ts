@@ -57,7 +57,7 @@ export const learningCode = new Lazy('learning', () => import('./learning'), "'a
 /** Forgets what 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
 export const clearLearnt = (): Promise<void> => learningCode.load().then((code) => code.clearLearnt());
 
-/** What 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
+/** Verdicts that 'auto' learnt on the GPUs of this browser, see `FarolOptions.learning`. @throws Error when its code cannot be fetched */
 export const learntChoices = (): Promise<LearntChoice[]> => learningCode.load().then((code) => code.learntChoices());
 
 /** Frames of XR sessions. */
