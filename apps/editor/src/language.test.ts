@@ -144,6 +144,10 @@ test('a Spanish text has the values of its English one, and its blanks at both e
   expect(unlike).toEqual([]);
 });
 
+test('decimals have a point in Spanish too, as in fields and counts, see formatCount', () => {
+  expect(Object.entries(es).filter(([, spanish]) => /\d,\d/.test(spanish))).toEqual([]);
+});
+
 test('whatever the editor shows is looked up in the language that is shown', () => {
   const faults = below('apps/editor/src', 'packages/editing/src', 'packages/attach/src').flatMap(
     ([path, source]) => textsOf(path, source).faults,
