@@ -25,6 +25,7 @@ import {
   curve,
   curveAt,
   describeValue,
+  type FieldKind,
   type FieldValue,
   fullKeys,
   isFieldValue,
@@ -100,6 +101,9 @@ test('field values', () => {
   expect(isFieldValue([0, 1, 0])).toBe(true);
   expect(isTriple([0, 1, 0])).toBe(true);
   expect(MOST_KEYS).toBe(64);
+
+  const kind: FieldKind = range.kind;
+  expect(kind).toBe('number');
 });
 
 test('curves and gradients', () => {

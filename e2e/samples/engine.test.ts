@@ -1,5 +1,12 @@
 /** Examples of the API's pages: each runs here, and is shown with its result as a comment. */
-import { bakeFields, isStaticWithoutLightmap, loadBakeCode, readBake, writeBake } from '@farol/engine/bake';
+import {
+  bakeFields,
+  bakeSources,
+  isStaticWithoutLightmap,
+  loadBakeCode,
+  readBake,
+  writeBake,
+} from '@farol/engine/bake';
 import {
   Animation,
   AssetError,
@@ -26,6 +33,8 @@ import {
   isOfSubtree,
   Scene,
   shapeOf,
+  ScriptAsset,
+  type ShapeSource,
   sourceOfMaterial,
   subtreeOf,
   targetOfTrack,
@@ -38,6 +47,8 @@ import {
 import { colliderShape, loadRapier } from '@farol/engine/physics';
 import {
   materialAssetFields,
+  type MaterialMap,
+  type MaterialMapName,
   materialMaps,
   surfaceMaps,
   surfaceValueFields,
@@ -45,7 +56,7 @@ import {
 } from '@farol/engine/fields';
 import { resolveScript, givenScripts, takeGiven, typeNameOf } from '@farol/engine/scripts';
 import { transformScript } from '@farol/engine/scripts/transform';
-import { AnimationClip, Group, Mesh, MeshBasicMaterial, Object3D, VectorKeyframeTrack } from 'three';
+import { AnimationClip, ConeGeometry, Group, Mesh, MeshBasicMaterial, Object3D, VectorKeyframeTrack } from 'three';
 import { expect, test } from 'vitest';
 
 test('components', async () => {
@@ -74,6 +85,9 @@ test('shapes and physics', async () => {
   const wall = new GameObject('Wall');
   const shape = shapeOf([wall.addComponent(Wall)]);
   expect(shape?.isBufferGeometry).toBe(true);
+
+  const tent: ShapeSource = { shapeGeometry: new ConeGeometry(1, 1, 4) }; // of a component of yours
+  expect(tent.shapeGeometry?.type).toBe('ConeGeometry');
 
   const box = wall.addComponent(Collider, { shape: 'box', fit: false, size: [1, 2, 0.2] });
   scene.add(wall);
@@ -136,7 +150,8 @@ test('assets', () => {
   const material = new MeshBasicMaterial();
   expect(sourceOfMaterial(material)).toBe(material);
   assets.addMaterial('Gold', { metalness: 1 });
-  assets.addFieldAsset('script', 'Spin', { source: 'export default class {}' });
+  const spin = assets.addFieldAsset('script', 'Spin', { source: 'export default class {}' });
+  expect(spin instanceof ScriptAsset).toBe(true);
 });
 
 test('tables of fields', () => {
@@ -144,6 +159,9 @@ test('tables of fields', () => {
   expect(Object.keys(bakeFields)).toContain('bakedLight');
   expect(Object.keys(materialAssetFields)).toContain('roughness');
   expect(Object.keys(materialMaps)).toContain('normalMap');
+  const name: MaterialMapName = 'normalMap';
+  const map: MaterialMap = materialMaps[name];
+  expect(map.property).toBe('normalMap');
   expect(surfaceMaps.length).toBe(4);
   expect(Object.keys(surfaceValueFields)).toContain('surfaceMap1');
   expect(uvFieldEndings).toContain('RepeatX');
@@ -155,6 +173,9 @@ test('techniques', () => {
 });
 
 test('baked light', async () => {
+  const sources = bakeSources(new Scene()); // what takes part in a bake
+  expect(sources.lights.length).toBe(0);
+
   await loadBakeCode();
   const lightmap = { width: 1, height: 1, data: new Uint16Array(4) };
   const rest = { signature: '', lights: [], hasSky: false, channel: 1, meshes: [], probes: null };

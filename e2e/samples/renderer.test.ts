@@ -2,6 +2,8 @@
 import { GameObject, Scene } from '@farol/engine';
 import { number } from '@farol/editing/fields';
 import {
+  type BuiltinMicroShader,
+  builtinMicroShaders,
   DepthPrepass,
   explainCompileError,
   ForwardPass,
@@ -75,6 +77,9 @@ test('microshaders', () => {
   const chunks = [parseMicroShader('half', 'float half(const in float a) { return 0.5 * a; }')];
   const xml = formatMicroShaderXML(chunks);
   expect(parseMicroShaderXML(xml, 'mine.xml')[0].name).toBe('half');
+
+  const name: BuiltinMicroShader = 'viewport';
+  expect(builtinMicroShaders.some((each) => each.name === name)).toBe(true);
 
   const log = 'ERROR: 0:7: undeclared identifier';
   expect(explainCompileError(log, 'void main() {}')[0].message).toBe('undeclared identifier');
