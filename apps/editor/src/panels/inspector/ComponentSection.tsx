@@ -17,6 +17,7 @@ import { MaterialPreview } from './MaterialPreview';
 import { ModelBar } from './ModelBar';
 import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
+import { TriggerProblems } from './TriggerProblems';
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
@@ -76,6 +77,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
     >
       <FieldList owners={components} />
       <ObjectSurfaceBar components={components} />
+      {typeName === 'EventTrigger' && <TriggerProblems components={components} />}
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
