@@ -82,9 +82,14 @@ const builtinWords = ({ assets }: Scene): string[] =>
 
 /** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
 function libraryTexts(): string[] {
-  const ids = Object.values(libraryNames).flatMap((names) => Object.keys(names));
-  const objects = ids.flatMap((id) => buildLibraryItem(id)!.prefab.objects.map(({ name }) => name));
-  return [...objects, ...Object.keys(libraryMaterials), ...Object.values(libraryTags).flat()];
+  const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
+  const objects = items.flatMap(([id]) => buildLibraryItem(id)?.prefab.objects.map(({ name }) => name) ?? []);
+  return [
+    ...items.map(([, name]) => name),
+    ...objects,
+    ...Object.keys(libraryMaterials),
+    ...Object.values(libraryTags).flat(),
+  ];
 }
 
 /** Texts that the editor may look up besides those of entries. */
