@@ -171,7 +171,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
         />
       )}
       <span role="gridcell" className="lights-cost">
-        {`${formatNumber(100 * cost, 'short')} %`}
+        {`${formatNumber(Math.round(1000 * cost) / 10, 'short')} %`}
       </span>
     </>
   );
