@@ -49,7 +49,7 @@ const names = {
       'particlePreset',
     ],
     ...['CharacterController', 'Collider', 'Joint', 'PhysicsSystem', 'RigidBody'],
-    ...['lightShadows', 'meshShadows', 'soloLights'],
+    ...['lightShadows', 'meshShadows', 'soloLights', 'sunShadows'],
     ...[
       'RandomMovement',
       'Room',

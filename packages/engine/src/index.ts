@@ -52,7 +52,7 @@ export { KeyController } from './components/KeyController';
 export { Light } from './components/Light';
 export { LightGroup } from './components/LightGroup';
 export { soloLights } from './components/lightGroups';
-export { lightShadows, meshShadows } from './components/newShadows';
+export { lightShadows, meshShadows, sunShadows } from './components/newShadows';
 export { ModelRenderer } from './components/ModelRenderer';
 export { morphField } from './components/MorphTargets';
 export { MouseController } from './components/MouseController';

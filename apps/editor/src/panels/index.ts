@@ -38,6 +38,13 @@ export const panels: readonly Panel[] = [
     load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
   },
   {
+    id: 'library',
+    title: 'Library',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
+  },
+  {
     id: 'lights',
     title: 'Lights',
     icon: 'lamp',

@@ -8,12 +8,13 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
-import { applyLightFields } from './applyLightFields';
+import { applyLightFields, colourOfLight } from './applyLightFields';
 import { lightFields } from './lightFields';
 import { type LightMaster, LightGroups, tintLight } from './lightGroups';
 import { newLights } from './newLights';
@@ -78,6 +79,11 @@ export class Light extends component(lightFields) {
   /** Unit vector in the world along which a directional or spot light shines. */
   get direction(): Vector3 {
     return this.gameObject.transform.front;
+  }
+
+  /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
+  get colour(): Vector3Tuple {
+    return colourOfLight(this);
   }
 
   /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
