@@ -10,7 +10,7 @@ import {
 } from '@farol/engine';
 import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
 import type { EditorDocument } from '../EditorDocument';
-import { type CostView, lightCosts } from './lightCost';
+import { CostEstimate, type CostView } from './lightCost';
 import { colourOf, groupOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
 
 /** A column of the table, by which its rows can be sorted. */
@@ -92,7 +92,7 @@ export class LightTable {
   /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
   private costKey = '';
-  private measured = 0;
+  private estimate: { readonly entries: readonly Entry[]; readonly run: CostEstimate } | null = null;
 
   constructor(private readonly document: EditorDocument) {}
 
@@ -177,22 +177,29 @@ export class LightTable {
     return this.costs.get(row.id) ?? 0;
   }
 
-  /** Estimates the costs for a view, when it or the scene has changed. @returns number of estimates so far */
-  measure(view: CostView): number {
+  /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
+  measure(view: CostView): void {
     const { camera, width, height } = view;
-    const { document, scene } = this;
-    const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
-    const state = `${key} ${document.edited.revision} ${scene.time}`;
-    if (state === this.costKey || this.stale === 'lights') return this.measured;
-    this.costKey = state;
-    this.measured++;
-    const costs = lightCosts(
-      this.entries.map(({ source }) => source),
-      view,
-    );
-    this.costs = new Map(this.entries.map(({ row }, i) => [row.id, costs[i]]));
-    if (this.sort.column === 'cost') this.tell('order');
-    return this.measured;
+    if (!this.estimate) {
+      const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
+      const state = `${key} ${this.document.edited.revision} ${this.scene.time}`;
+      if (state === this.costKey || this.stale === 'lights') return;
+      this.costKey = state;
+      const { entries } = this;
+      this.estimate = {
+        entries,
+        run: new CostEstimate(
+          entries.map(({ source }) => source),
+          view,
+        ),
+      };
+    }
+    const { entries, run } = this.estimate;
+    const costs = run.next();
+    if (!costs) return;
+    this.estimate = null;
+    this.costs = new Map(entries.map(({ row }, i) => [row.id, costs[i]]));
+    this.tell(this.sort.column === 'cost' ? 'order' : 'no');
   }
 
   /** Whether some lights are shown alone. */

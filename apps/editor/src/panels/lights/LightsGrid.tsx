@@ -20,8 +20,8 @@ const isCoarse = matchMedia('(pointer: coarse)').matches;
 const ROW = isCoarse ? 40 : 26;
 const TITLES = isCoarse ? 40 : 26;
 
-/** Time between estimates of the costs (ms). */
-const MEASURE = 500;
+/** Time between two parts of an estimate of the costs (ms). */
+const MEASURE = 100;
 
 const idOf = (row: LightRow): string => `light-row-${row.id}`;
 
@@ -47,12 +47,11 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
     scrollMargin: TITLES,
     scrollPaddingStart: TITLES,
   });
-  const [, setMeasured] = useState(0);
   useEffect(() => {
     const measure = (): void => {
       const { width, height } = viewport.bounds;
       const { devicePixelRatio: ratio } = window;
-      setMeasured(table.measure({ camera: viewport.camera, width: width * ratio, height: height * ratio }));
+      table.measure({ camera: viewport.camera, width: width * ratio, height: height * ratio });
     };
     const timer = setInterval(measure, MEASURE);
     return () => clearInterval(timer);
