@@ -170,6 +170,10 @@ export async function placeAsset(
 ): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
+  if (asset.kind === 'library') {
+    const { placeLibraryItem } = await import('./library/placeLibraryItem');
+    return placeLibraryItem(editor, asset.name, place);
+  }
   if (asset.kind === 'script') return useScript(editor, asset.name, place);
   if (asset.kind === 'surface') return useSurface(editor, asset.name, place);
   const parent = place.parent ?? scene;

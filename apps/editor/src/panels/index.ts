@@ -38,6 +38,20 @@ export const panels: readonly Panel[] = [
     load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
   },
   {
+    id: 'library',
+    title: 'Library',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
+  },
+  {
+    id: 'lights',
+    title: 'Lights',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
+  },
+  {
     id: 'frame',
     title: 'Frame',
     icon: 'gauge',

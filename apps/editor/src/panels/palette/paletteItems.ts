@@ -1,5 +1,5 @@
 import { t } from '@farol/editing';
-import { addCreation } from '../../actions/addEntries';
+import { addCreation, libraryEntries } from '../../actions/addEntries';
 import { labelOf } from '../../api/Action';
 import { showPalette } from '../../actions/help';
 import { allActions } from '../../actions';
@@ -67,7 +67,11 @@ export function paletteItems(editor: EditorApi): PaletteItem[] {
     icon: 'add',
     run: () => addCreation(editor, creation, null),
   }));
-  return [...done, ...added];
+  const ofLibrary = libraryEntries().map(({ id, label, folder, run }): PaletteItem => ({
+    ...{ id: `add.library.${id}`, label, group: t('Add, {folder}', { folder }), icon: 'lamp' },
+    run: () => run(editor),
+  }));
+  return [...done, ...added, ...ofLibrary];
 }
 
 export function objectItems(editor: EditorApi): PaletteItem[] {

@@ -1,0 +1,33 @@
+import type { LibraryId } from './names';
+
+/** Words by which items are found and filtered, in English. */
+export const libraryTags = {
+  'street-lamp': ['Outdoors', 'Floor'],
+  lantern: ['Outdoors', 'Table', 'Fire'],
+  torch: ['Wall', 'Fire', 'Castle'],
+  candle: ['Table', 'Fire', 'Castle'],
+  pendant: ['Ceiling', 'Indoors'],
+  'desk-lamp': ['Table', 'Indoors', 'Office'],
+  'neon-tube': ['Wall', 'Outdoors', 'Sign'],
+  panel: ['Ceiling', 'Office'],
+  'rail-spots': ['Ceiling', 'Stage', 'Indoors'],
+  chandelier: ['Ceiling', 'Castle', 'Indoors'],
+  'fairy-lights': ['Wall', 'Outdoors'],
+  sconce: ['Wall', 'Indoors', 'Castle'],
+  floodlight: ['Floor', 'Stage', 'Outdoors'],
+  headlamps: ['Floor', 'Outdoors'],
+  'daylight-window': ['Wall', 'Indoors'],
+  street: ['Outdoors', 'Floor'],
+  tree: ['Outdoors', 'Plants'],
+  fir: ['Outdoors', 'Plants'],
+  bench: ['Outdoors', 'Furniture'],
+  table: ['Indoors', 'Furniture'],
+  chair: ['Indoors', 'Furniture'],
+  crate: ['Outdoors', 'Storage'],
+  barrel: ['Outdoors', 'Storage', 'Castle'],
+  'plain-wall': ['Indoors', 'Building'],
+  fence: ['Outdoors', 'Building'],
+  column: ['Castle', 'Building'],
+  'door-leaf': ['Indoors', 'Building'],
+  steps: ['Outdoors', 'Building'],
+} as const satisfies Readonly<Record<LibraryId, readonly string[]>>;
