@@ -14,7 +14,7 @@ export function chunkScene(width: number, height: number): TestScene {
   const box = new THREE.Mesh(
     new THREE.BoxGeometry(1, 1.8, 1),
     // in the slice the ball's kind: a program less
-    new THREE[isSlice ? 'MeshPhongMaterial' : 'MeshLambertMaterial']({ color: 0x66aaee }),
+    new (isSlice ? THREE.MeshPhongMaterial : THREE.MeshLambertMaterial)({ color: 0x66aaee }),
   );
   box.position.set(1.2, 0.9, -0.4);
   const pane = new THREE.Mesh(

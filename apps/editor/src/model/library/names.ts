@@ -22,7 +22,7 @@ export const libraryNames = {
     tree: 'Tree',
     fir: 'Fir',
     bench: 'Bench',
-    table: 'Table',
+    table: 'Dining table',
     chair: 'Chair',
     crate: 'Crate',
     barrel: 'Barrel',
