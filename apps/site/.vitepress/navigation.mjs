@@ -32,6 +32,7 @@ const guides = [
   group('Pictures', {
     canvas: 'Canvas, size and targets',
     effects: 'Effects and bloom',
+    'volumetric-fog': 'Fog that lights light',
     'many-objects': 'Many objects',
     surfaces: 'Surfaces of microshaders',
     'frame-budget': 'A frame budget',

@@ -49,7 +49,7 @@ export const showPictureEffects = toggle(
 );
 
 export const continuous = toggle('continuous', 'view.continuous', 'Draw without pause, to see frame rates', 'motion');
-export const showStatistics = toggle('showStatistics', 'view.statistics', 'Figures of the frames', 'chart');
+export const showStatistics = toggle('showStatistics', 'view.statistics', 'Frame statistics', 'chart');
 
 /** Opens the tool that measures the distance between two clicked points. */
 export const measureDistance: Action = {

@@ -54,7 +54,16 @@ import {
   ungroup,
   unpackPrefab,
 } from './object';
-import { goToMenuBar, maximiseViewport, nextPanel, previousPanel, resetPanels, showPanels, themes } from './panels';
+import {
+  goToMenuBar,
+  maximisePanel,
+  maximiseViewport,
+  nextPanel,
+  previousPanel,
+  resetPanels,
+  showPanels,
+  themes,
+} from './panels';
 import { focus, lookFrom, toggleOrthographic, turns } from './viewpoint';
 import { muteSound, pause, play, playFromCamera, playFromHere, step, stop } from './play';
 import { addKeys, record } from './timeline';
@@ -108,7 +117,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
       { submenu: 'Turn the view', actions: turns },
     ],
     bookmarks: [
-      { submenu: 'Kept views', actions: showViews },
+      { submenu: 'Saved views', actions: showViews },
       { submenu: 'Keep this view', actions: keepViews },
     ],
     views: [quadView, nextView, resetViews],
@@ -117,7 +126,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
     measure: [measureDistance, measureLight, showIlluminance],
     figures: [continuous, showStatistics],
-    panels: [maximiseViewport, resetPanels],
+    panels: [maximiseViewport, maximisePanel, resetPanels],
     window: [
       { submenu: 'Go to', actions: [goToMenuBar, nextPanel, previousPanel] },
       { submenu: 'Theme', actions: themes },

@@ -133,7 +133,8 @@ export class Light extends component(lightFields) {
 
   override onEnterScene(scene: Scene): void {
     followSoftness(scene);
-    LightGroups.of(scene).add(this, this.group);
+    LightGroups.of(scene).add(this);
+    LightGroups.of(scene).join(this, this.group);
     this.onActiveChanged();
     if (scene.settings.shadowSoftness !== 1 || this.profile !== null || this.group !== null) this.applyFields();
   }
@@ -151,12 +152,14 @@ export class Light extends component(lightFields) {
     if (name === 'mode') this.onActiveChanged();
     else if (name === 'type') this.makeLight();
     else {
-      if (name === 'group' && this.scene) {
-        LightGroups.of(this.scene).remove(this);
-        LightGroups.of(this.scene).add(this, this.group);
-      }
+      if (name === 'group' && this.scene) LightGroups.of(this.scene).join(this, this.group);
       this.applyFields();
     }
+  }
+
+  /** @internal Called when other lights are shown alone, or no longer. */
+  followSolo(): void {
+    this.onActiveChanged();
   }
 
   /** @internal Called when the factors of the light's group change. */

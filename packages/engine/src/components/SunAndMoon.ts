@@ -104,6 +104,7 @@ export class SunAndMoon extends component({
       const isOwn =
         (change.kind === 'field' || change.kind === 'component-add') &&
         change.component !== this &&
+        change.component.isAttached &&
         change.component.gameObject === this.gameObject;
       if (isOwn) this.show(this.hourAt(scene.time));
     });

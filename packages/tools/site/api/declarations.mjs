@@ -108,7 +108,9 @@ class Code {
     const whole = this.text(node.start, node.end);
     const inner = value.type === 'TSSatisfiesExpression' || value.type === 'TSAsExpression' ? value.expression : value;
     const isShort = whole.length <= SHORT && !isFunction(inner) && !/^(private|protected)/.test(whole);
-    return isShort ? whole : this.text(node.start, value.start).replace(/\s*=$/, '');
+    if (isShort) return whole;
+    const type = !typed && value.type === 'NewExpression' ? `: ${this.text(value.callee.start, value.callee.end)}` : '';
+    return this.text(node.start, value.start).replace(/\s*=$/, '') + type;
   }
 
   /** @param {Node} node @returns {ApiMember[]} */

@@ -97,9 +97,9 @@ class ExampleIndex {
     return found ? { specifier: found.entries[0], imported } : null;
   }
 
-  /** Gives types without an example that of a function, class or constant which takes or gives them. */
+  /** Gives types and classes without an example that of an export which takes or gives them. */
   lendToTypes() {
-    const isType = (/** @type {ApiExport} */ { kind }) => kind === 'interface' || kind === 'type';
+    const isType = (/** @type {ApiExport} */ { kind }) => kind !== 'function' && kind !== 'constant';
     for (let lenders = [...this.found.keys()]; lenders.length > 0;) {
       /** @type {ApiExport[]} */
       const next = [];

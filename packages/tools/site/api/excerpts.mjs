@@ -115,6 +115,17 @@ class ExcerptFile {
     }
     const shown = new Set([statement]);
     const needed = namesIn(statement);
+    // what is made is used in the next lines
+    const made = statement.type === 'VariableDeclaration' ? declaredBy(statement) : [];
+    for (const each of made.length > 0 ? list.slice(index + 1, index + 3) : []) {
+      const more = this.lineCount(each);
+      const names = namesIn(each);
+      const goesOn = each.type === 'ExpressionStatement' && more <= 3 && lines + more <= MOST_LINES;
+      if (!goesOn || !made.some((name) => names.has(name))) break;
+      shown.add(each);
+      lines += more;
+      for (const name of names) needed.add(name);
+    }
     let cost = isCut ? 8 : 0;
     for (const { list, index } of places.toReversed())
       for (const each of list.slice(0, index).toReversed()) {
@@ -128,17 +139,6 @@ class ExcerptFile {
           for (const name of namesIn(each)) needed.add(name);
         } else cost += UNSHOWN;
       }
-    // what is made is used in the next lines
-    const made = statement.type === 'VariableDeclaration' ? declaredBy(statement) : [];
-    for (const each of list.slice(index + 1, index + 3)) {
-      const more = this.lineCount(each);
-      if (made.length === 0 || more > 3 || lines + more > MOST_LINES) break;
-      const names = namesIn(each);
-      if (each.type !== 'ExpressionStatement' || !made.some((name) => names.has(name))) break;
-      shown.add(each);
-      lines += more;
-      for (const name of names) needed.add(name);
-    }
     const texts = [...shown].toSorted((a, b) => a.start - b.start).map((each) => this.checked(each));
     // the checks that are shown as values name no `expect`
     if (texts.every((text) => !/\bexpect\(/.test(text))) needed.delete('expect');
@@ -172,18 +172,22 @@ class ExcerptFile {
 
   /** A check of a test as its value in a comment. @param {Node} statement */
   checked(statement) {
-    const call = statement.type === 'ExpressionStatement' ? statement.expression : null;
-    const expected = call?.type === 'CallExpression' && call.callee.object;
+    const whole = statement.type === 'ExpressionStatement' ? statement.expression : null;
+    const call = whole?.type === 'AwaitExpression' ? whole.argument : whole;
+    const object = call?.type === 'CallExpression' && call.callee.object;
+    const isAwaited = whole !== call && object?.property?.name === 'rejects';
+    const expected = isAwaited ? object.object : object;
     if (!expected || expected.callee?.name !== 'expect' || call.arguments.length > 1) return this.text(statement);
     const matcher = call.callee.property.name;
     const [actual] = expected.arguments;
     const value = call.arguments[0] ? this.text(call.arguments[0]) : '';
     const result = {
       ...{ toBe: value, toEqual: value, toStrictEqual: value, toBeCloseTo: `about ${value}`, toMatchObject: value },
+      ...{ toContain: `contains ${value}`, toBeGreaterThan: `above ${value}` },
       ...{ toBeNull: 'null', toBeUndefined: 'undefined', toThrow: `throws ${value || 'an error'}` },
     }[/** @type {string} */ (matcher)];
     if (result === undefined || result.includes('\n')) return this.text(statement);
-    return `${this.text(matcher === 'toThrow' && actual.body ? actual.body : actual)}; // ${result}`;
+    return `${isAwaited ? 'await ' : ''}${this.text(matcher === 'toThrow' && actual.body ? actual.body : actual)}; // ${result}`;
   }
 
   /** A long class or function, with what is short of its beginning. @param {string} text */

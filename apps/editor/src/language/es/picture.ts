@@ -106,7 +106,7 @@ export const picture: Texts = {
     'Cómo se suavizan los bordes. Automático usa multimuestreo donde la técnica lo permite y, si no, SMAA; TAA acumula fotogramas.',
   'Frame budget': 'Presupuesto por fotograma',
   'Whether the scene is drawn smaller, and enlarged, where its frames would take longer than 16.7 ms.':
-    'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16,7 ms.',
+    'Si la escena se dibuja más pequeña, y se amplía, cuando sus fotogramas tardarían más de 16.7 ms.',
   'On touch screens': 'En pantallas táctiles',
   On: 'Activado',
   'Off ## budget': 'Desactivado',

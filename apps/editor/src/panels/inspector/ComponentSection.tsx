@@ -18,6 +18,7 @@ import { MaterialPreview } from './MaterialPreview';
 import { ModelBar } from './ModelBar';
 import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
+import { TriggerProblems } from './TriggerProblems';
 
 const LateLightBar = lateComponent(async () => (await import('./LightBar')).LightBar);
 const LateSunBar = lateComponent(async () => (await import('./sun/SunBar')).SunBar);
@@ -81,6 +82,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       {typeName === 'Light' && <LateLightBar components={components} />}
       <FieldList owners={components} />
       <ObjectSurfaceBar components={components} />
+      {typeName === 'EventTrigger' && <TriggerProblems components={components} />}
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
       {typeName === 'SunAndMoon' && <LateSunBar components={components} />}

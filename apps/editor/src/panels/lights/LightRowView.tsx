@@ -1,6 +1,5 @@
-import { FieldGesture, formatNumber, numberDisplay, t } from '@farol/editing';
-import type { LightGroup } from '@farol/engine';
-import type { FieldOwner } from '@farol/engine/fields';
+import { FieldGesture, formatNumber, t } from '@farol/editing';
+import { Light, type LightGroup } from '@farol/engine';
 import { memo, type MouseEvent, type ReactNode } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
 import { setEnabled } from '../../model/edits';
@@ -8,13 +7,11 @@ import {
   colourOf,
   columnFields,
   type FieldColumn,
-  groupOf,
   kindLabel,
   kindOf,
   type LightSource,
-  shownField,
+  shownNumber,
   temperatureText,
-  unitOf,
 } from '../../model/lights/lightSource';
 import type { LightRow, LightTable } from '../../model/lights/LightTable';
 import { ownersName } from '../../model/ownersName';
@@ -51,9 +48,6 @@ interface LightRowViewProps extends RowProps {
   onSelect(row: LightRow, event: MouseEvent): void;
 }
 
-const authored = (source: FieldOwner, name: string | null): unknown =>
-  name === null ? null : source.getAuthored(name);
-
 /** Everything that a row shows, as one text to compare. */
 export function rowState(table: LightTable, row: LightRow): string {
   if (row.kind === 'rest') return `${row.count} ${table.isFolded('')}`;
@@ -73,18 +67,11 @@ export function rowState(table: LightTable, row: LightRow): string {
     ].join('\n');
   }
   const { source } = row;
-  const values = Object.values(columnFields).map((fieldOf) => authored(source, fieldOf(source)));
+  const [intensity, range] = [shownNumber(source, 'intensity'), shownNumber(source, 'range')];
   return [
-    ...[
-      name,
-      activeInHierarchy,
-      source.enabled,
-      kindOf(source),
-      table.areSolo([source]),
-      temperatureText(source),
-      unitOf(source),
-    ],
-    ...[groupOf(source), table.costOf(row).toFixed(4), ...values],
+    ...[name, activeInHierarchy, source.enabled, kindOf(source), table.areSolo([source]), table.isGrouped],
+    ...[colourOf(source), temperatureText(source), intensity?.value, intensity?.unit, range?.value],
+    ...[source instanceof Light && source.castShadow, table.costOf(row).toFixed(4)],
   ].join('\n');
 }
 
@@ -98,7 +85,7 @@ export const LightRowView = memo(function LightRowView(props: LightRowViewProps)
       id={id}
       role="row"
       aria-rowindex={index + 2}
-      aria-level={isHead || table.groups.length === 0 ? 1 : 2}
+      aria-level={isHead || !table.isGrouped ? 1 : 2}
       aria-expanded={isHead ? !table.isFolded(row.id) : undefined}
       aria-selected={isSelected}
       className={classes.filter(Boolean).join(' ')}
@@ -136,7 +123,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
   const { name } = object;
   const labelled = (column: string): string => t('{column} of {name}', { column, name });
   const shadow = columnFields.shadow(source);
-  const colour = columnFields.colour(source);
+  const colour = colourOf(source);
   const cost = table.costOf(row);
   return (
     <>
@@ -162,7 +149,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
       ) : (
         <ColourCell
           label={labelled(t('Colour'))}
-          colour={colourOf(source, colour)}
+          colour={colour}
           text={temperatureText(source)}
           tabIndex={tabIndex}
           onPick={(anchor) => desk.onPick({ anchor, edited: source })}
@@ -181,7 +168,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
         />
       )}
       <span role="gridcell" className="lights-cost">
-        {`${formatNumber(100 * cost, 'short')} %`}
+        {`${formatNumber(Math.round(1000 * cost) / 10, 'short')} %`}
       </span>
     </>
   );
@@ -198,16 +185,14 @@ interface FieldCellProps extends RowProps {
 function FieldCell({ row, column, label, isDimmed = false, ...desk }: FieldCellProps): ReactNode {
   const { editor, tabIndex } = desk;
   const { source } = row;
-  const name = columnFields[column](source);
+  const shown = shownNumber(source, column);
   const edit = useRowEdit(editor, () => columnGesture({ ...desk, row }, source, column));
-  if (name === null) return <span role="gridcell" />;
-  const { toShown, fromShown, ...shown } = numberDisplay(shownField(source, name));
-  const value = toShown(source.getAuthored(name) as number);
+  if (shown === null) return <span role="gridcell" />;
+  const { fromShown, ...number } = shown;
   return (
     <span role="gridcell">
       <NumberCell
-        {...shown}
-        value={value}
+        {...number}
         label={label}
         dimmer={isDimmed ? 'own' : undefined}
         tabIndex={tabIndex}
@@ -215,7 +200,7 @@ function FieldCell({ row, column, label, isDimmed = false, ...desk }: FieldCellP
           edit.onPreview((before) => (start > 0 ? (before as number) * (next / start) : fromShown(next)))
         }
         {...edit}
-        onPreview={(next) => edit.onPreview(fromShown(next))}
+        onPreview={(next) => edit.onPreview((_, owner) => shownNumber(owner as LightSource, column)!.fromShown(next))}
       />
     </span>
   );
