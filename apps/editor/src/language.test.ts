@@ -11,7 +11,12 @@ import { actions } from './actions';
 import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
+import { englishWords } from './files/assetKinds';
 import { creations } from './model/creations';
+import { buildLibraryItem } from './model/library/buildLibraryItem';
+import { libraryMaterials } from './model/library/materials';
+import { libraryNames } from './model/library/names';
+import { libraryTags } from './model/library/tags';
 import { panels } from './panels';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
@@ -71,6 +76,22 @@ function entryTexts(): Record<string, string[]> {
   );
 }
 
+/** Words of the names of built-in assets. */
+const builtinWords = ({ assets }: Scene): string[] =>
+  assets.list().map((name) => englishWords(name.replace(/^.*\//, '').replace(/@\d+$|-normal.*$/g, '')));
+
+/** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
+function libraryTexts(): string[] {
+  const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
+  const objects = items.flatMap(([id]) => buildLibraryItem(id)?.prefab.objects.map(({ name }) => name) ?? []);
+  return [
+    ...items.map(([, name]) => name),
+    ...objects,
+    ...Object.keys(libraryMaterials),
+    ...Object.values(libraryTags).flat(),
+  ];
+}
+
 /** Texts that the editor may look up besides those of entries. */
 function otherTexts(): string[] {
   const scene = new Scene();
@@ -86,6 +107,8 @@ function otherTexts(): string[] {
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
+    ...builtinWords(scene),
+    ...libraryTexts(),
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
     ...views.map(englishViewLabel),

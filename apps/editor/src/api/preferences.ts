@@ -37,7 +37,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
     persist(
       (): Preferences => ({
         folded: {},
-        theme: 'dark',
+        theme: 'system',
         language: null,
         views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },

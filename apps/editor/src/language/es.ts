@@ -10,15 +10,19 @@ import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
+import { library } from './es/library';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
 import { particles } from './es/particles';
+import { photometry } from './es/photometry';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
+import { sunAndMoon } from './es/sunAndMoon';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { surfaces } from './es/surfaces';
@@ -44,15 +48,19 @@ export const es: Texts = {
   ...buildings,
   ...components,
   ...edits,
+  ...library,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,
   ...particles,
+  ...photometry,
   ...physics,
   ...picture,
   ...player,
   ...profiles,
   ...rendering,
+  ...sunAndMoon,
   ...triggers,
   ...scripts,
   ...samples,

@@ -13,11 +13,13 @@ import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
+import { LightGroup } from './LightGroup';
 import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { ParticleEmitter } from './ParticleEmitter';
 import { RandomMovement } from './RandomMovement';
+import { SunAndMoon } from './SunAndMoon';
 import { RigidBody } from './RigidBody';
 import { Room } from './Room';
 import { Wall } from './Wall';
@@ -31,6 +33,8 @@ const components = [
   Animation,
   Animator,
   Light,
+  SunAndMoon,
+  LightGroup,
   Camera,
   Decal,
   Wall,

@@ -246,7 +246,7 @@ export class PictureRenderer {
     }
     // three applies tone mapping only when it draws to the canvas
     const isApart = this.farol.webgl.getRenderTarget() !== null && look.toneMapping !== NoToneMapping;
-    if (!has && !isApart) return null;
+    if (!has && !isApart && look.automatic === null) return null;
     const code = this.ask();
     if (code === null || !code.PictureChain.isPossible(this.farol.webgl)) return null;
     this.chain ??= this.makeChain(code);

@@ -33,8 +33,10 @@ export const components: Texts = {
   'Object Renderer': 'Dibujo de objeto',
   'A mesh with a material.': 'Una malla con un material.',
   'Shape of the object.': 'Forma del objeto.',
-  Render: 'Dibujar',
-  'Whether the shape is drawn.': 'Si la forma se dibuja.',
+  'Own material': 'Material propio',
+  Visible: 'Visible',
+  'Whether the shape is seen; its other components work on.':
+    'Si la forma se ve; los demás componentes siguen funcionando.',
   'Crease angle': 'Ángulo de arista',
   'For meshes without normals: faces that meet at less are smooth, at more they show an edge.':
     'En mallas sin normales: las caras que se unen con menos ángulo son suaves; con más, muestran una arista.',

@@ -4,8 +4,8 @@ import type { Texts } from '@farol/editing';
 export const picture: Texts = {
   'Tone mapping': 'Mapeo de tonos',
   'Exposure compensation': 'Compensación de exposición',
-  'Steps of exposure beside the scene’s: 1 is twice the light, -1 half of it. Needs a tone mapping.':
-    'Pasos de exposición sobre la de la escena: 1 es el doble de luz, -1 la mitad. Necesita un mapeo de tonos.',
+  'Steps of exposure beside the rest: 1 is twice the light, -1 half of it. Needs a tone mapping.':
+    'Pasos de exposición además del resto: 1 es el doble de luz, -1 la mitad. Requiere un mapeo de tonos.',
   'Depth of field': 'Profundidad de campo',
   'Depth of field: the scene’s, none, or one of this camera.':
     'Profundidad de campo: la de la escena, ninguna o una propia de esta cámara.',

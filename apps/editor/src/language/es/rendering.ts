@@ -62,7 +62,7 @@ export const rendering: Texts = {
   'All views at once': 'Todas las vistas a la vez',
   'Every view beside the others, in the viewport; a click on one shows it alone.':
     'Cada vista junto a las otras, en la vista 3D; un clic muestra solo esa.',
-  'Hottest count': 'Recuento máximo',
+  'Heat map maximum': 'Máximo del mapa de calor',
   'Lights, or draws, a pixel at which light count and overdraw are red.':
     'Luces, o llamadas de dibujo, por píxel con los que el número de luces y el sobredibujado son rojos.',
   'at rest': 'en reposo',

@@ -37,7 +37,7 @@ export class ForwardPass implements Pass {
     this.name = options.name;
     this.list = options.list;
     this.reads = options.reads ?? [];
-    this.writes = options.list === 'transparent' ? ['target', 'transparent'] : ['target'];
+    this.writes = options.list === 'transmissive' ? ['target'] : ['target', options.list];
     const { loop, loopOutside = loop } = options;
     this.loop = loop;
     this.loopOutside = loopOutside;
