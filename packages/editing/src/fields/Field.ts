@@ -54,6 +54,7 @@ interface FieldBase {
   readonly readOnly?: boolean;
 }
 
+/** A field that holds a finite number. */
 export interface NumberField extends FieldBase {
   readonly kind: 'number';
   readonly default: number;
@@ -80,11 +81,13 @@ export interface AngleField extends FieldBase {
   readonly step?: number;
 }
 
+/** A field that holds true or false. */
 export interface BooleanField extends FieldBase {
   readonly kind: 'boolean';
   readonly default: boolean;
 }
 
+/** A field that holds text. */
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
@@ -94,6 +97,7 @@ export interface StringField extends FieldBase {
   readonly input?: 'key';
 }
 
+/** A field that holds one of several names. */
 export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
@@ -102,6 +106,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
+/** A field that holds three numbers, x, y and z. */
 export interface Vector3Field extends FieldBase {
   readonly kind: 'vector3';
   readonly default: Vector3Tuple;
@@ -145,6 +150,7 @@ export interface GradientField extends FieldBase {
   readonly default: Gradient;
 }
 
+/** Types of assets that a field may name. */
 export type AssetType =
   | 'mesh'
   | 'texture'
@@ -190,6 +196,7 @@ export interface CustomField extends FieldBase {
   readonly default: FieldValue;
 }
 
+/** Declaration of a field, of any kind. */
 export type Field =
   | NumberField
   | AngleField
@@ -205,8 +212,11 @@ export type Field =
   | ObjectField
   | CustomField;
 
+/** Kinds of fields. */
 export type FieldKind = Field['kind'];
+/** Declarations of fields by name. */
 export type FieldTable = Readonly<Record<string, Field>>;
+/** Values that fields can have, and files can hold. */
 export type FieldValue = number | boolean | string | null | Vector3Tuple | Curve | Gradient;
 
 /** The type of a field's value. */
