@@ -67,6 +67,16 @@ describe('a declaration', () => {
   });
 });
 
+it('shows the table of fields that a component extends as members', () => {
+  const source =
+    "export class Spin extends component({ speed: number(1, { unit: 'rad/s', help: 'Speed of it.' }) }) {}";
+  const spin = declarationsOf('Spin.ts', source).get('Spin');
+  expect(spin?.signatures).toEqual(['class Spin extends component({ … })']);
+  expect(spin?.members).toMatchObject([
+    { signature: "speed: number(1, { unit: 'rad/s' })", doc: { text: 'Speed of it.' } },
+  ]);
+});
+
 describe('an excerpt', () => {
   const source = `
 import { expect, it } from 'vitest';
