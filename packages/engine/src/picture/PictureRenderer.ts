@@ -27,6 +27,7 @@ export interface ScenePainter {
   render(scene: ThreeScene, camera: Camera): void;
 }
 
+/** Options of the constructor of PictureRenderer. */
 export interface PictureRendererOptions {
   /** Called when a frame is to be drawn, for hosts that draw none unless asked to. */
   readonly redraw?: () => void;

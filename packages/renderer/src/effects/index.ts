@@ -205,6 +205,7 @@ export const effects = {
   },
 } as const satisfies Record<string, EffectEntry>;
 
+/** Names of the effects that Farol has. */
 export type EffectName = keyof typeof effects;
 
 /** The classes of all effects, fetched. @throws Error (as a rejection) when one cannot be fetched; try again */
