@@ -159,6 +159,7 @@ export class PictureRenderer {
     }
     this.shadows.follow(settings);
     this.effects.update(settings);
+    this.effects.setTime(scene.time);
   }
 
   /**
