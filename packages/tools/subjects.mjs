@@ -82,6 +82,7 @@ export const subjects = [
   ['apps/editor/src/panels/dialogs', ['editor/welcome']],
   ['apps/editor/src/panels/frame', ['editor/frame']],
   ['apps/editor/src/panels/hierarchy', ['editor/hierarchy']],
+  ['apps/editor/src/panels/lights', ['editor/lights']],
   ['apps/editor/src/panels/history', ['editor/layout']],
   ['apps/editor/src/panels/inspector', ['editor/inspector', 'editor/fields']],
   ['apps/editor/src/panels/keys', ['editor/commands']],

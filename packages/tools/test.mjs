@@ -18,7 +18,7 @@ import { root } from './root.mjs';
 import { copyBuilt, makeRunFolder, whileNobodyBuilds } from './runFolder.mjs';
 import { runStages } from './runStages.mjs';
 import { stagePlan } from './stagePlan.mjs';
-import { startScript, startTool } from './startTool.mjs';
+import { endWithScripts, startScript, startTool } from './startTool.mjs';
 import { addTallies, playwrightTally, tallyLine, vitestTally } from './tally.mjs';
 
 /** Most failed tests that are run once more: more of them are no chance. */
@@ -32,7 +32,7 @@ if (values.verify) process.env.FAROL_TESTS = 'verify';
 if (values.gpu) process.env.FAROL_GPU = '1';
 
 const isSmall = availableParallelism() < 6;
-/** Option of stages that run beside others on a small machine: their output is shown in one piece. */
+/** Option of stages that run beside others: their output is shown in one piece. */
 const held = { isHeld: true };
 
 /** @type {Record<keyof typeof stagePlan, () => Promise<boolean>>} */
@@ -66,6 +66,7 @@ if (unknown.length > 0) {
 }
 
 ensureInstalled();
+endWithScripts();
 const folder = makeRunFolder();
 /** @type {import('./tally.mjs').Tally} */
 let tally = { passed: 0, failed: 0 };
@@ -108,7 +109,7 @@ async function vitest() {
     const report = join(folder, name);
     const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
     const args = ['run', '--config', 'packages/vitest.config.ts', ...reporters, ...files];
-    return counted(report, () => startTool('vitest', 'vitest', args, { isHeld: !isSmall }));
+    return counted(report, () => startTool('vitest', 'vitest', args, held));
   };
   return twice(runOf('unit.json'), runOf('unit-again.json'), {
     failedOf: (report) => failedVitestTests(report, root),
@@ -119,12 +120,13 @@ async function vitest() {
 /**
  * Runs tests of Playwright's.
  *
- * @param {string} name - of the stage
+ * @param {'packages' | 'browser'} name - of the stage
  * @param {string} config
  * @param {Record<string, string>} [env]
  */
 async function playwright(name, config, env = {}) {
   const chromium = ensureBrowser();
+  const isHeld = !isSmall || !('alone' in stagePlan[name]);
   const runOf = (/** @type {string} */ name, /** @type {string[]} */ options) => (/** @type {string[]} */ places) => {
     const report = join(folder, `${name}.json`);
     const added = {
@@ -134,7 +136,7 @@ async function playwright(name, config, env = {}) {
       CHROMIUM_PATH: chromium,
     };
     const args = ['test', '--config', config, ...options, ...places];
-    return counted(report, () => startTool('@playwright/test', 'playwright', args, { env: added, isHeld: !isSmall }));
+    return counted(report, () => startTool('@playwright/test', 'playwright', args, { env: added, isHeld }));
   };
   return twice(runOf(name, []), runOf(`${name}-again`, ['--workers=1', '--trace=on']), {
     failedOf: failedPlaywrightTests,

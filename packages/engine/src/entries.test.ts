@@ -41,6 +41,7 @@ const names = {
       'Decal',
       'KeyController',
       'Light',
+      'LightGroup',
       'ModelRenderer',
       'MouseController',
       'ObjectRenderer',
@@ -48,7 +49,7 @@ const names = {
       'particlePreset',
     ],
     ...['CharacterController', 'Collider', 'Joint', 'PhysicsSystem', 'RigidBody'],
-    ...['lightShadows', 'meshShadows'],
+    ...['lightShadows', 'meshShadows', 'soloLights', 'sunShadows'],
     ...[
       'RandomMovement',
       'Room',

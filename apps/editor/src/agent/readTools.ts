@@ -142,7 +142,7 @@ export function getLights({ document, viewport }: EditorApi): object {
         on: light.isActive,
         position: triple(light.position),
         ...(type !== 'point' && type !== 'ambient' && { direction: triple(light.direction) }),
-        colour: shownValue(fields.diffuse, light.getAuthored('diffuse')),
+        colour: shownValue(fields.diffuse, light.colour),
         intensity: `${light.intensity} ${fields.intensity.kind === 'number' ? (fields.intensity.unitBy?.units[type] ?? '') : ''}`,
         ...(!isFar && { range: Number.isFinite(light.reach) ? `${light.reach} m` : 'no end' }),
         shadow: light.castShadow,

@@ -11,10 +11,12 @@ import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
 import { library } from './es/library';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
 import { particles } from './es/particles';
+import { photometry } from './es/photometry';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
@@ -46,10 +48,12 @@ export const es: Texts = {
   ...components,
   ...edits,
   ...library,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,
   ...particles,
+  ...photometry,
   ...physics,
   ...picture,
   ...player,

@@ -45,6 +45,13 @@ export const panels: readonly Panel[] = [
     load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
   },
   {
+    id: 'lights',
+    title: 'Lights',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
+  },
+  {
     id: 'frame',
     title: 'Frame',
     icon: 'gauge',

@@ -124,7 +124,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     const isDecal = component instanceof Decal;
     geometry.attributes.kind.setX(i, kindOf[component instanceof Light ? component.type : kinds[component.typeName]]);
     if (component instanceof Light || isDecal) {
-      const [r, g, b] = isDecal ? component.colour : component.diffuse;
+      const [r, g, b] = component.colour;
       const largest = Math.max(r, g, b, 1e-6);
       geometry.attributes.tint.setXYZ(
         i,

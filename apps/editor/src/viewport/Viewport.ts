@@ -154,7 +154,12 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
 
   /** The selected camera, whose view is shown as an inset; null when there is none. */
   get previewed(): CameraComponent | null {
-    return this.pictureCamera.selected;
+    return this.isPlayed ? null : this.pictureCamera.selected;
+  }
+
+  /** Whether the scene plays as its players see it: without grid, icons, handles and insets. */
+  get isPlayed(): boolean {
+    return this.playView.isOn;
   }
 
   /** The scene's camera that is looked through; null for the editor's own. */
@@ -278,7 +283,7 @@ export class Viewport extends ViewportSettings implements PickSurface, PaneSurfa
   pick(point: Vector2): GameObject | null {
     const mesh = pick(this.document.scene, this.rayCamera, point);
     const { width, height } = this.panes.active.rectangle;
-    const icon = this.helpers.pickIcon(this.rayCamera, point, width, height);
+    const icon = this.isPlayed ? null : this.helpers.pickIcon(this.rayCamera, point, width, height);
     return iconOrMesh(icon, mesh);
   }
 

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
 import { thesisChart } from '../thesis/thesisChart';
@@ -30,7 +31,7 @@ function listed(chart: ChartSpec | null): ChartSpec[] {
 export function chartsOf(runs: readonly LabRun[], settings: ChartSettings): ChartSpec[] {
   const visible = runs.map((run) => withoutHidden(run, settings.hidden));
   if (settings.hidden.size > 0 && visible.every(({ plan }) => plan.competitors.length === 0)) {
-    const notes = ['All competitors are hidden: choose one above.'];
+    const notes = [t('All competitors are hidden: choose one above.')];
     return seriesOf(visible).map((series) => ({ ...curveChart(visible, series, settings), notes }));
   }
   const names = runNames(runs);

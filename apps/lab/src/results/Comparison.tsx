@@ -1,9 +1,11 @@
+import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
 import { formatDate, formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
+import { seriesLabel } from '../words/seriesLabel';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
 
@@ -24,15 +26,15 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
   const series = [...new Set(rows.map((row) => row.series))];
   return (
     <section class="comparison" aria-labelledby="comparison-title">
-      <h2 id="comparison-title">Two runs side by side</h2>
+      <h2 id="comparison-title">{t('Two runs side by side')}</h2>
       <dl class="comparison-runs">
-        <dt>First</dt>
+        <dt>{t('First')}</dt>
         <dd>{runWords(a)}</dd>
-        <dt>Second</dt>
+        <dt>{t('Second')}</dt>
         <dd>{runWords(b)}</dd>
       </dl>
       {differences.length > 0 && (
-        <ul class="comparison-differences" aria-label="Differences of the runs">
+        <ul class="comparison-differences" aria-label={t('Differences of the runs')}>
           {differences.map((each) => (
             <li key={each}>{each}</li>
           ))}
@@ -41,7 +43,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
       {rows.length > 0 && (
         <>
           <p class="inline-field">
-            <label for="comparison-metric">Compare</label>
+            <label for="comparison-metric">{t('Compare')}</label>
             <select
               id="comparison-metric"
               value={metric}
@@ -49,21 +51,21 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
             >
               {Object.entries(metrics).map(([key, label]) => (
                 <option key={key} value={key}>
-                  {label}
+                  {t(label)}
                 </option>
               ))}
             </select>
           </p>
-          <div class="table-scroll" tabIndex={0} role="region" aria-label="Means by competitor">
+          <div class="table-scroll" tabIndex={0} role="region" aria-label={t('Means by competitor')}>
             <table class="rows">
-              <caption>Geometric mean of the ratios over the cases that both runs have</caption>
+              <caption>{t('Geometric mean of the ratios over the cases that both runs have')}</caption>
               <thead>
                 <tr>
-                  <th scope="col">Competitor</th>
-                  <th scope="col">Cases</th>
-                  <th scope="col">First ÷ second</th>
+                  <th scope="col">{t('Competitor')}</th>
+                  <th scope="col">{t('Cases')}</th>
+                  <th scope="col">{t('First ÷ second')}</th>
                   <th scope="col" class="text">
-                    In words
+                    {t('In words')}
                   </th>
                 </tr>
               </thead>
@@ -89,7 +91,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
 }
 
 function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
-  const { label } = rows[0].series;
+  const label = seriesLabel(rows[0].series);
   return (
     <div class="table-scroll" tabIndex={0} role="region" aria-label={label}>
       <table class="rows">
@@ -98,13 +100,13 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
           <tr>
             <th scope="col">{axisLabel(rows[0].series)}</th>
             <th scope="col" class="text">
-              Competitor
+              {t('Competitor')}
             </th>
-            <th scope="col">First (ms)</th>
-            <th scope="col">Second (ms)</th>
-            <th scope="col">First ÷ second</th>
+            <th scope="col">{t('First (ms)')}</th>
+            <th scope="col">{t('Second (ms)')}</th>
+            <th scope="col">{t('First ÷ second')}</th>
             <th scope="col" class="text">
-              In words
+              {t('In words')}
             </th>
           </tr>
         </thead>
@@ -133,9 +135,11 @@ function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number
 
 /** Relation of the second run to the first. */
 function ratioWords(ratio: number | null): string {
-  if (ratio === null) return 'no figure in one of them';
-  if (kindOf(ratio) === 'same') return 'the same within 3%';
-  return ratio > 1 ? `the second is ${digits(ratio)} × faster` : `the second is ${digits(1 / ratio)} × slower`;
+  if (ratio === null) return t('no figure in one of them');
+  if (kindOf(ratio) === 'same') return t('the same within 3%');
+  return ratio > 1
+    ? t('the second is {factor} × faster', { factor: digits(ratio) })
+    : t('the second is {factor} × slower', { factor: digits(1 / ratio) });
 }
 
 function kindOf(ratio: number | null): 'faster' | 'slower' | 'same' {
@@ -148,5 +152,5 @@ const digits = (value: number | null): string => formatNumber(value ?? Number.Na
 
 function runWords({ name, plan, surroundings }: LabRun): string {
   const { device, browser, system, date } = surroundings;
-  return `${name || plan.label}: ${device}; ${browser}, ${system}; ${formatDate(date)}`;
+  return `${name || t(plan.label)}: ${device}; ${browser}, ${system}; ${formatDate(date)}`;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { DeviceNote } from './DeviceNote';
 import type { StageState } from './support/useStage';
 
@@ -12,13 +13,14 @@ export function Hero({ stage, isBusy, onMeasure }: HeroProps) {
   return (
     <section class="hero" aria-labelledby="title">
       <div class="hero-words">
-        <h1 id="title">Which way of lighting is fastest on your machine?</h1>
+        <h1 id="title">{t('Which way of lighting is fastest on your machine?')}</h1>
         <p>
-          The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and
-          shows which is fastest where.
+          {t(
+            'The Lab draws the same scenes by eleven techniques of Farol, by three.js and by other engines, in turns, and shows which is fastest where.',
+          )}
         </p>
         <button type="button" class="primary large" disabled={isBusy || stage.device === null} onClick={onMeasure}>
-          Measure this machine (90&nbsp;s)
+          {t('Measure this machine (90\u00a0s)')}
         </button>
       </div>
       <DeviceNote {...stage} />

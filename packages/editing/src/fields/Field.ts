@@ -50,6 +50,8 @@ interface FieldBase {
   readonly deprecated?: boolean;
   /** Name of another field of the owner, of whose value this field edits a part; files hold only that other field. */
   readonly viewOf?: string;
+  /** Name of another field of the owner, in whose row this one is edited too: it has none of its own. */
+  readonly besideField?: string;
   /** Whether the field is shown, but cannot be edited by hand. */
   readonly readOnly?: boolean;
 }
@@ -68,6 +70,8 @@ export interface NumberField extends FieldBase {
   /** Step of one notch when a number is scrubbed. */
   readonly step?: number;
   readonly integer?: boolean;
+  /** Kind of number that editors have a control for: a light's intensity in its unit, a colour temperature. */
+  readonly input?: 'intensity' | 'temperature';
 }
 
 /** Angle in radians; the apps show degrees. */

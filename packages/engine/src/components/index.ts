@@ -13,6 +13,7 @@ import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
+import { LightGroup } from './LightGroup';
 import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
@@ -31,6 +32,7 @@ const components = [
   Animation,
   Animator,
   Light,
+  LightGroup,
   Camera,
   Decal,
   Wall,

@@ -1,4 +1,5 @@
 import { t } from '@farol/editing';
+import { renderersOf } from '../../actions/materials';
 import type { EditorApi } from '../../api/EditorApi';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { addFolder, addMaterial, removeFolder, renameFolder } from '../../model/assetEdits';
@@ -7,9 +8,11 @@ import { libraryScripts } from '../../model/library/scripts';
 import { newScript } from '../../files/newScript';
 import { chooseFiles } from './chooseFiles';
 
-/** Adds a material to a folder, and selects it. */
-function newMaterial({ document, commands }: EditorApi, folder: string): void {
-  const { command, name } = addMaterial(document.scene, joinName(folder, t('Material')), { kind: 'physical' });
+/** Adds a material to a folder, gives it to the selected objects, and selects it. */
+function newMaterial(editor: EditorApi, folder: string): void {
+  const { document, commands } = editor;
+  const path = joinName(folder, t('Material'));
+  const { command, name } = addMaterial(document.scene, path, { kind: 'physical' }, renderersOf(editor));
   commands.run(command);
   document.assetSelection.set([name]);
 }
@@ -58,7 +61,7 @@ export function removeFolderAsked({ document, commands }: EditorApi, path: strin
 }
 
 /** Entries for new scripts that begin as one of the library's. */
-const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
+export const templateEntries = (editor: EditorApi, folder: string): MenuEntry[] =>
   Object.entries(libraryScripts).map(([type, source]) => ({
     label: t(type),
     icon: 'code',

@@ -5,6 +5,7 @@ import { setEnabled } from '../../model/edits';
 import { scriptOfType } from '../../model/scriptNames';
 import { useEditor } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { lateComponent } from '../../ui/lateComponent';
 import { MenuButton } from '../../ui/MenuButton';
 import type { MenuEntry } from '../../api/MenuEntry';
 import { Toggle } from '../../ui/Toggle';
@@ -18,6 +19,8 @@ import { ModelBar } from './ModelBar';
 import { ObjectSurfaceBar } from './ObjectSurfaceBar';
 import { Section } from './Section';
 import { TriggerProblems } from './TriggerProblems';
+
+const LateLightBar = lateComponent(async () => (await import('./LightBar')).LightBar);
 
 /**
  * A component of the selected objects: its fields, whether it is enabled, and its menu.
@@ -80,6 +83,7 @@ export function ComponentSection(props: { components: readonly Component[] }): R
       {typeName === 'EventTrigger' && <TriggerProblems components={components} />}
       {typeName === 'ModelRenderer' && <ModelBar components={components} />}
       {typeName === 'Animation' && <AnimationBar components={components} />}
+      {typeName === 'Light' && <LateLightBar components={components} />}
       {typeName === 'ObjectRenderer' && <MaterialPreview components={components} />}
     </Section>
   );

@@ -43,6 +43,7 @@ export function FieldList({ owners, names }: FieldListProps): ReactNode {
   useSignal(document.assetsChanged);
   const rows = (names ?? Object.keys(owner.fields))
     .filter((name) => owners.every(({ fields }) => Object.hasOwn(fields, name)))
+    .filter((name) => owner.fields[name].besideField === undefined)
     .filter((name) => isFieldVisible(owner.fields, name, (other) => owner.getAuthored(other)))
     .filter((name) => !owner.fields[name].deprecated || owners.some((each) => !isDefault(each, name)))
     .map((name) => {

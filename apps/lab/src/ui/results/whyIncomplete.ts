@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun } from '../../results/LabRun';
 
 /** Whether a run was cancelled before its first figure. */
@@ -9,10 +10,12 @@ export function isEmptyRun({ complete, rows }: Pick<LabRun, 'complete' | 'rows'>
 export function whyIncomplete(run: LabRun): string | null {
   const { complete, duration, plan, rows } = run;
   if (complete) return null;
-  if (isEmptyRun(run)) return 'This run was cancelled before anything was measured, and is not kept.';
+  if (isEmptyRun(run)) return t('This run was cancelled before anything was measured, and is not kept.');
   const { limit } = plan.effort;
   const isOver = rows.some(({ problem }) => problem?.startsWith('Not measured')) || duration >= (limit ?? Infinity);
   return isOver
-    ? 'The time for the run was over before every case was measured: give it more under “How thoroughly”, or measure less.'
-    : 'This run was cancelled: what was measured until then is kept and shown.';
+    ? t(
+        'The time for the run was over before every case was measured: give it more under “How thoroughly”, or measure less.',
+      )
+    : t('This run was cancelled: what was measured until then is kept and shown.');
 }
