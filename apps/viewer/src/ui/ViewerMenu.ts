@@ -144,6 +144,14 @@ export class ViewerMenu {
     this.parameters = gui.addFolder(t('Lights and sizes'));
     const figures = gui.addFolder(t('Last frame'));
     figures.$children.append(this.statistics.element);
+    const apps = gui.addFolder('Farol').close();
+    for (const [app, label] of [
+      ['editor', t('Editor')],
+      ['lab', t('Lab')],
+      ['gallery', t('Gallery of examples')],
+    ]) {
+      apps.add({ open: () => void viewer.openApp(app, label) }, 'open').name(label);
+    }
 
     // an open menu would cover most of a phone's picture, whichever way round it is held
     if (innerWidth < 600 || (innerHeight < 600 && matchMedia('(pointer: coarse)').matches)) gui.close();
