@@ -82,9 +82,19 @@ const builtinWords = ({ assets }: Scene): string[] =>
 
 /** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
 function libraryTexts(): string[] {
-  const ids = Object.values(libraryNames).flatMap((names) => Object.keys(names));
-  const objects = ids.flatMap((id) => buildLibraryItem(id)!.prefab.objects.map(({ name }) => name));
-  return [...objects, ...Object.keys(libraryMaterials), ...Object.values(libraryTags).flat()];
+  const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
+  const objects = items.flatMap(
+    ([id]) =>
+      buildLibraryItem(id)
+        ?.prefab.objects.slice(1)
+        .map(({ name }) => name) ?? [],
+  );
+  return [
+    ...items.map(([, name]) => name),
+    ...objects,
+    ...Object.keys(libraryMaterials),
+    ...Object.values(libraryTags).flat(),
+  ];
 }
 
 /** Texts that the editor may look up besides those of entries. */
@@ -142,6 +152,10 @@ test('a Spanish text has the values of its English one, and its blanks at both e
       spanish.trim() === '',
   );
   expect(unlike).toEqual([]);
+});
+
+test('decimals have a point in Spanish too, as in fields and counts, see formatCount', () => {
+  expect(Object.entries(es).filter(([, spanish]) => /\d,\d/.test(spanish))).toEqual([]);
 });
 
 test('whatever the editor shows is looked up in the language that is shown', () => {

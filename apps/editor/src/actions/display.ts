@@ -64,6 +64,30 @@ export const measureDistance: Action = {
   checked: ({ tools }) => tools.current?.id === 'measure',
 };
 
+/** Opens the tool that measures the light at a clicked point. */
+export const measureLight: Action = {
+  id: 'view.light-meter',
+  label: 'Light meter',
+  async run({ viewport, tools }) {
+    if (tools.current?.id === 'light-meter') return void tools.end();
+    const { LightMeterTool } = await import('../viewport/illuminance/LightMeterTool');
+    tools.open(new LightMeterTool(viewport));
+  },
+  checked: ({ tools }) => tools.current?.id === 'light-meter',
+};
+
+/** Shows how much light falls on surfaces, by false colours. */
+export const showIlluminance: Action = {
+  id: 'view.illuminance',
+  label: 'False colours of illuminance',
+  async run({ viewport }) {
+    if (viewport.painter?.isIlluminance) return void (viewport.painter = null);
+    const { IlluminancePainter } = await import('../viewport/illuminance/IlluminancePainter');
+    viewport.painter = new IlluminancePainter(viewport);
+  },
+  checked: ({ viewport }) => viewport.painter?.isIlluminance ?? false,
+};
+
 /** Switches between one view, and four: top, front, right and the main one. */
 export const quadView: Action = {
   id: 'view.quad',

@@ -7,6 +7,8 @@ import { copy, cut, paste, pasteBelow } from './clipboard';
 import {
   continuous,
   measureDistance,
+  measureLight,
+  showIlluminance,
   nextView,
   quadView,
   resetViews,
@@ -122,7 +124,7 @@ export const menuBar: Readonly<Record<MenuPlace['menu'], MenuGroups>> = {
     shading: [{ submenu: 'Shading', actions: [...shadings, showShadings] }],
     picture: [],
     show: [showGrid, showPictureEffects, showIcons, showRanges, showColliders],
-    measure: [measureDistance],
+    measure: [measureDistance, measureLight, showIlluminance],
     figures: [continuous, showStatistics],
     panels: [maximiseViewport, maximisePanel, resetPanels],
     window: [

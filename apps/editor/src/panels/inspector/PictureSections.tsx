@@ -25,7 +25,9 @@ const sky = [
 ];
 const fog = ['fog', 'fogFromSky', 'fogColour', 'fogNear', 'fogFar', 'fogDensity'];
 const picture = [
-  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping', 'exposure'],
+  ...['technique', 'quality', 'antialiasing', 'frameBudget', 'toneMapping'],
+  ...['exposureBy', 'exposure', 'exposureValue', 'aperture', 'shutterTime', 'iso'],
+  ...['exposureLeast', 'exposureMost', 'exposureTime'],
   ...Object.keys(effectFields),
 ];
 const shadows = ['shadowKind', 'shadowSoftness', 'shadowCascades'];
