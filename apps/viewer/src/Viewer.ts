@@ -9,7 +9,7 @@ import {
   watchPixelRatio,
 } from '@farol/engine';
 import type { FieldValue } from '@farol/engine/fields';
-import { cancellable, type FileMap, openBeside } from '@farol/engine/files';
+import { cancellable, type FileMap } from '@farol/engine/files';
 import { scenes } from '@farol/scenes';
 import { type FarolOptions, FarolRenderer, type TechniqueName, type View } from '@farol/renderer';
 import type { Camera as ThreeCamera, Scene as ThreeScene, WebGLRenderer } from 'three';
@@ -258,16 +258,6 @@ export class Viewer {
       await measureScene(this.app.scene, this.model, this.state);
     } catch (error) {
       this.messages.show('lab', error instanceof Error ? error.message : String(error));
-    }
-  }
-
-  /** Opens another app of Farol; a message says why it cannot. Call it from a click: see `openBeside`. */
-  async openApp(app: string, label: string): Promise<void> {
-    this.messages.show('app', '');
-    try {
-      await openBeside(app, label);
-    } catch (error) {
-      this.messages.show('app', error instanceof Error ? error.message : String(error));
     }
   }
 

@@ -1,6 +1,7 @@
 import { type Language, labelOfField, languages, t, textLanguage } from '@farol/editing';
 import { scenes } from '@farol/scenes';
 import { type Field, type FieldValue, isFieldVisible } from '@farol/engine/fields';
+import { openBeside } from '@farol/engine/files';
 import { techniques } from '@farol/renderer';
 import GUI, { type Controller } from 'lil-gui';
 import { chooseFiles } from '../chooseFiles';
@@ -150,7 +151,9 @@ export class ViewerMenu {
       ['lab', t('Lab')],
       ['gallery', t('Gallery of examples')],
     ]) {
-      apps.add({ open: () => void viewer.openApp(app, label) }, 'open').name(label);
+      const open = (): void =>
+        void openBeside(app, label).catch(({ message }: Error) => viewer.messages.show('app', message));
+      apps.add({ open }, 'open').name(label);
     }
 
     // an open menu would cover most of a phone's picture, whichever way round it is held
