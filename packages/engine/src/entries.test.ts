@@ -39,6 +39,7 @@ const names = {
       'Animator',
       'Camera',
       'Decal',
+      'FogVolume',
       'KeyController',
       'Light',
       'LightGroup',

@@ -46,6 +46,7 @@ export { CharacterController } from './components/CharacterController';
 export { Collider } from './components/Collider';
 export { Joint } from './components/Joint';
 export { Decal } from './components/Decal';
+export { FogVolume } from './components/FogVolume';
 export { EventTrigger } from './components/EventTrigger';
 export { Grabbable } from './components/Grabbable';
 export { KeyController } from './components/KeyController';

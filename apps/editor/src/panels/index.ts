@@ -40,7 +40,7 @@ export const panels: readonly Panel[] = [
   {
     id: 'library',
     title: 'Library',
-    icon: 'lamp',
+    icon: 'prefab',
     place: 'bottom',
     load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
   },

@@ -21,6 +21,19 @@ export interface EffectField {
 /** Makes an effect with its defaults. */
 type EffectClass = new () => FarolEffect;
 
+/** A colour of an effect, for menus and scene files; the effect's property is a `Color` of three's. */
+export interface EffectColour {
+  readonly kind: 'colour';
+  /** Name of the effect's property. */
+  readonly property: string;
+  /** Name in menus. */
+  readonly label: string;
+  /** One line of help. */
+  readonly help: string;
+  /** Linear red, green and blue. */
+  readonly default: [number, number, number];
+}
+
 /** An effect as menus and scene files list it; `load` fetches its code. */
 export interface EffectEntry {
   /** Name in menus. */
@@ -33,8 +46,8 @@ export interface EffectEntry {
   readonly setting?: string;
   /** Short name of the switch, for addresses. Default: `setting`. */
   readonly short?: string;
-  /** Numbers that menus set, by their names in the settings of a scene. */
-  readonly fields?: Readonly<Record<string, EffectField>>;
+  /** Numbers and colours that menus set, by their names in the settings of a scene. */
+  readonly fields?: Readonly<Record<string, EffectField | EffectColour>>;
   /**
    * Buffer that the technique must fill before it shades; a technique that cannot leaves the effect out. Default: none.
    */
@@ -119,6 +132,13 @@ export const effects = {
         step: 0.005,
         help: 'Share of light that is lost on a metre, for small values.',
         label: 'Fog density',
+      },
+      fogColour: {
+        kind: 'colour',
+        property: 'albedo',
+        default: [1, 1, 1],
+        help: 'Share of light that the fog scatters; the rest is absorbed.',
+        label: 'Fog scattering',
       },
       fogAnisotropy: {
         kind: 'number',
@@ -205,6 +225,7 @@ export const effects = {
   },
 } as const satisfies Record<string, EffectEntry>;
 
+/** Names of the effects that Farol has. */
 export type EffectName = keyof typeof effects;
 
 /** The classes of all effects, fetched. @throws Error (as a rejection) when one cannot be fetched; try again */

@@ -115,7 +115,7 @@ test('a sky turns the sun into its own and switches off what stood for a sky; a 
   expect([sun.castShadow, sun.intensity < 0.5, sun.direction.y < -0.4]).toEqual([true, true, true]);
   await placeLibraryItem(editor, 'overcast');
   expect([sun.enabled, scene.settings.sky]).toEqual([false, 'overcast']);
-  expect(commands.history).toEqual(['Made it Moonlit night', 'Made it Overcast']);
+  expect(commands.history).toEqual(['Changed the sky to Moonlit night', 'Changed the sky to Overcast']);
   commands.undo();
   commands.undo();
   expect([sun.enabled, sun.intensity, fill.enabled, scene.settings.background]).toEqual([true, 2, true, 'colour']);
