@@ -87,6 +87,7 @@ test('what was copied is there in another tab of the browser @verify', async ({ 
   await addObject(page, 'Mesh', 'Cone');
   await page.keyboard.press('Control+c');
   const other = await page.context().newPage();
+  await other.setViewportSize(page.viewportSize()!);
   await openEditor(other, 'empty');
   await other.getByRole('treeitem', { name: 'Sun' }).click();
   await other.keyboard.press('Control+v');

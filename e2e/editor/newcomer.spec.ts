@@ -142,6 +142,7 @@ test('a newcomer makes a ring of 200 coloured lights over a floor @verify', asyn
   await newcomer.pick(box.getByRole('combobox', { name: 'Colours' }), 'All hues in turn');
   await newcomer.fill(box.getByLabel('Radius'), '4');
   await newcomer.fill(box.getByLabel('Count'), '200');
+  await newcomer.click(box.getByLabel('Share the brightness of one light'));
   await expect(box).toContainText('200 in all');
   await newcomer.click(box.getByRole('button', { name: 'Duplicate' }));
   await expect(box).toHaveCount(0);

@@ -21,6 +21,11 @@ const exceptions: Record<string, Limits | undefined> = {
   // docs/limits.md: rows of texels where seams of a point light's cube cross a shadow
   'first-lamp': { largest: 0.05, psnr: 70 },
   'dragon-room': { largest: 0.05, psnr: 70 },
+  // a graphics card's driver rounds places in shadow maps otherwise in another program: 87.9 and 110.5 dB on an H200
+  ...(process.env.FAROL_GPU && {
+    'sun-cascades': { largest: 0.002, psnr: 85 },
+    'dissolving-surface': { largest: 5e-4, psnr: 105 },
+  }),
 };
 
 test.use({ viewport: isWriting ? { width: 480, height: 270 } : { width: 192, height: 108 } });

@@ -125,3 +125,20 @@ for (const [theme, width, tag] of [
     });
   });
 }
+
+test.describe('in Spanish', () => {
+  test.use({ locale: 'es-ES' });
+  test('the page is in the browser’s language, charts too, and in another one once it is chosen @verify', async ({
+    page,
+  }) => {
+    await page.goto('./');
+    await expect(page.locator('html')).toHaveAttribute('lang', 'es');
+    await expect(page.getByRole('heading', { level: 1 })).toContainText('más rápida');
+    await expect(page.getByRole('heading', { name: /^Atrio según luces puntuales/ }).first()).toBeVisible();
+    await page.getByLabel('Idioma').selectOption('English');
+    await expect(page.getByRole('heading', { name: /^Atrium over point lights/ }).first()).toBeVisible();
+    await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+    await page.reload();
+    await expect(page.getByLabel('Language')).toHaveValue('en');
+  });
+});

@@ -11,7 +11,7 @@ test.use({ reducedMotion: 'reduce', viewport: { width: 1040, height: 720 } });
 const laptop = labRun({ id: 'laptop', name: 'Laptop', device: 'Laptop GPU', factor: 1 });
 const phone = labRun({ id: 'phone', name: 'Phone', device: 'Phone GPU', factor: 4 });
 
-const library = (page: Page) => page.getByRole('region', { name: 'Kept runs' });
+const library = (page: Page) => page.getByRole('region', { name: 'Saved runs' });
 
 /** Exports the run and returns the downloaded file. */
 async function exported(page: Page, format: string) {

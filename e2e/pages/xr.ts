@@ -86,7 +86,7 @@ class XRBench {
   async settle(technique: TechniqueName, scene: three.Scene, camera: three.Camera): Promise<void> {
     const { farol } = this;
     farol.technique = technique;
-    const draw = () => this.frame(() => this.layer(() => farol.render(scene, camera)));
+    const draw = () => this.frame(() => farol.render(scene, camera));
     const state = { isReady: false };
     await draw();
     const ready = farol.ready.then(() => (state.isReady = true));

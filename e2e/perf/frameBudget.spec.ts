@@ -101,7 +101,9 @@ async function change(page: Page, frame: number, width: number, height: number, 
   );
 }
 
-test('a load that doubles and halves is held by the times of a graphics card @gpu', async ({ benchPage: page }) => {
+test('a load that doubles and halves is held by the times of a graphics card @gpu @long', async ({
+  benchPage: page,
+}) => {
   check(await change(page, 8, 1920, 1080, true), 8, 'gpu');
 });
 

@@ -11,7 +11,7 @@ const onGpu = Boolean(process.env.FAROL_GPU);
 test.use({ viewport: onGpu ? { width: 3360, height: 1760 } : { width: 192, height: 96 } });
 
 const size = onGpu
-  ? { lights: 500, shadows: 4, rounds: 15, frames: 20 }
+  ? { lights: 500, shadows: 4, rounds: 7, frames: 20 }
   : { lights: 60, shadows: 2, rounds: 1, frames: 1 };
 /** Most that two eyes may cost, of one: one after the other, and at once. */
 const MOST = { stereo: 1.7, multiview: 1.4 };

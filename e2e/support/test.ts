@@ -48,8 +48,8 @@ function reportLosses(): void {
 }
 
 /**
- * Has three filter environments by fewer samples: 256 for each of 400,000 texels take the rasteriser 3 s, a sky. Stock three
- * and Farol draw by the same filter, so their pictures stay comparable.
+ * Makes three filter environments by fewer samples: 256 for each of 400,000 texels take the rasteriser 3 s, a sky. Stock
+ * three and Farol draw by the same filter, so their pictures stay comparable.
  */
 function filterRoughly(): void {
   const { prototype } = WebGL2RenderingContext;

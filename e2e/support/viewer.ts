@@ -40,6 +40,7 @@ export const still = { scene: 'benchmarkLights', n: 4, m: 3, time: 1, width: 160
 export async function openViewer(page: Page, parameters: Record<string, string | number> = {}): Promise<void> {
   const query = new URLSearchParams(Object.entries(parameters).map(([name, value]) => [name, String(value)]));
   await page.goto(`./?${query}`);
+  await page.waitForFunction(() => 'viewer' in window); // after texts of another language are fetched
   await page.evaluate(() => window.viewer.ready);
 }
 

@@ -28,7 +28,10 @@ const queries: Record<string, string | undefined> = {
   depth: '&test=false',
   normals: '&normals=crease',
   pipeline: '&stage=primitives',
-  position: '&show=error',
+  // a graphics card's error at 32 bits is black
+  position: '&show=error&bits=16',
+  // planes fill the same floor, however many they are
+  scenes: '&scene=benchmarkLightsObjects',
   steps: '&step=7',
 };
 /** Techniques whose steps are shown. */

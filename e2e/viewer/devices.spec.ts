@@ -16,8 +16,8 @@ test('on a device without float colour buffers the viewer draws, and says in one
   expect(isFlat(image)).toBe(false);
   expect(compareImages(image, await readImage(page, 'three')).share).toBe(0);
   // from the menu it stays with what draws
-  await page.getByLabel('Render Type').selectOption('Forward+');
-  await page.getByLabel('Render Type').selectOption('Tiled deferred');
+  await page.getByLabel('Technique').selectOption('Forward+');
+  await page.getByLabel('Technique').selectOption('Tiled deferred');
   await page.getByLabel('View').selectOption('Normal');
   await expect(message).toContainText('Shown instead: final.');
   expect(await page.evaluate(() => window.viewer.farol.technique)).toBe('forward-plus');

@@ -33,7 +33,7 @@ test('the menu offers every technique, view and scene, and writes them into the 
     return { scenes: Object.keys(scenes), techniques: [...techniques], views: [...views] };
   });
   const row = (name: string) => page.locator('.lil-controller', { hasText: name });
-  const types = row('Render Type').locator('select');
+  const types = row('Technique').locator('select');
   const views = row('View').locator('select');
   await expect(types.locator('option')).toHaveCount(known.techniques.length);
   await expect(views.locator('option')).toHaveText(
@@ -182,7 +182,7 @@ test('figures of each pass are shown and kept up', async ({ page }) => {
   await startTime(page);
   const rows = page.locator('.statistics tbody tr');
   await expect(rows).not.toHaveCount(0);
-  await expect(page.locator('.statistics')).toContainText(/\d+ FPS/);
+  await expect(page.locator('.statistics')).toContainText(/\d+ frames a second/);
   const names = await page.evaluate(() => window.viewer.farol.info.passes.map((pass) => pass.name));
   expect(await rows.locator('td:first-child').allTextContents()).toEqual(names);
 });
@@ -231,7 +231,7 @@ own.describe('on a phone', () => {
   own.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   own('the menu is folded at first, so that the picture is seen, and opens by its title', async ({ page }) => {
-    const technique = page.getByLabel('Render Type');
+    const technique = page.getByLabel('Technique');
     for (const [width, height] of [
       [844, 390],
       [390, 844],
@@ -242,5 +242,21 @@ own.describe('on a phone', () => {
     }
     await page.getByRole('button', { name: 'Farol: ' }).tap();
     await expect(technique).toBeVisible();
+  });
+});
+
+own.describe('in Spanish', () => {
+  own.use({ locale: 'es-MX' });
+  own('the page is in the browser’s language, and another one is kept once it is chosen @verify', async ({ page }) => {
+    await openViewer(page, { ...withMenu, technique: 'deferred' });
+    await expect(page.locator('html')).toHaveAttribute('lang', 'es');
+    await expect(page.getByLabel('Técnica').locator('option')).toContainText(['Automático', 'Forward, varias pasadas']);
+    await expect(page.locator('.statistics')).toContainText('Técnica: Sombreado diferido');
+    await page.getByLabel('Idioma').selectOption('English');
+    await expect(page.getByLabel('Technique')).toBeVisible();
+    await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+    await expect(page.getByRole('button', { name: 'Help' })).toHaveCount(1);
+    await page.reload();
+    await expect(page.getByLabel('Technique')).toBeVisible();
   });
 });

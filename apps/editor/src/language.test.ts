@@ -1,4 +1,4 @@
-import { englishLabelOfField } from '@farol/editing';
+import { englishLabelOfField, firstLanguage } from '@farol/editing';
 import { builtinComponents, type ComponentClass, effectFields, Scene } from '@farol/engine';
 import { type ChoiceField, type FieldTable, materialAssetFields } from '@farol/engine/fields';
 import { techniques, views } from '@farol/renderer';
@@ -11,8 +11,12 @@ import { actions } from './actions';
 import { englishViewLabel } from './actions/display';
 import { es } from './language/es';
 import { samples } from './api/Sample';
-import { firstLanguage } from './language/languages';
+import { englishWords } from './files/assetKinds';
 import { creations } from './model/creations';
+import { buildLibraryItem } from './model/library/buildLibraryItem';
+import { libraryMaterials } from './model/library/materials';
+import { libraryNames } from './model/library/names';
+import { libraryTags } from './model/library/tags';
 import { panels } from './panels';
 
 const sources = [...sourceFiles()].filter(([path]) => !/\.(test|bench)\.tsx?$|\/testing\//.test(path));
@@ -72,6 +76,27 @@ function entryTexts(): Record<string, string[]> {
   );
 }
 
+/** Words of the names of built-in assets. */
+const builtinWords = ({ assets }: Scene): string[] =>
+  assets.list().map((name) => englishWords(name.replace(/^.*\//, '').replace(/@\d+$|-normal.*$/g, '')));
+
+/** Names of items and materials of the library, of the objects in its prefabs, and its tags. */
+function libraryTexts(): string[] {
+  const items = Object.values(libraryNames).flatMap((names) => Object.entries<string>(names));
+  const objects = items.flatMap(
+    ([id]) =>
+      buildLibraryItem(id)
+        ?.prefab.objects.slice(1)
+        .map(({ name }) => name) ?? [],
+  );
+  return [
+    ...items.map(([, name]) => name),
+    ...objects,
+    ...Object.keys(libraryMaterials),
+    ...Object.values(libraryTags).flat(),
+  ];
+}
+
 /** Texts that the editor may look up besides those of entries. */
 function otherTexts(): string[] {
   const scene = new Scene();
@@ -87,6 +112,8 @@ function otherTexts(): string[] {
     ...editor.flatMap(([path, source]) => propertyTexts(path, source, 'submenu')),
     ...Object.values(samples).map(({ help }) => help),
     ...creations(scene).flatMap(({ label, folder }) => [label, folder ?? '']),
+    ...builtinWords(scene),
+    ...libraryTexts(),
     ...ofFields(Object.fromEntries(settings)).filter((text) => !ofEntries.has(text)),
     ...ofFields(materialAssetFields),
     ...views.map(englishViewLabel),
@@ -127,6 +154,10 @@ test('a Spanish text has the values of its English one, and its blanks at both e
   expect(unlike).toEqual([]);
 });
 
+test('decimals have a point in Spanish too, as in fields and counts, see formatCount', () => {
+  expect(Object.entries(es).filter(([, spanish]) => /\d,\d/.test(spanish))).toEqual([]);
+});
+
 test('whatever the editor shows is looked up in the language that is shown', () => {
   const faults = below('apps/editor/src', 'packages/editing/src', 'packages/attach/src').flatMap(
     ([path, source]) => textsOf(path, source).faults,
@@ -134,11 +165,10 @@ test('whatever the editor shows is looked up in the language that is shown', () 
   expect(faults).toEqual([]);
 });
 
-test('the attached editor has the same words', () => {
-  const texts = below('packages/attach/src/language').flatMap(([path, source]) =>
-    Object.entries(tableOf(path, source)),
-  );
-  expect(texts.length).toBeGreaterThan(100);
+test('the attached editor, the viewer and the Lab have the same words', () => {
+  const folders = ['packages/attach/src/language', 'apps/viewer/src/language', 'apps/lab/src/language'];
+  const texts = below(...folders).flatMap(([path, source]) => Object.entries(tableOf(path, source)));
+  expect(texts.length).toBeGreaterThan(250);
   expect(texts.filter(([english, spanish]) => Object.hasOwn(es, english) && es[english] !== spanish)).toEqual([]);
 });
 

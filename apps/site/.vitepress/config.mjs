@@ -1,3 +1,4 @@
+import { apiBar } from '@farol/tools/site/api/apiPages';
 import { makeRelative, placeholderBase } from '@farol/tools/site/relativeBase';
 import { liveServer } from '@farol/tools/site/liveServer';
 import { githubSlug, rewriteLinks, sitePages } from '@farol/tools/site/sitePages';
@@ -20,7 +21,11 @@ export default defineConfig(({ command }) => ({
   head: [['link', { rel: 'icon', href: 'data:,' }]],
   metaChunk: true,
   locales: {
-    root: { label: 'English', lang: 'en', themeConfig: english },
+    root: {
+      label: 'English',
+      lang: 'en',
+      themeConfig: { ...english, sidebar: { '/api/': apiBar(), ...english.sidebar } },
+    },
     es: { label: 'Español', lang: 'es', ...spanish },
   },
   themeConfig: {

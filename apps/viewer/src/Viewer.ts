@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
@@ -214,7 +215,8 @@ export class Viewer {
       await this.loadScene(name, Object.fromEntries(known), keepCamera);
       this.messages.show('scene', '');
     } catch (error) {
-      this.messages.show('scene', `Scene ${name}: ${error instanceof Error ? error.message : String(error)}`);
+      const problem = error instanceof Error ? error.message : String(error);
+      this.messages.show('scene', t('Scene {name}: {problem}', { name, problem }));
       throw error;
     }
   }
@@ -231,7 +233,7 @@ export class Viewer {
       if (key === 'Escape') cancel.abort();
     };
     const timer = setTimeout(() => {
-      this.messages.show('file', 'The model is being read. Escape cancels.', () => cancel.abort());
+      this.messages.show('file', t('The model is being read. Escape cancels.'), () => cancel.abort());
     }, LONG);
     addEventListener('keydown', onKey);
     try {
@@ -298,9 +300,10 @@ export class Viewer {
     return readPixels(this.three, () => this.three.render(this.scene, this.camera));
   }
 
-  /** Calls `listener` after each change of the state. */
-  onChange(listener: () => void): void {
+  /** Calls `listener` after each change of the state. @returns what ends it */
+  onChange(listener: () => void): () => void {
     this.listeners.add(listener);
+    return () => void this.listeners.delete(listener);
   }
 
   /** Sizes the canvas by the state, or by the page where the state has no size; draws anew if the size changed. */
@@ -329,7 +332,7 @@ export class Viewer {
     try {
       set(name);
     } catch (error) {
-      this.messages.show('device', `${(error as Error).message} Shown instead: ${otherwise}.`);
+      this.messages.show('device', `${(error as Error).message} ${t('Shown instead: {name}.', { name: otherwise })}`);
       set(otherwise);
     }
   }

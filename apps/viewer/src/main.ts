@@ -10,7 +10,7 @@
  *
  * Its address parameters are listed by the help panel (`?` on the page) and in state/ViewerState.ts.
  */
-import { isTyping, latinKey } from '@farol/editing';
+import { isTyping, type Language, latinKey, showPageLanguage, startPageLanguage, t } from '@farol/editing';
 import './style.css';
 import { acceptDrops } from './acceptDrops';
 import { StoppedFlight } from './input/StoppedFlight';
@@ -31,7 +31,7 @@ declare global {
 /** Adds the buttons of sessions in a headset, where there is one. */
 async function addXR({ app, messages }: Viewer): Promise<void> {
   const { addXRButtons, stageOf } = await import('@farol/engine/xr');
-  const labels = { 'immersive-vr': 'Enter VR', 'immersive-ar': 'Enter AR' };
+  const labels = { 'immersive-vr': t('Enter VR'), 'immersive-ar': t('Enter AR') };
   await addXRButtons(
     parent,
     labels,
@@ -40,16 +40,31 @@ async function addXR({ app, messages }: Viewer): Promise<void> {
   );
 }
 
+const spanish = async () => (await import('./language/es')).es;
 const parent = document.getElementById('app')!;
-try {
+
+/** @throws Error when the browser has no WebGL 2 */
+function start(): void {
   const viewer = new Viewer(parent, location.search);
   window.viewer = viewer;
-  const menu = new ViewerMenu(viewer);
+  const speak = async (language: Language): Promise<void> => {
+    try {
+      if (!(await showPageLanguage(language, spanish))) return;
+    } catch {
+      viewer.messages.show('language', t('The texts of this language could not be loaded: is the server there?'));
+    }
+    document.title = t('Farol viewer');
+    menu.remove();
+    help.remove();
+    menu = new ViewerMenu(viewer, speak);
+    help = new HelpPanel(parent, known);
+  };
+  let menu = new ViewerMenu(viewer, speak);
   viewer.app.onFrame(() => {
     if (viewer.app.running) menu.statistics.frameDrawn(viewer.farol.info, performance.now());
     else menu.statistics.show(viewer.farol.info, null);
   });
-  const help = new HelpPanel(parent, known);
+  let help = new HelpPanel(parent, known);
   new StoppedFlight(viewer);
   new TouchOrbit(viewer);
   acceptDrops(viewer);
@@ -63,8 +78,18 @@ try {
     else return;
     event.preventDefault();
   });
-} catch (error) {
-  const reason = error instanceof Error ? error.message : String(error);
-  new Messages(parent).show('start', `Farol cannot start: ${reason}`);
-  throw error;
 }
+
+async function open(): Promise<void> {
+  await startPageLanguage(spanish);
+  document.title = t('Farol viewer');
+  try {
+    start();
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    new Messages(parent).show('start', t('Farol cannot start: {reason}', { reason }));
+    throw error;
+  }
+}
+
+void open();

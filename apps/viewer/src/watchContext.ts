@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Viewer } from './Viewer';
 
 /** Shows a message while the WebGL context is lost, and draws again once the browser restores it. */
@@ -5,8 +6,10 @@ export function watchContext(viewer: Viewer): void {
   const { canvas } = viewer.app;
   canvas.addEventListener('webglcontextlost', (event: Event) => {
     event.preventDefault(); // otherwise the browser does not restore it
-    const text = 'The graphics device was lost. The picture comes back by itself; if it does not, reload the page.';
-    viewer.messages.show('context', text);
+    viewer.messages.show(
+      'context',
+      t('The graphics device was lost. The picture comes back by itself; if it does not, reload the page.'),
+    );
   });
   canvas.addEventListener('webglcontextrestored', () => {
     viewer.messages.show('context', '');

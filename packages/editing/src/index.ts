@@ -58,4 +58,6 @@ export { latinKey } from './keys/latinKey';
 
 export { formatCount } from './language/formatCount';
 export { formatTime } from './language/formatTime';
-export { setTexts, t, tCount, textLocale, type Texts } from './language/translate';
+export { firstLanguage, type Language, languages } from './language/languages';
+export { showPageLanguage, startPageLanguage } from './language/pageLanguage';
+export { setTexts, t, tCount, textLanguage, textLocale, type Texts } from './language/translate';

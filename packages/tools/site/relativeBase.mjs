@@ -11,6 +11,20 @@ export const placeholderBase = '/FAROL_SITE_BASE/';
 const findBase = (up) =>
   `<script>FAROL_SITE_BASE=new URL("${up}",location).pathname;for(const a of document.querySelectorAll("a[href]"))if(!/^(#|[a-z]+:)/.test(a.getAttribute("href")))a.setAttribute("href",a.pathname+a.hash)</script>`;
 
+/** Script of a host's page for addresses that are not there, of any depth: looks for the site in the folders above. */
+const findBaseAbove = `<script>(async()=>{let at=new URL(".",location);while(at.pathname!=="/"&&!(await fetch(new URL("hashmap.json",at),{method:"HEAD"})).ok)at=new URL("..",at);FAROL_SITE_BASE=at.pathname;const parts=document.querySelector("template").content;for(const part of parts.children)for(const name of["href","src"])if(part.hasAttribute(name))part.setAttribute(name,part.getAttribute(name).replace("${placeholderBase}",FAROL_SITE_BASE));document.head.append(document.importNode(parts,true))})()</script>`;
+
+/** The page for addresses that are not there: its scripts and styles are fetched once the site is found. @param {string} html */
+function withBaseAbove(html) {
+  /** @type {string[]} */
+  const parts = [];
+  const rest = html.replace(/<(?:link|script)\b[^>]*"\/FAROL_SITE_BASE\/[^>]*>(?:<\/script>)?/g, (part) => {
+    parts.push(part);
+    return '';
+  });
+  return rest.replace('</body>', () => `<template>${parts.join('')}</template>${findBaseAbove}</body>`);
+}
+
 /**
  * Makes a built site work from any folder of any host, where VitePress knows fixed bases alone; and gives its pages a
  * content security policy.
@@ -24,7 +38,8 @@ export function makeRelative(dist) {
     const change = (/** @type {(text: string) => string} */ of) => writeFileSync(path, of(readFileSync(path, 'utf8')));
     if (name.endsWith('.css')) change((text) => text.replaceAll(placeholderBase, up));
     if (name.endsWith('.js')) change((text) => scriptWithBase(name, text));
-    if (name.endsWith('.html'))
+    if (name === '404.html') change((text) => withPolicy(withBaseAbove(text)));
+    else if (name.endsWith('.html'))
       change((text) =>
         withPolicy(text.replaceAll(placeholderBase, up).replace('</body>', () => `${findBase(up)}</body>`)),
       );

@@ -1,3 +1,6 @@
+import { basename, dirname } from 'node:path';
+import { apiSections } from './api/apiPages.mjs';
+
 /**
  * Options of the site's search. Beginnings of words weigh little, since names such as `lightLoopAll` begin like words.
  *
@@ -17,6 +20,11 @@ export const searchOptions = {
     },
   },
   miniSearch: {
+    /** Sections of a page of the API, whose text is a script's; undefined of others: VitePress then reads the page. */
+    _splitIntoSections: (/** @type {string} */ path) =>
+      /** @type {ReturnType<typeof apiSections>} */ (
+        basename(dirname(path)) === 'api' ? apiSections(basename(path, '.md')) : undefined
+      ),
     options: {},
     searchOptions: {
       fuzzy: 0.1,

@@ -1,4 +1,5 @@
 import MiniSearch from 'minisearch';
+import { apiPages, apiSections } from './api/apiPages.mjs';
 import { searchOptions } from './searchOptions.mjs';
 import { githubSlug, readPage, sitePages } from './sitePages.mjs';
 
@@ -46,7 +47,7 @@ export function sectionsOf(markdown) {
  * @returns {Section[]}
  */
 export function sections() {
-  return [...sitePages()].flatMap(([name, source]) => {
+  const pages = [...sitePages()].flatMap(([name, source]) => {
     if (name.startsWith('es/')) return [];
     /** @type {string[]} */
     const above = [];
@@ -57,6 +58,12 @@ export function sections() {
       return { id: `${name}#${anchor}`, title, titles, text };
     });
   });
+  const exports = apiPages().pages.flatMap((page) =>
+    apiSections(page.name).map(({ anchor, titles, text }) => ({
+      ...{ id: `api/${page.name}.md#${anchor}`, title: titles[1], titles: [titles[0]], text },
+    })),
+  );
+  return [...pages, ...exports];
 }
 
 /**

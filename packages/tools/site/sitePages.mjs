@@ -7,7 +7,7 @@ import { root } from '../root.mjs';
 export const pagesFolder = 'apps/site/pages';
 
 /** Address under which the repository's other files are read. */
-const repository = JSON.parse(readFileSync(join(root, 'packages/renderer/package.json'), 'utf8'))
+export const repository = JSON.parse(readFileSync(join(root, 'packages/renderer/package.json'), 'utf8'))
   .repository.url.replace(/^git\+/, '')
   .replace(/\.git$/, '');
 

@@ -3,6 +3,7 @@ import type { GameObject } from '@farol/engine';
 import type { EditorApi } from '../api/EditorApi';
 import { addObject } from '../model/edits';
 import { type Creation, creations } from '../model/creations';
+import { type LibraryGroup, libraryNames } from '../model/library/names';
 import { type IconName, iconPaths } from '../style/iconPaths';
 import type { MenuEntry } from '../api/MenuEntry';
 
@@ -35,6 +36,33 @@ export async function addCreation(
   commands.run(addObject(scene, object, parent ?? scene, selection.ids));
 }
 
+/** An item of the library, as the Add menu and the palette offer it. */
+interface LibraryEntry {
+  readonly id: string;
+  readonly label: string;
+  /** Name of the group's submenu. */
+  readonly folder: string;
+  /** Adds it, as `addCreation` does. */
+  run(editor: EditorApi, parent?: GameObject | null, at?: PagePoint): Promise<void>;
+}
+
+const libraryFolders = (): Readonly<Record<LibraryGroup, string>> => ({
+  ...{ lamp: t('Lamps'), prop: t('Props'), play: t('Behaviour'), sky: t('Sky') },
+});
+
+export const libraryEntries = (): LibraryEntry[] =>
+  (Object.keys(libraryNames) as LibraryGroup[]).flatMap((group) =>
+    Object.entries<string>(libraryNames[group]).map(([id, name]) => ({
+      id,
+      label: t(name),
+      folder: libraryFolders()[group],
+      async run(editor, parent, at) {
+        const { placeLibraryItem } = await import('../files/library/placeLibraryItem');
+        await placeLibraryItem(editor, id, { parent: parent ?? undefined, at });
+      },
+    })),
+  );
+
 const iconOf = (name: string): IconName => (name in iconPaths ? (name as IconName) : 'object');
 
 /**
@@ -56,12 +84,24 @@ export function addEntries(editor: EditorApi, parent: GameObject | null = null, 
   const folders = [...new Set(meshFolders)];
   const parts = folders.map((folder): MenuEntry => ({ label: folder, entries: entries('mesh', folder) }));
   const meshes = entries('mesh');
+  const library = libraryEntries();
+  const ofLibrary = (folder: string, icon: IconName): MenuEntry => ({
+    label: folder,
+    icon,
+    entries: library
+      .filter((each) => each.folder === folder)
+      .map(({ label, run }) => ({ label, icon, run: () => editor.attempt(() => run(editor, parent, at)) })),
+  });
   return [
     ...entries('object'),
     'separator',
     ...entries('building'),
     { label: t('Mesh'), icon: 'mesh', entries: parts.length > 0 ? [...meshes, 'separator', ...parts] : meshes },
     { label: t('Light'), icon: 'point', entries: entries('light') },
+    ofLibrary(t('Lamps'), 'lamp'),
+    ofLibrary(t('Props'), 'mesh'),
+    ofLibrary(t('Behaviour'), 'trigger'),
+    ofLibrary(t('Sky'), 'world'),
     { label: t('Particles'), icon: 'particles', entries: entries('particles', t('Particles')) },
   ];
 }

@@ -3,13 +3,20 @@ import type { EditorApi } from '../api/EditorApi';
 import { handleKey } from './handleKey';
 
 class FakeElement {
-  constructor(readonly tagName: string) {}
-  readonly type = 'text';
+  /** @param also - a further selector that the element matches */
+  constructor(
+    readonly tagName: string,
+    readonly type = 'text',
+    private readonly also = '',
+  ) {}
   readonly isContentEditable = false;
+  isLeft = false;
   matches(selector: string): boolean {
-    return selector.split(', ').includes(this.tagName.toLowerCase());
+    return selector.split(', ').some((each) => each === this.tagName.toLowerCase() || each === this.also);
   }
-  blur(): void {}
+  blur(): void {
+    this.isLeft = true;
+  }
   focus(): void {}
 }
 class FakeInput extends FakeElement {}
@@ -18,7 +25,14 @@ class FakeTextArea extends FakeElement {}
 const done: string[] = [];
 const action = (id: string, ...keys: string[]) => ({ id, keys, run: () => done.push(id) });
 const editor = {
-  actions: { list: [action('measure', 'M', 'Shift+M'), action('remove', 'Delete', 'Backspace'), action('keys', '?')] },
+  actions: {
+    list: [
+      action('measure', 'M', 'Shift+M'),
+      action('remove', 'Delete', 'Backspace'),
+      action('keys', '?'),
+      action('deselect', 'Escape'),
+    ],
+  },
   keys: { keysOf: ({ keys = [] }: { keys?: readonly string[] }) => keys },
   dialogs: { current: null },
   viewport: { keysGoToScene: false, farol: { techniques: {} } },
@@ -62,4 +76,22 @@ it('prefers the sign that a layout types to the place of its key: "?" of AZERTY 
   press({ key: '?', code: 'KeyM', shiftKey: true });
   press({ key: 'ь', code: 'KeyM' });
   expect(done).toEqual(['keys', 'measure']);
+});
+
+it('leaves a control of a field by Escape, and deselects by the next one', () => {
+  const row = new FakeElement('DIV', '', '.field');
+  for (const path of [[new FakeInput('INPUT', 'checkbox')], [new FakeElement('BUTTON'), row]]) {
+    expect(press({ key: 'Escape' }, ...path)).toBe(true);
+    expect(path[0].isLeft).toBe(true);
+    expect(done).toEqual([]);
+  }
+  press({ key: 'Escape' }, new FakeElement('BODY'));
+  expect(done).toEqual(['deselect']);
+});
+
+it('leaves letters to a picker that opens, while its button still has the focus', () => {
+  const trigger = new FakeElement('BUTTON', '', '[aria-haspopup][aria-expanded="true"]');
+  expect(press({ key: 'm', code: 'KeyM' }, trigger)).toBe(false);
+  expect(press({ key: 'm', code: 'KeyM' }, new FakeElement('BUTTON'))).toBe(true);
+  expect(done).toEqual(['measure']);
 });

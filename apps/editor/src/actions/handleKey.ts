@@ -20,6 +20,8 @@ const isWithin = (elements: readonly Element[], selector: string): boolean =>
 function focusOf(elements: readonly Element[]): Focus {
   const [target] = elements;
   if (!(target instanceof HTMLElement)) return 'page';
+  // its popup is open, but has not taken the focus yet
+  if (target.matches('[aria-haspopup][aria-expanded="true"]')) return 'text';
   if (isWithin(elements, '[role="menu"], [role="listbox"], [role="dialog"], [role="alertdialog"]')) return 'text';
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return 'text';
   if (!(target instanceof HTMLInputElement)) return 'page';
@@ -34,6 +36,9 @@ const PRESSABLE = 'button, a, input, select, summary, [role="tab"], [role="treei
 /** Selector of elements that use arrow keys, Home, End or Page keys themselves. */
 const WALKED = 'input, select, [role="slider"], [role="tab"], [role="treeitem"], [role="option"], [role="separator"]';
 const WALKS = new Set(['End', 'Home', 'PageUp', 'PageDown', 'ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight']);
+
+/** Selector of controls that keep the focus after use: Escape leaves them, and does nothing else. */
+const FIELD = 'input, .field, [role="checkbox"], [role="combobox"], [role="slider"]';
 
 const counts = (action: Action, focus: Focus): boolean => focus === 'page' || (action.inFields ?? false);
 
@@ -77,6 +82,10 @@ export function handleKey(editor: EditorApi, event: KeyboardEvent, isCapture: bo
     if (isOwnKey(elements, action)) continue;
     if (combination === 'Space' && isWithin(elements, PRESSABLE)) continue;
     if (WALKS.has(combination) && isWithin(elements, WALKED)) continue;
+    if (combination === 'Escape' && isWithin(elements, FIELD)) {
+      (elements[0] as HTMLElement).blur();
+      return true;
+    }
     takeOverField(elements[0]);
     if (action.enabled?.(editor) ?? true) editor.attempt(() => action.run(editor));
     return true;

@@ -1,5 +1,5 @@
 import type { Action } from '../api/Action';
-import { type Language, languages } from '../language/languages';
+import { type Language, languages } from '@farol/editing';
 import { showLanguage, shownLanguage } from '../language/shownLanguage';
 
 export const showPalette: Action = {

@@ -4,7 +4,8 @@ import type { Action } from '../api/Action';
 import type { EditorApi } from '../api/EditorApi';
 import type { BuiltinSurface, BuiltinSurfaceName } from '../model/surfaces/builtinSurfaces';
 
-const renderersOf = ({ document }: EditorApi): ObjectRenderer[] =>
+/** Renderers of the selected objects. */
+export const renderersOf = ({ document }: EditorApi): ObjectRenderer[] =>
   document.selectedObjects.flatMap((object) => object.getComponent(ObjectRenderer) ?? []);
 
 const modelsOf = ({ document }: EditorApi): ModelRenderer[] =>
@@ -12,7 +13,7 @@ const modelsOf = ({ document }: EditorApi): ModelRenderer[] =>
     .flatMap((object) => object.getComponent(ModelRenderer) ?? [])
     .filter(({ model }) => model !== null);
 
-/** Adds a material to the library, and selects it. */
+/** Adds a material to the library, gives it to the selected objects, and selects it. */
 export const newMaterial: Action = {
   id: 'material.new',
   label: 'New material',
@@ -20,7 +21,7 @@ export const newMaterial: Action = {
   async run(editor) {
     const { addMaterial } = await import('../model/assetEdits');
     const { document, commands } = editor;
-    const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' });
+    const { command, name } = addMaterial(document.scene, t('Material'), { kind: 'physical' }, renderersOf(editor));
     commands.run(command);
     document.assetSelection.set([name]);
     editor.layout.open('inspector');
@@ -110,8 +111,8 @@ export const newSurfaces: readonly Action[] = [
   newSurface('dissolve', 'Dissolve', () => t('Dissolve')),
   newSurface('rust', 'Rust', () => t('Rust')),
   newSurface('hologram', 'Hologram', () => t('Hologram')),
-  newSurface('directional', 'Thesis: directional light', () => t('Directional light')),
-  newSurface('point', 'Thesis: point light', () => t('Point light')),
-  newSurface('spot', 'Thesis: spot light', () => t('Spot light')),
+  newSurface('directional', 'Phong, directional light', () => t('Directional light')),
+  newSurface('point', 'Phong, point light', () => t('Point light')),
+  newSurface('spot', 'Phong, spot light', () => t('Spot light')),
   newSurface('plain', 'Tint', () => t('Tint')),
 ];

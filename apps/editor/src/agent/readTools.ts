@@ -1,4 +1,5 @@
 import { type GameObject, Light, type Scene } from '@farol/engine';
+import { formatIntensity } from '@farol/engine/photometry';
 import type { FieldOwner } from '@farol/engine/fields';
 import type { ToolInput } from '@farol/mcp/tools';
 import { Vector3 } from 'three';
@@ -142,8 +143,8 @@ export function getLights({ document, viewport }: EditorApi): object {
         on: light.isActive,
         position: triple(light.position),
         ...(type !== 'point' && type !== 'ambient' && { direction: triple(light.direction) }),
-        colour: shownValue(fields.diffuse, light.getAuthored('diffuse')),
-        intensity: `${light.intensity} ${fields.intensity.kind === 'number' ? (fields.intensity.unitBy?.units[type] ?? '') : ''}`,
+        colour: shownValue(fields.diffuse, light.colour),
+        intensity: formatIntensity(light),
         ...(!isFar && { range: Number.isFinite(light.reach) ? `${light.reach} m` : 'no end' }),
         shadow: light.castShadow,
       };

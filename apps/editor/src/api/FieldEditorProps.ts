@@ -1,4 +1,4 @@
-import type { Field, ValueOf } from '@farol/engine/fields';
+import type { Field, FieldOwner, ValueOf } from '@farol/engine/fields';
 
 /** Properties of the editor of one kind of field. */
 export interface FieldEditorProps<F extends Field> {
@@ -28,4 +28,10 @@ export interface FieldEditorProps<F extends Field> {
   onAmend(update: ValueOf<F> | ((before: ValueOf<F>) => ValueOf<F>)): void;
   /** Called to discard the preview, as by Escape. */
   onDiscard(): void;
+}
+
+/** Properties of an editor that reads other fields of the owners too. */
+export interface OwnerFieldProps<F extends Field> extends FieldEditorProps<F> {
+  /** Edited components, of one type; memoised. */
+  readonly owners: readonly FieldOwner[];
 }

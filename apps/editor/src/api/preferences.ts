@@ -1,7 +1,7 @@
 import { persist } from 'zustand/middleware';
 import { createStore, type StoreApi } from 'zustand';
 import { keptInBrowser } from '../model/keptInBrowser';
-import type { Language } from '../language/languages';
+import type { Language } from '@farol/editing';
 import { defaultViews, type ViewChoice } from '../viewport/panes/ViewChoice';
 import type { GizmoPivot } from '../viewport/Gizmo';
 import type { SnapTarget } from '../viewport/handles/DragSnap';
@@ -37,7 +37,7 @@ export const createPreferences = (storage: string): PreferenceStore =>
     persist(
       (): Preferences => ({
         folded: {},
-        theme: 'dark',
+        theme: 'system',
         language: null,
         views: defaultViews,
         snapSteps: { translate: 0.5, rotate: 15, scale: 0.1 },

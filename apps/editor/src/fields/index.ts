@@ -1,17 +1,18 @@
-import type { Field, FieldKind } from '@farol/engine/fields';
-import type { ComponentType } from 'react';
+import type { Field, FieldKind, NumberField } from '@farol/engine/fields';
+import { type ComponentType, createElement } from 'react';
 import { AssetEditor } from './AssetEditor';
 import { BooleanEditor } from './BooleanEditor';
 import { ChoiceEditor } from './ChoiceEditor';
 import { ColourEditor } from './ColourEditor';
 import { CurveEditor } from './CurveEditor';
 import { CustomEditor } from './CustomEditor';
-import type { FieldEditorProps } from '../api/FieldEditorProps';
+import type { FieldEditorProps, OwnerFieldProps } from '../api/FieldEditorProps';
 import { GradientEditor } from './GradientEditor';
 import { NumberEditor } from './NumberEditor';
 import { ObjectEditor } from './ObjectEditor';
 import { StringEditor } from './StringEditor';
 import { TripleEditor } from './TripleEditor';
+import { lateComponent } from '../ui/lateComponent';
 
 type FieldOf<K extends FieldKind> = Extract<Field, { kind: K }>;
 
@@ -31,3 +32,12 @@ export const fieldEditors: { readonly [K in FieldKind]: ComponentType<FieldEdito
   object: ObjectEditor,
   custom: CustomEditor,
 };
+
+const late = (name: 'IntensityEditor' | 'TemperatureEditor'): ComponentType<OwnerFieldProps<NumberField>> =>
+  lateComponent<OwnerFieldProps<NumberField>>(
+    async () => (await import('./light'))[name],
+    (props) => createElement(NumberEditor, props),
+  );
+
+/** Editors of numbers with an `input` of their own, fetched when first shown. */
+export const numberEditors = { intensity: late('IntensityEditor'), temperature: late('TemperatureEditor') };

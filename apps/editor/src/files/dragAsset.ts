@@ -1,8 +1,8 @@
 import type { AssetKind } from './assetKinds';
 
 export interface DraggedAsset {
-  readonly kind: AssetKind;
-  /** Name of the asset, or id of the prefab. */
+  readonly kind: AssetKind | 'library';
+  /** Name of the asset, or id of the prefab or of the library's item. */
   readonly name: string;
   /** Names of all dragged assets, including this one; only this one when absent. */
   readonly names?: readonly string[];
@@ -11,7 +11,7 @@ export interface DraggedAsset {
 const TYPE = 'application/x-farol-asset';
 
 /** During a drag only types can be read, not data: so the type contains the asset's kind. */
-const typeOf = (kind: AssetKind): string => `${TYPE}-${kind}`;
+const typeOf = (kind: DraggedAsset['kind']): string => `${TYPE}-${kind}`;
 
 /** Starts a drag. @param names - names of all dragged assets, including this one */
 export function setDraggedAsset(

@@ -23,6 +23,13 @@ export function landingView({ document, viewport }: EditorApi): LandingView {
   return { scene: document.scene, camera, target: editorCamera.target, step };
 }
 
+/** Loads what objects draw. @throws AssetError (as a rejection) when something cannot be loaded */
+export async function loadShapes({ document }: EditorApi, objects: readonly GameObject[]): Promise<void> {
+  const { assets } = document;
+  const missing = shapesToLoad(objects, assets);
+  if (missing.length > 0) await Promise.all(missing.map((name) => assets.load(name)));
+}
+
 /**
  * Places objects that are not in a scene yet in front of the camera, once their meshes are loaded. See `land`.
  * @param at - page position (CSS pixels); the centre of the viewport when absent
@@ -33,9 +40,8 @@ export async function landInPicture(
   objects: readonly GameObject[],
   at?: { readonly x: number; readonly y: number },
 ): Promise<void> {
-  const { scene, assets } = editor.document;
-  const missing = shapesToLoad(objects, assets);
-  if (missing.length > 0) await Promise.all(missing.map((name) => assets.load(name)));
+  const { scene } = editor.document;
+  await loadShapes(editor, objects);
   if (scene !== editor.document.scene) return;
   // first, since it activates the view under the point
   const point = pointInPicture(editor, at);

@@ -149,7 +149,7 @@ async function useSurface(editor: EditorApi, surface: string, place: DropPlace):
   const { surfaceWearers, wearSurface } = await import('../model/surfaceEdits');
   const users = surfaceWearers(place.target ? [place.target] : []);
   if (users.length === 0)
-    throw new Error(t('Drop {name} on an object with a mesh, which wears it.', { name: surface }));
+    throw new Error(t('Drop {name} on an object with a mesh, which then looks so.', { name: surface }));
   const { document, commands } = editor;
   commands.run(wearSurface(surface, users));
   document.selection.set([place.target!.id]);
@@ -170,6 +170,10 @@ export async function placeAsset(
 ): Promise<void> {
   const { document, commands } = editor;
   const { scene, selection } = document;
+  if (asset.kind === 'library') {
+    const { placeLibraryItem } = await import('./library/placeLibraryItem');
+    return placeLibraryItem(editor, asset.name, place);
+  }
   if (asset.kind === 'script') return useScript(editor, asset.name, place);
   if (asset.kind === 'surface') return useSurface(editor, asset.name, place);
   const parent = place.parent ?? scene;

@@ -5,20 +5,25 @@ import { agent } from './es/agent';
 import { animation } from './es/animation';
 import { areaLights } from './es/areaLights';
 import { arrange } from './es/arrange';
+import { assetNames } from './es/assetNames';
 import { bake } from './es/bake';
 import { buildings } from './es/buildings';
 import { components } from './es/components';
 import { edits } from './es/edits';
 import { engine } from './es/engine';
+import { library } from './es/library';
+import { lights } from './es/lights';
 import { materials } from './es/materials';
 import { messages } from './es/messages';
 import { panels } from './es/panels';
 import { particles } from './es/particles';
+import { photometry } from './es/photometry';
 import { physics } from './es/physics';
 import { picture } from './es/picture';
 import { player } from './es/player';
 import { profiles } from './es/profiles';
 import { rendering } from './es/rendering';
+import { sunAndMoon } from './es/sunAndMoon';
 import { triggers } from './es/triggers';
 import { scripts } from './es/scripts';
 import { surfaces } from './es/surfaces';
@@ -40,19 +45,24 @@ export const es: Texts = {
   ...animation,
   ...areaLights,
   ...arrange,
+  ...assetNames,
   ...bake,
   ...buildings,
   ...components,
   ...edits,
+  ...library,
+  ...lights,
   ...materials,
   ...messages,
   ...panels,
   ...particles,
+  ...photometry,
   ...physics,
   ...picture,
   ...player,
   ...profiles,
   ...rendering,
+  ...sunAndMoon,
   ...triggers,
   ...scripts,
   ...samples,

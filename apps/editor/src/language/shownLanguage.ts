@@ -1,5 +1,4 @@
-import { setTexts, Signal, t, type Texts } from '@farol/editing';
-import type { Language } from './languages';
+import { type Language, setTexts, Signal, t, type Texts } from '@farol/editing';
 
 interface LanguageTexts {
   readonly texts: Texts;

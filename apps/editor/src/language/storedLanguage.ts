@@ -1,4 +1,4 @@
-import { firstLanguage, type Language } from './languages';
+import { firstLanguage, type Language } from '@farol/editing';
 
 /**
  * The language to start with, before an editor exists.

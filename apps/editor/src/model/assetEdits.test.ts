@@ -197,7 +197,7 @@ describe('unpacking a model', () => {
     expect(face).toMatchObject({ model: 'Props/robot.glb', parts: 'Face', castShadow: false });
     expect(object.find('Body')!.getComponent(ObjectRenderer)).not.toBeNull();
     expect(whatStaysLinked(scene.assets, ['Props/robot.glb'])).toBe(
-      'Face stay linked to the model, each as one object with its clips: morph targets.',
+      '“Face” stays linked to the model, as one object with its clips: it has morph targets.',
     );
     expect(() => unpackModels(scene, [face])).toThrow('(Face) stays one object: it has morph targets');
   });

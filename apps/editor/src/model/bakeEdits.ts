@@ -1,5 +1,6 @@
 import { type Command, countLabel, SetFields, t } from '@farol/editing';
 import { type GameObject, Light, ModelRenderer, ObjectRenderer, type Scene, type TakenAsset } from '@farol/engine';
+import { bakeSources } from '@farol/engine/bake';
 import { AddAssets, RemoveAsset } from './commands/AddAssets';
 import { Sequence } from './commands/Sequence';
 
@@ -28,6 +29,18 @@ export const lightsInPlace = (scene: Scene): Light[] =>
   scene
     .componentsOf(Light)
     .filter((light) => light.isActive && light.mode === 'realtime' && staysInPlace(light.gameObject));
+
+/** Numbers of static objects, baked lights, instanced objects, and of objects and lights that could be added to them. */
+export function countForBake(scene: Scene): readonly [number, number, number, number, number] {
+  const { objects, lights, instanced } = bakeSources(scene);
+  return [
+    objects.length,
+    lights.length,
+    instanced.length,
+    objects.length === 0 ? objectsInPlace(scene).length : 0,
+    lights.length === 0 ? lightsInPlace(scene).length : 0,
+  ];
+}
 
 export const bakeLights = (lights: readonly Light[]): Command =>
   new SetFields(

@@ -93,7 +93,7 @@ describe('a copy of a clip of a model', () => {
   test('is none of skeletons, which says why', () => {
     const skinned = model(new SkinnedMesh(new BoxGeometry(), new MeshBasicMaterial()));
     expect(whyNotCopy(source.clips[0])).toBeNull();
-    expect(whyNotCopy(skinned.clips[0])).toMatch(/cannot be unpacked/);
+    expect(whyNotCopy(skinned.clips[0])).toMatch(/stays one object when the model is unpacked/);
   });
 
   test('becomes an asset that the components play, in one step', () => {

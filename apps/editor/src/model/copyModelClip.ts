@@ -145,7 +145,9 @@ export function copyModelClip(clip: ModelClip): CopiedClip {
 export const whyNotCopy = (clip: ModelClip): string | null =>
   whatKeepsTogether(clip.model) === null
     ? null
-    : t('Clips of skeletons and morph targets play as they are: the model cannot be unpacked into objects.');
+    : t(
+        'Clips of skeletons and morph targets play as they are: what they move stays one object when the model is unpacked.',
+      );
 
 /**
  * Adds an editable copy of a model's clip, and makes animations play it, as one step.

@@ -1,6 +1,7 @@
-import { builtinComponents, ComponentRegistry, Light, Scene } from '@farol/engine';
+import { AssetLibrary, builtinComponents, ComponentRegistry, Light, Scene } from '@farol/engine';
 import { expect, test } from 'vitest';
 import { creations } from './creations';
+import { makeEmptyScene } from './makeEmptyScene';
 
 test('the Add menu has the objects that component classes name, and not those of classes that they extend', async () => {
   class Lamp extends Light {
@@ -27,4 +28,18 @@ test('a wall and a room are drawn', async () => {
     ['Transform', 'Wall', 'ObjectRenderer'],
     ['Transform', 'Room', 'ObjectRenderer'],
   ]);
+});
+
+test("shadows of a new document's sun end out of sight, and are fine near the camera", async () => {
+  const scene = makeEmptyScene(new AssetLibrary());
+  const sun = scene.find('Sun')!.getComponent(Light)!;
+  expect(sun.shadowExtent).toBeGreaterThanOrEqual(100);
+  // metres between texels of the finest map
+  expect((2 * sun.shadowExtent) / sun.shadowMapSize / 4 ** (scene.settings.shadowCascades - 1)).toBeLessThan(0.02);
+  // metres that shadows are moved by
+  expect(-sun.shadowBias * 8 * sun.shadowExtent).toBeLessThan(0.1);
+  const added = await creations(scene)
+    .find(({ label }) => label === 'Directional light')!
+    .make();
+  expect(added.getComponent(Light)!.shadowExtent).toBeGreaterThanOrEqual(50);
 });

@@ -1,4 +1,4 @@
-import { type Command, countLabel, t } from '@farol/editing';
+import { type Command, countLabel, t, tCount } from '@farol/editing';
 import {
   Animation,
   type AssetLibrary,
@@ -49,12 +49,14 @@ export function whatStaysLinked(assets: AssetLibrary, names: readonly string[]):
   const kept = [...new Set(names)].flatMap((name) => keptTogether(assets.model(name)));
   if (kept.length === 0) return null;
   const what = [...new Set(kept.map(({ reason }) => inWords(reason)))].join(', ');
-  const objects = kept.slice(0, 5).map(({ nodes }) => objectOfPart(nodes));
+  const objects = kept.slice(0, 5).map(({ nodes }) => `“${objectOfPart(nodes)}”`);
   if (kept.length > 5) objects.push('…');
-  return t('{objects} stay linked to the model, each as one object with its clips: {what}.', {
-    objects: objects.join(', '),
-    what,
-  });
+  return tCount(
+    kept.length,
+    '{objects} stays linked to the model, as one object with its clips: it has {what}.',
+    '{objects} stay linked to the model, each as one object with its clips: they have {what}.',
+    { objects: objects.join(', '), what },
+  );
 }
 
 /** Folder for the materials of a model: 'Props/robot/' for 'Props/robot.glb'. */

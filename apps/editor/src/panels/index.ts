@@ -38,6 +38,20 @@ export const panels: readonly Panel[] = [
     load: () => import('./assets/AssetsPanel').then(({ AssetsPanel }) => AssetsPanel),
   },
   {
+    id: 'library',
+    title: 'Library',
+    icon: 'prefab',
+    place: 'bottom',
+    load: () => import('./library/LibraryPanel').then(({ LibraryPanel }) => LibraryPanel),
+  },
+  {
+    id: 'lights',
+    title: 'Lights',
+    icon: 'lamp',
+    place: 'bottom',
+    load: () => import('./lights/LightsPanel').then(({ LightsPanel }) => LightsPanel),
+  },
+  {
     id: 'frame',
     title: 'Frame',
     icon: 'gauge',
@@ -64,6 +78,7 @@ export const panels: readonly Panel[] = [
     title: 'Scripts',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./scripts/ScriptsPanel').then(({ ScriptsPanel }) => ScriptsPanel),
   },
   {
@@ -71,6 +86,7 @@ export const panels: readonly Panel[] = [
     title: 'Microshaders',
     icon: 'code',
     place: 'bottom',
+    height: 340,
     load: () => import('./microshaders/MicroShadersPanel').then(({ MicroShadersPanel }) => MicroShadersPanel),
   },
   {
@@ -78,6 +94,7 @@ export const panels: readonly Panel[] = [
     title: 'Timeline',
     icon: 'timeline',
     place: 'bottom',
+    height: 340,
     load: () => import('./timeline/TimelinePanel').then(({ TimelinePanel }) => TimelinePanel),
   },
 ];

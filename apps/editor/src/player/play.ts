@@ -2,7 +2,7 @@
  * Plays a scene on a page of its own: an exported page, or an embedded frame. The scene is in the element `farol-scene`
  * (base64 of a `.farol` file), or in the URL's hash (`#scene=…`).
  */
-import { setTexts, t } from '@farol/editing';
+import { firstLanguage, setTexts, t } from '@farol/editing';
 import {
   App,
   AssetLibrary,
@@ -22,7 +22,6 @@ import { Box3, PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { decodeLink } from '../files/share/linkText';
 import { player } from '../language/es/player';
-import { firstLanguage } from '../language/languages';
 import { askForHosts, askForScripts } from './ask';
 import { hasParticles } from './hasParticles';
 import { needsParticles } from '../files/share/needsParticles';

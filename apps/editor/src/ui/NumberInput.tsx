@@ -1,5 +1,5 @@
 import { addToNumber, formatNumber, isComposing, readNumberInRange, stepFactor, t } from '@farol/editing';
-import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
+import { type KeyboardEvent, type ReactNode, useId, useLayoutEffect, useRef, useState } from 'react';
 import { leaveField } from './leaveField';
 import { Slider } from './Slider';
 import { useScrub } from './useScrub';
@@ -13,7 +13,7 @@ export interface NumberInputProps {
   readonly step: number;
   /** Unit shown after the number, and assumed for numbers typed without one. */
   readonly unit?: string;
-  /** Number of decimals: five for 'long', three for 'short'. */
+  /** Greatest number of decimals: five for 'long', of which those beyond the step show while typing; three for 'short'. */
   readonly digits?: 'long' | 'short';
   /** Accessible name of the control. */
   readonly label: string;
@@ -55,6 +55,10 @@ export function NumberInput(props: NumberInputProps): ReactNode {
   const problemId = useId();
   const input = useRef<HTMLInputElement>(null);
   const grip = useRef<HTMLSpanElement>(null);
+  // once all decimals are there
+  useLayoutEffect(() => {
+    if (hasFocus) input.current?.select();
+  }, [hasFocus]);
   /** Value at the beginning of the current edit; null when there is none. */
   const start = useRef<{ value: number | null } | null>(null);
   const scrubbed = useRef(0);
@@ -191,7 +195,7 @@ export function NumberInput(props: NumberInputProps): ReactNode {
           inputMode="decimal"
           autoComplete="off"
           spellCheck={false}
-          value={draft?.text ?? (value === null ? '' : formatNumber(value, digits))}
+          value={draft?.text ?? (value === null ? '' : formatNumber(value, digits, hasFocus ? undefined : step))}
           placeholder={value === null ? '—' : undefined}
           disabled={disabled}
           aria-label={label}
@@ -199,10 +203,9 @@ export function NumberInput(props: NumberInputProps): ReactNode {
           aria-invalid={problem !== ''}
           aria-errormessage={problem === '' ? undefined : problemId}
           onChange={(event) => type(event.target.value)}
-          onFocus={(event) => {
+          onFocus={() => {
             setHasFocus(true);
             current.current = draft;
-            event.currentTarget.select();
           }}
           onBlur={() => {
             setHasFocus(false);

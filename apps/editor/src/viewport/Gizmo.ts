@@ -154,8 +154,8 @@ export class Gizmo {
     return controls !== null && (controls.dragging || (controls.axis !== null && controls.object !== undefined));
   }
 
-  /** Called before each frame: follows the selection. */
-  update(camera: Camera): void {
+  /** Called before each frame: follows the selection. @param isHidden - whether there are no handles now */
+  update(camera: Camera, isHidden = false): void {
     const { controls } = this;
     if (controls) {
       controls.camera = camera;
@@ -164,7 +164,7 @@ export class Gizmo {
       // handles are larger for fingers
       controls.size = (this.coarsePointer?.matches ? 1.3 : 0.85) * Math.min(1, y / x);
     }
-    if (controls?.dragging || this.letGo()) return;
+    if (controls?.dragging || this.letGo(isHidden)) return;
     this.placeProxy(this.targets());
     if (!controls) this.loading ??= this.load();
     else if (!controls.object) controls.attach(this.proxy);
@@ -250,8 +250,9 @@ export class Gizmo {
   }
 
   /** Hides the handles when there is nothing to move. @returns whether they are hidden */
-  private letGo(): boolean {
-    if (this.targets().length > 0 && this.currentMode !== 'select' && !this.isSuspended) return false;
+  private letGo(isHidden = false): boolean {
+    const isUsed = this.currentMode !== 'select' && !this.isSuspended && !isHidden;
+    if (isUsed && this.targets().length > 0) return false;
     this.detach();
     return true;
   }

@@ -4,6 +4,7 @@ import {
   type Component,
   type ComponentClass,
   Decal,
+  FogVolume,
   type GameObject,
   Light,
   ParticleEmitter,
@@ -33,11 +34,12 @@ const MANY = 60;
 const LEAST = 8;
 
 const kindOf: Readonly<Record<string, number>> = Object.fromEntries(iconKinds.map((kind, i) => [kind, i]));
-const types: readonly ComponentClass[] = [Light, Camera, Decal, AudioSource, ParticleEmitter];
+const types: readonly ComponentClass[] = [Light, Camera, Decal, FogVolume, AudioSource, ParticleEmitter];
 /** Icons by component type; lights have icons of their own. */
 const kinds: Readonly<Record<string, string>> = {
   Camera: 'camera',
   Decal: 'decal',
+  FogVolume: 'fog',
   AudioSource: 'sound',
   ParticleEmitter: 'particles',
 };
@@ -124,7 +126,7 @@ export class IconPoints extends Points<BufferGeometry, ShaderMaterial> {
     const isDecal = component instanceof Decal;
     geometry.attributes.kind.setX(i, kindOf[component instanceof Light ? component.type : kinds[component.typeName]]);
     if (component instanceof Light || isDecal) {
-      const [r, g, b] = isDecal ? component.colour : component.diffuse;
+      const [r, g, b] = component.colour;
       const largest = Math.max(r, g, b, 1e-6);
       geometry.attributes.tint.setXYZ(
         i,

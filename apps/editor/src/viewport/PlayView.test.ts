@@ -59,3 +59,22 @@ it('plays through the camera where it is, and looks afterwards through what was 
   expect(view.lookThrough, 'plain playing changes no view').toBeNull();
   playView.dispose();
 });
+
+it('shows the scene as its players see it while it plays through the camera, and is paused to be edited', () => {
+  const { document, camera, view } = openScene();
+  const playView = new PlayView(document, view);
+  document.simulation.play();
+  expect(playView.isOn, 'plain playing keeps grid, icons and handles').toBe(false);
+  document.simulation.stop();
+  playView.play(camera, null);
+  expect(playView.isOn).toBe(true);
+  document.simulation.pause();
+  expect(playView.isOn).toBe(false);
+  document.simulation.play();
+  expect(playView.isOn).toBe(true);
+  view.lookThrough = null;
+  expect(playView.isOn).toBe(false);
+  view.lookThrough = camera;
+  document.simulation.stop();
+  expect(playView.isOn).toBe(false);
+});

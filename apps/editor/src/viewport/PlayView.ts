@@ -11,7 +11,15 @@ const inverse = new Matrix4();
 export class PlayView {
   /** Camera looked through before playing; undefined when there is nothing to restore. */
   private before: CameraComponent | null | undefined;
+  /** Camera that the scene plays through; null for none. */
+  private camera: CameraComponent | null = null;
   private readonly end: () => void;
+
+  /** Whether the scene is seen as its players see it: while it plays, through the camera that it was started with. */
+  get isOn(): boolean {
+    const { document, view, camera } = this;
+    return camera !== null && view.lookThrough === camera && document.simulation.isPlaying;
+  }
 
   constructor(
     private readonly document: EditorDocument,
@@ -37,7 +45,7 @@ export class PlayView {
       object3D.position.setFromMatrixPosition(matrix);
       object3D.quaternion.setFromRotationMatrix(matrix.extractRotation(matrix));
     }
-    this.view.lookThrough = camera;
+    this.camera = this.view.lookThrough = camera;
   }
 
   dispose(): void {
@@ -48,6 +56,7 @@ export class PlayView {
     if (this.document.simulation.state !== 'stopped' || this.before === undefined) return;
     const before = this.before && currentOf(this.before);
     this.before = undefined;
+    this.camera = null;
     this.view.lookThrough = before?.isAttached ? before : null;
   }
 }

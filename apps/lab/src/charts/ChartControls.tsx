@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun, Metric } from '../results/LabRun';
 import { competitorHelp, competitorLabel, metricWords } from '../words/names';
 import { missingMetric } from '../words/compareSpreads';
@@ -27,7 +28,7 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
   return (
     <div class="chart-controls">
       <fieldset>
-        <legend>Time</legend>
+        <legend>{t('Time')}</legend>
         {(Object.keys(metricWords) as Metric[]).map((each) => {
           const why = missingMetric(runs, each);
           return (
@@ -36,16 +37,16 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
               type="button"
               aria-pressed={metric === each}
               disabled={why !== null}
-              title={why ?? metricWords[each].help}
+              title={why ?? t(metricWords[each].help)}
               onClick={() => onChange({ ...settings, metric: each })}
             >
-              {metricWords[each].label}
+              {t(metricWords[each].label)}
             </button>
           );
         })}
       </fieldset>
       <fieldset>
-        <legend>Axes</legend>
+        <legend>{t('Axes')}</legend>
         {(['log', 'linear'] as const).map((each) => (
           <button
             key={each}
@@ -53,7 +54,7 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
             aria-pressed={scale === each}
             onClick={() => onChange({ ...settings, scale: each })}
           >
-            {each === 'log' ? 'Logarithmic' : 'Linear'}
+            {each === 'log' ? t('Logarithmic') : t('Linear')}
           </button>
         ))}
       </fieldset>
@@ -63,7 +64,7 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
         </p>
       ))}
       <fieldset class="chart-legend">
-        <legend>Competitors</legend>
+        <legend>{t('Competitors')}</legend>
         {competitors.map((name) => (
           <button
             key={name}
@@ -78,12 +79,12 @@ export function ChartControls({ runs, names, competitors, settings, onChange }: 
         ))}
         {hidden.size > 0 && (
           <button type="button" class="chart-all" onClick={() => onChange({ ...settings, hidden: new Set() })}>
-            Show all
+            {t('Show all')}
           </button>
         )}
       </fieldset>
       {names.length > 1 && (
-        <ul class="chart-runs" aria-label="Runs by kind of line">
+        <ul class="chart-runs" aria-label={t('Runs by kind of line')}>
           {names.map((name, i) => (
             <li key={name}>
               <svg width="36" height="8" viewBox="0 0 36 8" aria-hidden="true">

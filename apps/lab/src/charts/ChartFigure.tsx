@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ChartPoint, ChartSpec } from './ChartSpec';
 import { ChartTableView } from './ChartTableView';
@@ -39,7 +40,7 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
       </header>
       <ChartDrawing chart={chart} />
       {chart.keys && (
-        <ul class="chart-keys" aria-label="Colours">
+        <ul class="chart-keys" aria-label={t('Colours')}>
           {chart.keys.map(({ label, colour }) => (
             <li key={label}>
               <span style={{ background: colour(pagePaint) }} />
@@ -55,7 +56,7 @@ export function ChartFigure({ chart, source, onChoose }: Props) {
       ))}
       <footer>
         <details class="chart-table" onToggle={(event) => setShowsTable(event.currentTarget.open)}>
-          <summary>Table</summary>
+          <summary>{t('Table')}</summary>
           {showsTable && <ChartTableView table={chart.table} caption={chart.title} />}
         </details>
         <ChartTools chart={chart} source={source} />
@@ -116,8 +117,11 @@ function ChartDrawing({ chart }: { chart: ChartSpec }) {
       ref={host}
       class="chart-drawing"
       role="application"
-      aria-roledescription="chart"
-      aria-label={`${chart.title}. ${chart.description} Arrow keys walk the points; the table below has all figures.`}
+      aria-roledescription={t('chart')}
+      aria-label={t('{title}. {description} Arrow keys walk the points; the table below has all figures.', {
+        title: chart.title,
+        description: chart.description,
+      })}
       tabIndex={0}
       onPointerMove={point}
       onPointerDown={point}

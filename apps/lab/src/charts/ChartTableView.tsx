@@ -1,9 +1,10 @@
+import { t } from '@farol/editing';
 import type { ChartTable } from './ChartSpec';
 
 /** A chart's figures as a table that scrolls sideways if it is too wide. */
 export function ChartTableView({ table, caption }: { table: ChartTable; caption: string }) {
   return (
-    <div class="chart-table-scroll" role="region" aria-label={`Table: ${caption}`} tabIndex={0}>
+    <div class="chart-table-scroll" role="region" aria-label={t('Table: {title}', { title: caption })} tabIndex={0}>
       <table>
         <caption class="chart-spoken">{caption}</caption>
         <thead>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useState } from 'preact/hooks';
 import { saveFile } from '../results/saveFile';
 import { messageOf } from '../run/messageOf';
@@ -24,7 +25,7 @@ export function ChartTools({ chart, source }: { chart: ChartSpec; source: string
         <button
           key={kind}
           type="button"
-          aria-label={`Save ${kind.toUpperCase()}: ${chart.title}`}
+          aria-label={t('Save {kind}: {title}', { kind: kind.toUpperCase(), title: chart.title })}
           onClick={(event) => void save(kind, event)}
         >
           {kind.toUpperCase()}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun, Metric } from '../results/LabRun';
 import { ChartControls } from './ChartControls';
@@ -22,7 +23,7 @@ export function RunCharts({ runs, metric = 'frame' }: { runs: readonly LabRun[];
   const choose = (key: string, index: number): void =>
     setSettings({ ...settings, cases: { ...settings.cases, [key]: index } });
   return (
-    <section class="charts" aria-label="Charts" style={paintProperties}>
+    <section class="charts" aria-label={t('Charts')} style={paintProperties}>
       <ChartControls {...{ runs, names, competitors, settings }} onChange={setSettings} />
       <div class="chart-grid">
         {charts.map((chart) => (

@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import type { Change, LabRow, LabRun } from '../results/LabRun';
 import { timeOf } from '../words/compareSpreads';
 import { formatMs, formatNumber } from '../words/format';
@@ -31,10 +32,10 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
       const programs = time.programs === null ? '' : `, ${programsText(time.programs)}`;
       const lines = [
         `${formatMs(time.ms)}${programs}`,
-        ...(usual ? [`An ordinary frame: ${formatMs(usual.median)}`] : []),
+        ...(usual ? [t('An ordinary frame: {time}', { time: formatMs(usual.median) })] : []),
       ];
       const text = time.programs ? `${formatMs(time.ms)}, ${programsText(time.programs)}` : formatMs(time.ms);
-      const tip = { title: `${competitorLabel(row.competitor)}: ${kinds[lane].toLowerCase()}`, lines };
+      const tip = { title: `${competitorLabel(row.competitor)}: ${t(kinds[lane]).toLowerCase()}`, lines };
       return [
         {
           from: domain[0],
@@ -56,10 +57,13 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
   });
   return {
     key,
-    title: 'What a change costs',
-    description: `Milliseconds of the first frame, of the frame after ten lights more and of the frame after a change of technique, with programs linked; a line across each group is an ordinary frame. ${label}.`,
+    title: t('What a change costs'),
+    description: `${t('Milliseconds of the first frame, of the frame after ten lights more and of the frame after a change of technique, with programs linked; a line across each group is an ordinary frame.')} ${label}.`,
     table: {
-      columns: ['Competitor', 'Ordinary frame, ms', ...kinds.flatMap((kind) => [`${kind}, ms`, 'Programs'])],
+      columns: [
+        ...[t('Competitor'), t('Ordinary frame, ms')],
+        ...kinds.flatMap((kind) => [`${t(kind)}, ms`, t('Programs')]),
+      ],
       rows: rows.map((row) => [
         competitorLabel(row.competitor),
         formatNumber(timeOf(row, 'frame')?.median ?? Number.NaN),
@@ -69,12 +73,12 @@ export function changeChart(run: LabRun, settings: ChartSettings, key = 'changes
         ]),
       ]),
     },
-    keys: kinds.map((kind, i) => ({ label: kind, colour: (paint) => paint.shade(i) })),
-    choice: { label: 'Case', options: cases.map((each) => each.label), selected },
+    keys: kinds.map((kind, i) => ({ label: t(kind), colour: (paint) => paint.shade(i) })),
+    choice: { label: t('Case'), options: cases.map((each) => each.label), selected },
     draw: (options) =>
       drawRows(
         {
-          ...{ rows: drawn, lanes: 3, type: settings.scale, domain, label: 'Frame (ms)', format: formatNumber },
+          ...{ rows: drawn, lanes: 3, type: settings.scale, domain, label: t('Frame (ms)'), format: formatNumber },
         },
         options,
       ),
@@ -97,5 +101,5 @@ function hasChange(row: LabRow): boolean {
 }
 
 function programsText(programs: number): string {
-  return programs === 1 ? '1 program' : `${programs} programs`;
+  return tCount(programs, '{count} program', '{count} programs');
 }

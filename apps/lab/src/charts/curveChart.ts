@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import type { LabRow, LabRun, Metric } from '../results/LabRun';
@@ -5,7 +6,7 @@ import { boundsOf, timeOf } from '../words/compareSpreads';
 import { formatNumber, listOf } from '../words/format';
 import { competitorLabel, competitorWord, metricWords, valueText } from '../words/names';
 import { rowsOf } from '../words/rowsOf';
-import { seriesWord } from '../words/seriesCases';
+import { seriesLabel, seriesWord } from '../words/seriesLabel';
 import type { ChartSettings, ChartSpec, ChartTable, DrawnChart, DrawOptions } from './ChartSpec';
 import { type Curve, curvesOf } from './curveData';
 import { drawCurves } from './drawCurves';
@@ -20,17 +21,24 @@ export function curveChart(runs: readonly LabRun[], series: LabSeries, settings:
   const curves = curvesOf(runs, series, metric);
   const planned = runs.flatMap(({ plan }) => plan.series.find(({ name }) => name === series.name) ?? []);
   const size = listOf([...new Set(planned.map(({ cases }) => sizeText(cases)))].filter(Boolean));
-  const kind = settings.scale === 'log' ? 'logarithmic axes' : 'linear axes';
+  const kind = settings.scale === 'log' ? t('logarithmic axes') : t('linear axes');
   const along = axisLabel(series).toLowerCase();
+  const time = t(metricWords[metric].label);
   const how = isNamed(series.axis)
-    ? `by ${along}, a column a case, a symbol a competitor; its line runs`
-    : `over ${along}, ${kind}, a line a competitor; bands run`;
+    ? t(
+        '{time} times in milliseconds by {along}, a column a case, a symbol a competitor; its line runs from the 10th to the 90th percentile.',
+        { time, along },
+      )
+    : t(
+        '{time} times in milliseconds over {along}, {kind}, a line a competitor; bands run from the 10th to the 90th percentile.',
+        { time, along, kind },
+      );
   return {
     key: `curve-${series.name}`,
-    title: `${isOneCase(curves) ? caseText(series) : series.label}${size ? `, ${size}` : ''}`,
+    title: `${isOneCase(curves) ? caseText(series) : seriesLabel(series)}${size ? `, ${size}` : ''}`,
     description: isOneCase(curves)
-      ? `${metricWords[metric].label} times in milliseconds, a bar a competitor, the shortest first.`
-      : `${metricWords[metric].label} times in milliseconds ${how} from the 10th to the 90th percentile.`,
+      ? t('{time} times in milliseconds, a bar a competitor, the shortest first.', { time })
+      : how,
     notes: notesOf(runs, series, metric),
     table: tableOf(runs, names, series, metric),
     legend: [...new Set(curves.map(({ competitor }) => competitor))],
@@ -63,15 +71,15 @@ function notesOf(runs: readonly LabRun[], series: LabSeries, metric: Metric): st
     for (const [competitor, rows] of rowsOf(run, series)) {
       if (rows.some((row) => timeOf(row, metric)) || !rows.some(Boolean)) continue;
       const isTimed = rows.some((row) => timeOf(row, 'frame'));
-      const start = `No ${isTimed ? metricWords[metric].noun : 'figure'} for `;
-      const reason = isTimed ? '.' : `: ${rows.find((row) => row?.problem)?.problem ?? 'unknown reason.'}`;
-      const key = JSON.stringify([start, reason]);
+      const what = isTimed ? t(metricWords[metric].noun) : t('figure');
+      const reason = isTimed ? '.' : `: ${t(rows.find((row) => row?.problem)?.problem ?? 'unknown reason.')}`;
+      const key = JSON.stringify([what, reason]);
       without.set(key, (without.get(key) ?? new Set()).add(competitorWord(competitor)));
     }
   }
   return [...without].map(([key, names]) => {
-    const [start, reason] = JSON.parse(key) as [string, string];
-    return `${start}${listOf([...names])}${reason}`;
+    const [what, reason] = JSON.parse(key) as [string, string];
+    return `${t('No {what} for {names}', { what, names: listOf([...names]) })}${reason}`;
   });
 }
 
@@ -85,7 +93,7 @@ function sizeText(cases: readonly LabCase[]): string {
 /** Drawing of a series without a figure. */
 function drawEmpty({ width, paint }: DrawOptions): DrawnChart {
   const style = { x: width / 2, y: 40, fill: paint.dim, 'font-size': 13 };
-  return { height: 80, svg: textTag('No figures here', style), points: [] };
+  return { height: 80, svg: textTag(t('No figures here'), style), points: [] };
 }
 
 function tableOf(runs: readonly LabRun[], names: readonly string[], series: LabSeries, metric: Metric): ChartTable {
@@ -105,7 +113,13 @@ function tableOf(runs: readonly LabRun[], names: readonly string[], series: LabS
       ...values.map((value) => cellOf(list[plan.values.indexOf(value)], metric)),
     ]);
   });
-  return { columns: [`${metricWords[metric].label}: median (spread), ms`, ...values.map((v) => cases.get(v)!)], rows };
+  return {
+    columns: [
+      t('{time}: median (spread), ms', { time: t(metricWords[metric].label) }),
+      ...values.map((v) => cases.get(v)!),
+    ],
+    rows,
+  };
 }
 
 /** A time with its spread and warnings, or the reason why there is none. */
@@ -113,6 +127,6 @@ function cellOf(row: LabRow | undefined, metric: Metric): string {
   const time = timeOf(row, metric);
   if (!row || !time) return row?.problem ?? '–';
   const { low, high } = boundsOf(time);
-  const text = `${formatNumber(time.median)} (${formatNumber(low)} to ${formatNumber(high)})`;
+  const text = `${formatNumber(time.median)} (${t('{low} to {high}', { low: formatNumber(low), high: formatNumber(high) })})`;
   return row.warnings.length > 0 ? `${text}; ${row.warnings.join(' ')}` : text;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { isNamed, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import { formatNumber } from '../words/format';
@@ -46,7 +47,7 @@ export function drawCurves(
     axisY(
       {
         ...{ ticks: timeTicks, scale: place.y, format: formatNumber },
-        label: `↑ ${metricWords[metric].label} (ms)`,
+        label: `↑ ${t(metricWords[metric].label)} (ms)`,
       },
       area,
       paint,

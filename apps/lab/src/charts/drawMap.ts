@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { formatMs, formatNumber } from '../words/format';
 import { competitorLabel, competitorWord } from '../words/names';
 import type { ChartPoint, ChartTip, DrawnChart, DrawOptions } from './ChartSpec';
@@ -82,8 +83,10 @@ function tipOf(title: string, { best, names, entries }: NonNullable<MapCell['win
     title,
     lines: [
       `${competitorLabel(best.competitor)}: ${formatMs(best.time.median)}`,
-      ...(tied.length > 0 ? [`Ties within the spread: ${tied.join(', ')}`] : []),
-      ...(next ? [`Next: ${competitorLabel(next.competitor)}, ${formatMs(next.time.median)}`] : []),
+      ...(tied.length > 0 ? [t('Ties within the spread: {names}', { names: tied.join(', ') })] : []),
+      ...(next
+        ? [t('Next: {name}, {time}', { name: competitorLabel(next.competitor), time: formatMs(next.time.median) })]
+        : []),
     ],
   };
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { formatMs, formatNumber } from '../words/format';
 import { competitorWord, metricWords } from '../words/names';
 import type { ChartSettings, DrawnChart, DrawOptions } from './ChartSpec';
@@ -36,6 +37,6 @@ export function drawRanking(
       });
       return { label: competitorWord(competitor), competitor, bars };
     });
-  const label = `${metricWords[metric].label} (ms)`;
+  const label = `${t(metricWords[metric].label)} (ms)`;
   return drawRows({ rows, lanes, type: scale, domain, label, format: (ms) => formatNumber(ms) }, options);
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun } from '../results/LabRun';
 import { formatMs } from '../words/format';
 import { byMetric, competitorLabel, competitorWord, metricWords } from '../words/names';
@@ -15,15 +16,23 @@ export function mapCharts(run: LabRun, { metric }: ChartSettings, key = 'map'): 
       const found = map.cells.find((cell) => cell.row === row && cell.column === column)?.winners;
       if (!found) return '–';
       const [first, ...others] = [found.best.competitor, ...found.names.filter((n) => n !== found.best.competitor)];
-      const tie = others.length > 0 ? `; ties with ${others.map(competitorWord).join(', ')}` : '';
+      const tie =
+        others.length > 0 ? `; ${t('ties with {names}', { names: others.map(competitorWord).join(', ') })}` : '';
       return `${competitorLabel(first)}, ${formatMs(found.best.time.median)}${tie}`;
     };
     return {
       key: place === 0 ? key : `${key}-${place + 1}`,
-      title: `Who wins where${length === 1 ? '' : `: ${map.columnTitle.toLowerCase()}`}${byMetric(metric)}`,
-      description: `The fastest competitor by ${metricWords[metric].noun} in each case: ${map.rowTitle.toLowerCase()} by ${map.columnTitle.toLowerCase()}, a cell a case, coloured by the winner.`,
+      title: `${t('Who wins where')}${length === 1 ? '' : `: ${map.columnTitle.toLowerCase()}`}${byMetric(metric)}`,
+      description: t(
+        'The fastest competitor by {time} in each case: {rows} by {columns}, a cell a case, coloured by the winner.',
+        {
+          time: t(metricWords[metric].noun),
+          rows: map.rowTitle.toLowerCase(),
+          columns: map.columnTitle.toLowerCase(),
+        },
+      ),
       notes: winners.some(({ names }) => names.length > 1)
-        ? ['≈ marks a tie: the strip below a cell has the colours of those that tie with the shortest median.']
+        ? [t('≈ marks a tie: the strip below a cell has the colours of those that tie with the shortest median.')]
         : [],
       table: {
         columns: [map.rowTitle, ...map.columns],

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRow, LabRun } from '../results/LabRun';
 import { formatMs, formatNumber } from '../words/format';
 import { isSoftware } from '../words/device';
@@ -11,8 +12,16 @@ import { type ChartRow, drawRows } from './drawRows';
 const MOST = 7;
 const REST = 'other passes';
 
-/** Bars by pass of each technique in one case; null if no passes were measured. */
-export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'): ChartSpec | null {
+/**
+ * Bars by pass of each technique in one case; null if no passes were measured.
+ * @param runs - runs of the page: a pass has one colour in the charts of all of them
+ */
+export function passChart(
+  run: LabRun,
+  settings: ChartSettings,
+  key = 'passes',
+  runs: readonly LabRun[] = [run],
+): ChartSpec | null {
   const cases = casesOf(run).flatMap(({ series, index, label }) => {
     const rows = run.rows.filter((row) => row.series === series.name && row.index === index && passTotal(row) > 0);
     return rows.length > 0 ? [{ label, rows }] : [];
@@ -23,7 +32,11 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   const rows = cases[selected].rows.toSorted((a, b) => competitorOrder(a.competitor) - competitorOrder(b.competitor));
   const isTimed = rows.every((row) => row.passes!.kind === 'gpu');
   const kind = !isTimed ? 'CPU' : isSoftware(run.surroundings.device) ? 'Rasteriser' : 'GPU';
-  const names = passNames(cases.flatMap((each) => each.rows));
+  const names = passNames(runs.flatMap((each) => each.rows.filter((row) => passTotal(row) > 0)));
+  const all = new Set(
+    cases.flatMap((each) => each.rows.flatMap((row) => segments(row, names).map(({ name }) => name))),
+  );
+  const used = names.filter((name) => all.has(name));
   const most = Math.max(...rows.map(passTotal));
   const drawn = rows.map((row): ChartRow => {
     let from = 0;
@@ -34,8 +47,8 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
       return {
         ...bar,
         tip: {
-          title: `${competitorLabel(row.competitor)}: ${name}`,
-          lines: [`${formatMs(ms)}, ${share}% of ${formatMs(total)}`],
+          title: `${competitorLabel(row.competitor)}: ${t(name)}`,
+          lines: [t('{time}, {share}% of {total}', { time: formatMs(ms), share, total: formatMs(total) })],
         },
       };
     });
@@ -44,29 +57,34 @@ export function passChart(run: LabRun, settings: ChartSettings, key = 'passes'):
   });
   return {
     key,
-    title: `Where a frame goes: ${kind === 'Rasteriser' ? 'rasteriser' : kind} time by pass`,
-    description: `${kind} milliseconds of each pass, stacked, a bar a technique; ${label}.`,
+    title: t('Where a frame goes: {kind} time by pass', { kind: kind === 'Rasteriser' ? t('rasteriser') : kind }),
+    description: t('{kind} milliseconds of each pass, stacked, a bar a technique; {case}.', {
+      kind: t(kind),
+      case: label,
+    }),
     notes: [
-      ...(kind === 'CPU' ? ['Without a timer on the GPU, the CPU’s part of each pass is shown.'] : []),
+      ...(kind === 'CPU' ? [t('Without a timer on the GPU, the CPU’s part of each pass is shown.')] : []),
       ...(kind === 'Rasteriser'
         ? [
-            'A software rasteriser drew this run: its timers count time on the processor, which need not add up to a frame.',
+            t(
+              'A software rasteriser drew this run: its timers count time on the processor, which need not add up to a frame.',
+            ),
           ]
         : []),
     ],
     table: {
-      columns: ['Technique', ...names, 'Sum, ms'],
+      columns: [t('Technique'), ...used.map((name) => t(name)), t('Sum, ms')],
       rows: rows.map((row) => {
         const found = new Map(segments(row, names).map(({ name, ms }) => [name, ms]));
-        const cells = names.map((name) => (found.has(name) ? formatNumber(found.get(name)!) : '–'));
+        const cells = used.map((name) => (found.has(name) ? formatNumber(found.get(name)!) : '–'));
         return [competitorLabel(row.competitor), ...cells, formatNumber(passTotal(row))];
       }),
     },
-    keys: names.map((name) => ({ label: name, colour: fillOf(names, name) })),
-    choice: { label: 'Case', options: cases.map((each) => each.label), selected },
+    keys: used.map((name) => ({ label: t(name), colour: fillOf(names, name) })),
+    choice: { label: t('Case'), options: cases.map((each) => each.label), selected },
     draw: (options) =>
       drawRows(
-        { rows: drawn, lanes: 1, type: 'linear', domain: [0, most], label: `${kind} (ms)`, format: formatNumber },
+        { rows: drawn, lanes: 1, type: 'linear', domain: [0, most], label: `${t(kind)} (ms)`, format: formatNumber },
         options,
       ),
   };

@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import type { LabRun } from '../results/LabRun';
 import { formatFactor, formatNumber } from '../words/format';
 import { boundsOf, compareSpreads } from '../words/compareSpreads';
@@ -37,8 +38,13 @@ export function ratioChart(
     const [lowestCase, highestCase] = [sorted[0], sorted.at(-1)!];
     const mean = ratio!;
     const lines = [
-      `${formatFactor(mean)} as long over ${cases} ${cases === 1 ? 'figure' : 'figures'}`,
-      `${formatNumber(lowestCase.ratio)} (${lowestCase.label}) to ${formatNumber(highestCase.ratio)} (${highestCase.label})`,
+      tCount(cases, '{factor} as long over one figure', '{factor} as long over {count} figures', {
+        factor: formatFactor(mean),
+      }),
+      t('{low} to {high}', {
+        low: `${formatNumber(lowestCase.ratio)} (${lowestCase.label})`,
+        high: `${formatNumber(highestCase.ratio)} (${highestCase.label})`,
+      }),
     ];
     const tip = { title: competitorLabel(competitor), lines };
     const fill = (paint: { competitor(name: string): string }): string => paint.competitor(competitor);
@@ -52,20 +58,23 @@ export function ratioChart(
   });
   return {
     key,
-    title: `${name} over ${baseName}`,
-    description: `${metricWords[metric].label} time of ${name} over that of ${baseName}, a row a competitor: the bar from the least ratio to the greatest, the symbol at the geometric mean; 1 is equal.`,
-    notes: ['Bars run from the least ratio of a case to the greatest; symbols and numbers are geometric means.'],
+    title: t('{a} over {b}', { a: name, b: baseName }),
+    description: t(
+      '{time} time of {a} over that of {b}, a row a competitor: the bar from the least ratio to the greatest, the symbol at the geometric mean; 1 is equal.',
+      { time: t(metricWords[metric].label), a: name, b: baseName },
+    ),
+    notes: [t('Bars run from the least ratio of a case to the greatest; symbols and numbers are geometric means.')],
     table: {
-      columns: ['Case', 'Competitor', 'Ratio', 'By the spreads', 'Within the spread'],
+      columns: [t('Case'), t('Competitor'), t('Ratio'), t('By the spreads'), t('Within the spread')],
       rows: ratios.map(({ label, competitor, ratio, low, high, isTie }) => [
         ...[label, competitorLabel(competitor), formatNumber(ratio)],
-        ...[`${formatNumber(low)} to ${formatNumber(high)}`, isTie ? 'yes' : 'no'],
+        ...[t('{low} to {high}', { low: formatNumber(low), high: formatNumber(high) }), isTie ? t('yes') : t('no')],
       ]),
     },
     draw: (options) =>
       drawRows(
         {
-          ...{ rows, lanes: 1, type: scale, domain, label: 'Times as long', format: (value) => formatNumber(value) },
+          ...{ rows, lanes: 1, type: scale, domain, label: t('Times as long'), format: (value) => formatNumber(value) },
           ...{ rules: [1], ticks: scale === 'log' ? (most) => ratioTicks(domain, most) : undefined },
         },
         options,

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun, Metric } from '../results/LabRun';
 import { formatMs, formatNumber, formatPercent } from '../words/format';
 import { byMetric, competitorLabel, competitorWord, isTechnique } from '../words/names';
@@ -50,19 +51,23 @@ export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regre
   });
   return {
     key,
-    title: `What auto loses against the best technique${byMetric(metric)}`,
-    description:
+    title: `${t('What auto loses against the best technique')}${byMetric(metric)}`,
+    description: t(
       'Time of auto over the time of the fastest technique, less 1, in percent: a bar a case, coloured by the technique that auto chose; pale where the difference is within the spread.',
-    notes: regrets.length > 1 ? ['The dashed line is the mean. Pale bars lie within the spread.'] : [],
+    ),
+    notes: regrets.length > 1 ? [t('The dashed line is the mean. Pale bars lie within the spread.')] : [],
     table: {
-      columns: ['Case', 'auto chose', 'auto, ms', 'Best technique', 'Its time, ms', 'Regret', 'Within the spread'],
+      columns: [
+        ...[t('Case'), t('auto chose'), 'auto, ms', t('Best technique'), t('Its time, ms')],
+        ...[t('Regret'), t('Within the spread')],
+      ],
       rows: regrets.map(({ of, choice, auto, best, regret, isTie }) => [
         ...[of.label, choice === null ? '–' : competitorLabel(choice), formatNumber(auto.time.median)],
         ...[
           competitorLabel(best.competitor),
           formatNumber(best.time.median),
           formatPercent(regret),
-          isTie ? 'yes' : 'no',
+          isTie ? t('yes') : t('no'),
         ],
       ]),
     },
@@ -72,7 +77,7 @@ export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regre
     draw: (options) =>
       drawRows(
         {
-          ...{ rows, lanes: 1, type: 'linear', domain: [low, high], label: 'Longer than the best technique' },
+          ...{ rows, lanes: 1, type: 'linear', domain: [low, high], label: t('Longer than the best technique') },
           ...{ format: formatPercent, rules: [mean] },
         },
         options,
@@ -81,12 +86,12 @@ export function regretChart(run: LabRun, { metric }: ChartSettings, key = 'regre
 }
 
 function linesOf({ choice, auto, best, regret, isTie }: Regret): string[] {
-  const chose = choice === null ? 'auto' : `auto chose ${competitorWord(choice)}`;
-  const why = auto.row.reason ? [`Why: ${auto.row.reason}`] : [];
+  const chose = choice === null ? 'auto' : t('auto chose {name}', { name: competitorWord(choice) });
+  const why = auto.row.reason ? [`${t('Why')}: ${t(auto.row.reason)}`] : [];
   return [
     `${chose}: ${formatMs(auto.time.median)}`,
-    `Best: ${competitorWord(best.competitor)}, ${formatMs(best.time.median)}`,
-    `Regret ${formatPercent(regret)}${isTie ? ', within the spread' : ''}`,
+    t('Best: {name}, {time}', { name: competitorWord(best.competitor), time: formatMs(best.time.median) }),
+    t(isTie ? 'Regret {share}, within the spread' : 'Regret {share}', { share: formatPercent(regret) }),
     ...why,
   ];
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabSeries } from '../plan/LabPlan';
 import type { LabRow, Metric } from '../results/LabRun';
 import { boundsOf, timeOf } from '../words/compareSpreads';
@@ -14,32 +15,46 @@ export function rowTip(row: LabRow, series: LabSeries, metric: Metric, runName =
 
 /** Times, likeness of the picture, counts and warnings. */
 function rowLines(row: LabRow, metric: Metric): string[] {
-  if (row.problem !== null) return [row.problem];
+  if (row.problem !== null) return [t(row.problem)];
   const time = timeOf(row, metric);
   const lines: string[] = [];
   if (time) {
     const { low, high } = boundsOf(time);
     lines.push(
-      `${metricWords[metric].label}: ${formatMs(time.median)} median, ${formatNumber(low)} to ${formatMs(high)} (${time.samples} samples)`,
+      t('{time}: {median} median, {low} to {high} ({samples} samples)', {
+        time: t(metricWords[metric].label),
+        median: formatMs(time.median),
+        low: formatNumber(low),
+        high: formatMs(high),
+        samples: time.samples,
+      }),
     );
   }
   const others = (['frame', 'gpu', 'cpu'] as const).filter((other) => other !== metric && timeOf(row, other));
   if (others.length > 0) {
-    lines.push(others.map((other) => `${metricWords[other].label} ${formatMs(timeOf(row, other)!.median)}`).join(', '));
+    lines.push(
+      others.map((other) => `${t(metricWords[other].label)} ${formatMs(timeOf(row, other)!.median)}`).join(', '),
+    );
   }
   if (row.technique && row.technique !== row.competitor)
-    lines.push(`Drawn by ${competitorWord(row.technique)}${row.reason ? `: ${row.reason}` : ''}`);
+    lines.push(
+      `${t('Drawn by {name}', { name: competitorWord(row.technique) })}${row.reason ? `: ${t(row.reason)}` : ''}`,
+    );
   if (row.likeness) {
     const { psnr, reference } = row.likeness;
-    const like = psnr === null ? 'equal to' : `${formatNumber(psnr)} dB PSNR against`;
-    lines.push(`Picture ${like} ${competitorWord(reference)}`);
+    const name = competitorWord(reference);
+    lines.push(
+      psnr === null
+        ? t('Picture equal to {name}', { name })
+        : t('Picture {psnr} dB PSNR against {name}', { psnr: formatNumber(psnr), name }),
+    );
   }
-  if (row.dropped > 0) lines.push(`${formatNumber(row.dropped, 6)} lights are left out`);
+  if (row.dropped > 0) lines.push(t('{count} lights are left out', { count: formatNumber(row.dropped, 6) }));
   const counts = [
-    row.counts?.draws == null ? '' : `${formatNumber(row.counts.draws, 6)} draws`,
-    row.counts?.programs == null ? '' : `${formatNumber(row.counts.programs, 6)} programs`,
-    row.counts?.targetBytes == null ? '' : `${formatBytes(row.counts.targetBytes)} of targets`,
+    row.counts?.draws == null ? '' : t('{count} draws', { count: formatNumber(row.counts.draws, 6) }),
+    row.counts?.programs == null ? '' : t('{count} programs', { count: formatNumber(row.counts.programs, 6) }),
+    row.counts?.targetBytes == null ? '' : t('{size} of targets', { size: formatBytes(row.counts.targetBytes) }),
   ].filter(Boolean);
   if (counts.length > 0) lines.push(counts.join(', '));
-  return [...lines, ...row.warnings.map((warning) => `Doubtful: ${warning}`)];
+  return [...lines, ...row.warnings.map((warning) => t('Doubtful: {warning}', { warning: t(warning) }))];
 }

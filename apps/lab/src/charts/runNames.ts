@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun } from '../results/LabRun';
 import { deviceName } from '../words/device';
 
@@ -8,7 +9,12 @@ export function runNames(runs: readonly LabRun[]): string[] {
   );
   return names.map((name, i) => {
     const same = names.filter((other) => other === name).length;
-    return same === 1 ? name : `${name}, run ${names.slice(0, i + 1).filter((other) => other === name).length}`;
+    return same === 1
+      ? name
+      : t('{name}, run {number}', {
+          name,
+          number: names.slice(0, i + 1).filter((other) => other === name).length,
+        });
   });
 }
 

@@ -1,7 +1,9 @@
+import { t } from '@farol/editing';
 import { type Axis, isNamed, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import type { LabRun, Metric } from '../results/LabRun';
-import { casesOf, seriesWord, type SeriesCase } from '../words/seriesCases';
+import { casesOf, type SeriesCase } from '../words/seriesCases';
+import { seriesWord } from '../words/seriesLabel';
 import { namedValue, valueText } from '../words/names';
 import { type Winners, winnersOf } from '../words/winners';
 import { formatNumber } from '../words/format';
@@ -44,7 +46,7 @@ export function winnerMaps(run: LabRun, metric: Metric): WinnerMap[] {
     maps.push({
       rows: pixels.map(size),
       columns: lights.map((count) => valueText('lights', count)),
-      rowTitle: `${group[0].label.split(',')[0]}: pixels`,
+      rowTitle: t('{scene}: pixels', { scene: group[0].label.split(',')[0] }),
       columnTitle: axisLabel({ axis: 'lights', cases: group.map(({ labCase }) => labCase) }),
       cells: group.map(({ labCase, series, index, label }) => ({
         row: pixels.indexOf(labCase.width * labCase.height),
@@ -67,7 +69,7 @@ function bySeries(run: LabRun, group: readonly SeriesCase[], metric: Metric): Wi
   return {
     rows: list.map(seriesWord),
     columns: values.map((value) => columnText(axis, value)),
-    rowTitle: 'Series',
+    rowTitle: t('Series'),
     columnTitle: axisLabel({ axis, cases: list.flatMap(({ cases }) => cases) }),
     cells: group.map(({ series, index, label }) => ({
       row: list.indexOf(series),

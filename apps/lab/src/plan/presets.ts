@@ -47,7 +47,7 @@ const recipes: Record<string, (name: string) => Preset> = {
     [overLights('benchmarkLights', [4, 100]), overLights('sponza', [10, 100, 1000])],
     { effort: { rounds: 3, turn: 110, changes: true, longestFrame: 2000, limit: 80_000 } },
   ),
-  thesis: preset('The thesis', 'The three tables of chapter 4, row by row.', [
+  thesis: preset('The thesis', 'The measurements of 2015 by the thesis that Farol grew from, row by row.', [
     overLights('benchmarkLights', [1, 4, 25, 100, 225]),
     { scene: 'benchmarkLights', n: 1, axis: 'objects', values: [4, 25, 100, 225], lights: 'objects' },
     overLights('sponza', [10, 20, 50, 100, 200, 500]),

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Axis, LabSeries } from './LabPlan';
 
 export interface SceneWords {
@@ -46,5 +47,5 @@ export const axisWords: Readonly<Record<Axis, { label: string; unit: string }>> 
 /** Label of the x axis of a series, whose lights need not be point lights. */
 export function axisLabel({ axis, cases }: Pick<LabSeries, 'axis' | 'cases'>): string {
   const others = axis === 'lights' && cases.some(({ lightKind }) => lightKind !== 'points');
-  return others ? 'Lights' : axisWords[axis].label;
+  return t(others ? 'Lights' : axisWords[axis].label);
 }

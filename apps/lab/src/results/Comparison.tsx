@@ -1,9 +1,12 @@
+import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import { isNamed, type LabCase, type LabSeries } from '../plan/LabPlan';
 import { axisLabel } from '../plan/sceneWords';
 import { compareRuns, type ComparedRow } from './compareRuns';
+import { compareSpreads, SAME } from '../words/compareSpreads';
 import { formatDate, formatNumber } from '../words/format';
 import { competitorLabel, namedValue } from '../words/names';
+import { seriesLabel } from '../words/seriesLabel';
 import type { LabRun, Metric } from './LabRun';
 import './results.css';
 
@@ -13,9 +16,6 @@ const metrics: Readonly<Record<Metric, string>> = {
   cpu: 'CPU time in the call that draws',
 };
 
-/** Relative difference below which two times count as equal. */
-const SAME = 0.03;
-
 /** Two runs side by side: their differences, a mean for each competitor, and every case that both have. */
 export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
   const [chosen, setChosen] = useState<Metric | null>(null);
@@ -24,15 +24,15 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
   const series = [...new Set(rows.map((row) => row.series))];
   return (
     <section class="comparison" aria-labelledby="comparison-title">
-      <h2 id="comparison-title">Two runs side by side</h2>
+      <h2 id="comparison-title">{t('Two runs side by side')}</h2>
       <dl class="comparison-runs">
-        <dt>First</dt>
+        <dt>{t('First')}</dt>
         <dd>{runWords(a)}</dd>
-        <dt>Second</dt>
+        <dt>{t('Second')}</dt>
         <dd>{runWords(b)}</dd>
       </dl>
       {differences.length > 0 && (
-        <ul class="comparison-differences" aria-label="Differences of the runs">
+        <ul class="comparison-differences" aria-label={t('Differences of the runs')}>
           {differences.map((each) => (
             <li key={each}>{each}</li>
           ))}
@@ -41,7 +41,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
       {rows.length > 0 && (
         <>
           <p class="inline-field">
-            <label for="comparison-metric">Compare</label>
+            <label for="comparison-metric">{t('Compare')}</label>
             <select
               id="comparison-metric"
               value={metric}
@@ -49,21 +49,21 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
             >
               {Object.entries(metrics).map(([key, label]) => (
                 <option key={key} value={key}>
-                  {label}
+                  {t(label)}
                 </option>
               ))}
             </select>
           </p>
-          <div class="table-scroll" tabIndex={0} role="region" aria-label="Means by competitor">
+          <div class="table-scroll" tabIndex={0} role="region" aria-label={t('Means by competitor')}>
             <table class="rows">
-              <caption>Geometric mean of the ratios over the cases that both runs have</caption>
+              <caption>{t('Geometric mean of the ratios over the cases that both runs have')}</caption>
               <thead>
                 <tr>
-                  <th scope="col">Competitor</th>
-                  <th scope="col">Cases</th>
-                  <th scope="col">First ÷ second</th>
+                  <th scope="col">{t('Competitor')}</th>
+                  <th scope="col">{t('Cases')}</th>
+                  <th scope="col">{t('First ÷ second')}</th>
                   <th scope="col" class="text">
-                    In words
+                    {t('In words')}
                   </th>
                 </tr>
               </thead>
@@ -89,7 +89,7 @@ export function Comparison({ a, b }: { a: LabRun; b: LabRun }) {
 }
 
 function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
-  const { label } = rows[0].series;
+  const label = seriesLabel(rows[0].series);
   return (
     <div class="table-scroll" tabIndex={0} role="region" aria-label={label}>
       <table class="rows">
@@ -98,25 +98,27 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
           <tr>
             <th scope="col">{axisLabel(rows[0].series)}</th>
             <th scope="col" class="text">
-              Competitor
+              {t('Competitor')}
             </th>
-            <th scope="col">First (ms)</th>
-            <th scope="col">Second (ms)</th>
-            <th scope="col">First ÷ second</th>
+            <th scope="col">{t('First (ms)')}</th>
+            <th scope="col">{t('Second (ms)')}</th>
+            <th scope="col">{t('First ÷ second')}</th>
             <th scope="col" class="text">
-              In words
+              {t('In words')}
             </th>
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ competitor, labCase, value, a, b, ratio }) => (
+          {rows.map(({ competitor, labCase, value, a, b, ratio, times }) => (
             <tr key={`${value} ${competitor}`}>
               <th scope="row">{caseWord(rows[0].series, labCase, value)}</th>
               <td class="text">{competitorLabel(competitor)}</td>
               <td>{digits(a)}</td>
               <td>{digits(b)}</td>
               <td>{digits(ratio)}</td>
-              <td class={`text ${kindOf(ratio)}`}>{ratioWords(ratio)}</td>
+              <td class={`text ${isTie(times) ? 'same' : kindOf(ratio)}`}>
+                {isTie(times) ? t('a tie: within the spread') : ratioWords(ratio)}
+              </td>
             </tr>
           ))}
         </tbody>
@@ -124,6 +126,9 @@ function SeriesTable({ rows }: { rows: readonly ComparedRow[] }) {
     </div>
   );
 }
+
+/** Whether the charts call the two times a tie, see `compareSpreads`. */
+const isTie = (times: ComparedRow['times']): boolean => times !== null && compareSpreads(...times) === 0;
 
 /** Label of a case before its figures. */
 function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number): string {
@@ -133,9 +138,11 @@ function caseWord({ axis }: LabSeries, { width, height }: LabCase, value: number
 
 /** Relation of the second run to the first. */
 function ratioWords(ratio: number | null): string {
-  if (ratio === null) return 'no figure in one of them';
-  if (kindOf(ratio) === 'same') return 'the same within 3%';
-  return ratio > 1 ? `the second is ${digits(ratio)} × faster` : `the second is ${digits(1 / ratio)} × slower`;
+  if (ratio === null) return t('no figure in one of them');
+  if (kindOf(ratio) === 'same') return t('the same within 3%');
+  return ratio > 1
+    ? t('the second is {factor} × faster', { factor: digits(ratio) })
+    : t('the second is {factor} × slower', { factor: digits(1 / ratio) });
 }
 
 function kindOf(ratio: number | null): 'faster' | 'slower' | 'same' {
@@ -148,5 +155,5 @@ const digits = (value: number | null): string => formatNumber(value ?? Number.Na
 
 function runWords({ name, plan, surroundings }: LabRun): string {
   const { device, browser, system, date } = surroundings;
-  return `${name || plan.label}: ${device}; ${browser}, ${system}; ${formatDate(date)}`;
+  return `${name || t(plan.label)}: ${device}; ${browser}, ${system}; ${formatDate(date)}`;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { messageOf } from '../run/messageOf';
 import { exportFormats, type ExportFormat } from './exportRun';
@@ -39,15 +40,15 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
     act(async () => {
       const { name, content } = await format.make(run);
       saveFile(name, content);
-      return `${name} is made.`;
+      return t('{name} is made.', { name });
     });
-  const copy = (what: string, write: () => Promise<string>) =>
+  const copy = (done: string, write: () => Promise<string>) =>
     act(async () => {
       const text = await write();
       await navigator.clipboard.writeText(text).catch(() => {
-        throw new Error('The browser gives no access to the clipboard: export a file.');
+        throw new Error(t('The browser gives no access to the clipboard: export a file.'));
       });
-      return `${what} is in the clipboard.`;
+      return done;
     });
 
   return (
@@ -63,27 +64,31 @@ export function ExportMenu({ run, link = null }: ExportMenuProps) {
         }}
       >
         <summary ref={summary} class="button">
-          Export
+          {t('Export')}
         </summary>
         <ul>
           {Object.entries(exportFormats).map(([key, format]) => (
             <li key={key}>
-              <ExportButton label={format.label} help={format.help} onClick={() => void save(format)} />
+              <ExportButton label={format.label} help={t(format.help)} onClick={() => void save(format)} />
             </li>
           ))}
           <li>
             <ExportButton
-              label="Copy Markdown"
-              help="The same tables, for an issue or a message."
-              onClick={() => void copy('The Markdown', async () => (await import('./runMarkdown')).runMarkdown(run))}
+              label={t('Copy Markdown')}
+              help={t('The same tables, for an issue or a message.')}
+              onClick={() =>
+                void copy(t('The Markdown is in the clipboard.'), async () =>
+                  (await import('./runMarkdown')).runMarkdown(run),
+                )
+              }
             />
           </li>
           {link !== null && (
             <li>
               <ExportButton
-                label="Copy link"
-                help="An address that restores what was measured, without the figures."
-                onClick={() => void copy('The link', async () => link)}
+                label={t('Copy link')}
+                help={t('An address that restores what was measured, without the figures.')}
+                onClick={() => void copy(t('The link is in the clipboard.'), async () => link)}
               />
             </li>
           )}

@@ -1,4 +1,4 @@
-import { isComposing } from '@farol/editing';
+import { isComposing, t } from '@farol/editing';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { formatDate } from '../words/format';
 import type { RunInfo } from './RunStore';
@@ -21,7 +21,7 @@ export function RunItem(props: RunItemProps) {
   const { info, isReference = false, chosen, current, onOpen, onChoose, onRename, onDelete } = props;
   const [isNaming, setNaming] = useState(false);
   const renameButton = useRef<HTMLButtonElement>(null);
-  const title = info.name || info.label;
+  const title = info.name || t(info.label);
   const endNaming = (name: string | null): void => {
     setNaming(false);
     if (name !== null && name.trim() !== info.name) void onRename?.(name);
@@ -31,7 +31,7 @@ export function RunItem(props: RunItemProps) {
     <li class="run" aria-current={current === info.id ? 'true' : undefined}>
       <input
         type="checkbox"
-        aria-label={`Compare ${title}`}
+        aria-label={t('Compare {title}', { title })}
         checked={chosen.includes(info.id)}
         onChange={({ currentTarget }) => onChoose(info.id, currentTarget.checked)}
       />
@@ -43,20 +43,25 @@ export function RunItem(props: RunItemProps) {
             {title}
           </button>
         )}
-        {isReference && <span class="badge">reference</span>}
-        {!info.complete && <span class="badge">not complete</span>}
+        {isReference && <span class="badge">{t('reference')}</span>}
+        {!info.complete && <span class="badge">{t('not complete')}</span>}
         <p class="run-where">
-          {info.name && `${info.label}; `}
+          {info.name && `${t(info.label)}; `}
           <time dateTime={info.date}>{formatDate(info.date)}</time>; {info.device}; {info.browser}; Farol {info.build}
         </p>
       </div>
       {!isReference && !isNaming && (
         <div class="run-buttons">
-          <button ref={renameButton} type="button" aria-label={`Rename ${title}`} onClick={() => setNaming(true)}>
-            Rename
+          <button
+            ref={renameButton}
+            type="button"
+            aria-label={t('Rename {title}', { title })}
+            onClick={() => setNaming(true)}
+          >
+            {t('Rename')}
           </button>
-          <button type="button" aria-label={`Delete ${title}`} onClick={() => void onDelete?.()}>
-            Delete
+          <button type="button" aria-label={t('Delete {title}', { title })} onClick={() => void onDelete?.()}>
+            {t('Delete')}
           </button>
         </div>
       )}
@@ -83,7 +88,7 @@ function NameField({ name, label, onEnd }: { name: string; label: string; onEnd(
       ref={field}
       type="text"
       class="run-name"
-      aria-label="Name of the run"
+      aria-label={t('Name of the run')}
       placeholder={label}
       maxLength={200}
       defaultValue={name}

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useCallback, useMemo, useRef, useState } from 'preact/hooks';
 import { messageOf } from '../run/messageOf';
 import { importRuns } from './importRuns';
@@ -93,13 +94,18 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
   return (
     <section class={isOver ? 'library dropping' : 'library'} aria-labelledby="library-title">
       <div class="library-head">
-        <h2 id="library-title">Kept runs</h2>
+        <h2 id="library-title">{t('Saved runs')}</h2>
         <div class="library-buttons">
-          <button type="button" disabled={pair.length < 2} onClick={() => void compare()}>
-            Compare two
+          <button
+            type="button"
+            disabled={pair.length < 2}
+            aria-describedby="compare-needs"
+            onClick={() => void compare()}
+          >
+            {t('Compare two')}
           </button>
           <button type="button" onClick={() => input.current?.click()}>
-            Import JSON…
+            {t('Import JSON…')}
           </button>
           <input
             ref={input}
@@ -107,7 +113,7 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
             type="file"
             accept=".json,application/json"
             multiple
-            aria-label="Runs to import"
+            aria-label={t('Runs to import')}
             tabIndex={-1}
             onChange={({ currentTarget }) => {
               void importFiles([...(currentTarget.files ?? [])]);
@@ -116,6 +122,9 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
           />
         </div>
       </div>
+      <p id="compare-needs" class="dim" hidden={pair.length === 2 || readers.size < 2}>
+        {t('To compare two runs, check the boxes before them.')}
+      </p>
       <div role="alert">
         {[...problems, ...(kept.problem === null ? [] : [kept.problem])].map((problem) => (
           <p key={problem} class="problem">
@@ -125,13 +134,13 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
       </div>
       {deleted && (
         <p class="library-undo" role="status">
-          Deleted “{deleted.name}”.{' '}
+          {t('Deleted “{name}”.', { name: deleted.name })}{' '}
           <button ref={undoButton} type="button" onClick={() => void undo()}>
-            Undo
+            {t('Undo')}
           </button>
         </p>
       )}
-      <ul class="runs" aria-label="Runs">
+      <ul class="runs" aria-label={t('Runs')}>
         {kept.runs?.map((info) => (
           <RunItem
             key={info.id}
@@ -147,8 +156,9 @@ export function RunLibrary({ store, references = none, current, onOpen, onCompar
       </ul>
       {kept.runs?.length === 0 && (
         <p class="dim">
-          Runs of yours are kept in this browser and listed here. Choose two to compare them, or drop another machine’s
-          JSON anywhere on the page.
+          {t(
+            'Runs of yours are kept in this browser and listed here. Choose two to compare them, or drop another machine’s JSON anywhere on the page.',
+          )}
         </p>
       )}
     </section>

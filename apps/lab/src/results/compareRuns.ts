@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import { timeOf } from '../words/compareSpreads';
 import type { LabRow, LabRun, Metric, Spread } from './LabRun';
@@ -89,38 +90,55 @@ function differencesOf(a: LabRun, b: LabRun, compared: number): string[] {
   if (compared === 0) {
     found.push(
       differInSize(a, b)
-        ? 'No picture has the same size in both runs: measure both at one size.'
-        : 'The runs have no case and competitor in common: measure the same preset on both.',
+        ? t('No picture has the same size in both runs: measure both at one size.')
+        : t('The runs have no case and competitor in common: measure the same preset on both.'),
     );
   }
   if (onlyOurs > 0)
-    found.push(`${counted(onlyOurs)} of the first run alone ${onlyOurs === 1 ? 'is' : 'are'} left out.`);
+    found.push(
+      tCount(
+        onlyOurs,
+        'One case of the first run alone is left out.',
+        '{count} cases of the first run alone are left out.',
+      ),
+    );
   if (onlyTheirs > 0) {
-    found.push(`${counted(onlyTheirs)} of the second run alone ${onlyTheirs === 1 ? 'is' : 'are'} left out.`);
+    found.push(
+      tCount(
+        onlyTheirs,
+        'One case of the second run alone is left out.',
+        '{count} cases of the second run alone are left out.',
+      ),
+    );
   }
   const lacking = (from: LabRun, to: LabRun): string[] =>
     from.plan.competitors.filter((name) => !to.plan.competitors.includes(name));
   const [firstAlone, secondAlone] = [lacking(a, b), lacking(b, a)];
-  if (firstAlone.length > 0) found.push(`Only the first run measured ${firstAlone.join(', ')}.`);
-  if (secondAlone.length > 0) found.push(`Only the second run measured ${secondAlone.join(', ')}.`);
+  if (firstAlone.length > 0) found.push(t('Only the first run measured {names}.', { names: firstAlone.join(', ') }));
+  if (secondAlone.length > 0) found.push(t('Only the second run measured {names}.', { names: secondAlone.join(', ') }));
   const { effort: one } = a.plan;
   const { effort: two } = b.plan;
   if (one.rounds !== two.rounds || one.turn !== two.turn) {
-    found.push(`They took ${one.rounds} turns of ${one.turn} ms and ${two.rounds} of ${two.turn} ms.`);
+    found.push(
+      t('They took {a} turns of {aTime} ms and {b} of {bTime} ms.', {
+        ...{ a: one.rounds, aTime: one.turn, b: two.rounds, bTime: two.turn },
+      }),
+    );
   }
   if (a.surroundings.build !== b.surroundings.build) {
-    found.push(`The builds of Farol differ: ${a.surroundings.build} and ${b.surroundings.build}.`);
+    found.push(t('The builds of Farol differ: {a} and {b}.', { a: a.surroundings.build, b: b.surroundings.build }));
   }
   const names = Object.keys({ ...a.surroundings.versions, ...b.surroundings.versions });
   for (const name of names) {
     const [first, second] = [a.surroundings.versions[name], b.surroundings.versions[name]];
-    if (first !== second && first && second) found.push(`They have ${name} ${first} and ${second}.`);
+    if (first !== second && first && second)
+      found.push(t('They have {name} {first} and {second}.', { name, first, second }));
   }
   if (a.surroundings.browser !== b.surroundings.browser) {
-    found.push(`The browsers differ: ${a.surroundings.browser} and ${b.surroundings.browser}.`);
+    found.push(t('The browsers differ: {a} and {b}.', { a: a.surroundings.browser, b: b.surroundings.browser }));
   }
-  if (!a.complete) found.push('The first run ended before every case was measured.');
-  if (!b.complete) found.push('The second run ended before every case was measured.');
+  if (!a.complete) found.push(t('The first run ended before every case was measured.'));
+  if (!b.complete) found.push(t('The second run ended before every case was measured.'));
   return found;
 }
 
@@ -134,8 +152,6 @@ function differInSize(a: LabRun, b: LabRun): boolean {
     a.plan.competitors.some((name) => b.plan.competitors.includes(name)) && [...ours].some((each) => theirs.has(each))
   );
 }
-
-const counted = (cases: number): string => (cases === 1 ? 'One case' : `${cases} cases`);
 
 function caseOf(run: LabRun, { series, index }: LabRow): LabCase | undefined {
   return run.plan.series.find(({ name }) => name === series)?.cases[index];

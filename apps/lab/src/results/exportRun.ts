@@ -52,7 +52,7 @@ export const exportFormats: Readonly<Record<string, ExportFormat>> = {
   csv: textFormat('CSV', 'A row for each case and competitor, for spreadsheets and scripts.', {
     ...{ extension: 'csv', type: 'text/csv', write: async (run) => (await import('./runCSV')).runCSV(run) },
   }),
-  markdown: textFormat('Markdown', 'Tables as in chapter 4 of the thesis, with all warnings.', {
+  markdown: textFormat('Markdown', 'Tables as text, with all warnings.', {
     ...{
       extension: 'md',
       type: 'text/markdown',

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { logTicks } from '../charts/scales';
 import type { ChartSettings, ChartSpec, ChartTip } from '../charts/ChartSpec';
 import { type ChartRow, drawRows, type RowBar, type RowMark } from '../charts/drawRows';
@@ -33,24 +34,28 @@ export function thesisChart(run: LabRun, settings: ChartSettings, key = 'thesis'
   const domain: [number, number] = [isLog ? Math.min(...values) / 1.2 : 0, Math.max(...values) * 1.1];
   return {
     key,
-    title: `The thesis of 2015 and this run${byMetric(settings.metric)}`,
-    description: `Frames a second of forward and deferred shading, row by row of the thesis’s three tables: pale bars are the ranges of 2015, symbols this run’s medians.`,
+    title: `${t('The thesis of 2015 and this run')}${byMetric(settings.metric)}`,
+    description: t(
+      'Frames a second of forward and deferred shading, row by row of the thesis’s three tables: pale bars are the ranges of 2015, symbols this run’s medians.',
+    ),
     notes: [
-      'Pale bars: the thesis, in a browser that showed 60 frames a second at most; where there is none, its counter could not follow. Symbols: this run, without a display to wait for.',
+      t(
+        'Pale bars: the thesis, in a browser that showed 60 frames a second at most; where there is none, its counter could not follow. Symbols: this run, without a display to wait for.',
+      ),
       ...(isSoftware(run.surroundings.device)
-        ? ['A software rasteriser drew this run: it ranks the techniques on a processor, not on a GPU.']
+        ? [t('A software rasteriser drew this run: it ranks the techniques on a processor, not on a GPU.')]
         : []),
     ],
     table: tableOf(pairs, forward),
     legend: [forward, 'deferred', 'auto'].filter((name) => measured.some((pair) => timeIn(pair, name))),
     choice:
       offered.length > 1
-        ? { label: 'Forward is drawn by', options: offered.map(competitorLabel), selected, exportsAll: true }
+        ? { label: t('Forward is drawn by'), options: offered.map(competitorLabel), selected, exportsAll: true }
         : null,
     draw: (options) =>
       drawRows(
         {
-          ...{ rows, lanes: 2, type: settings.scale, domain, label: 'Frames a second', format: formatNumber },
+          ...{ rows, lanes: 2, type: settings.scale, domain, label: t('Frames a second'), format: formatNumber },
           ticks: isLog ? (most) => logTicks(...domain, most) : undefined,
         },
         options,
@@ -62,7 +67,7 @@ function rowsOf(pairs: readonly ThesisPair[], forward: string): ChartRow[] {
   const rows: ChartRow[] = [];
   let table = '';
   for (const pair of pairs) {
-    if (pair.thesis.table !== table) rows.push({ label: headings[pair.thesis.table], isHeading: true, bars: [] });
+    if (pair.thesis.table !== table) rows.push({ label: t(headings[pair.thesis.table]), isHeading: true, bars: [] });
     table = pair.thesis.table;
     const tip = tipOf(pair, forward);
     const mark = (competitor: string, lane: number): RowMark[] => {
@@ -92,8 +97,14 @@ function tipOf(pair: ThesisPair, forward: string): ChartTip {
     return time ? [`${competitorLabel(name)}: ${rateText(time.median)}`] : [];
   });
   return {
-    title: `${headings[thesis.table]}: ${pair.label}`,
-    lines: [`2015: forward ${framesText(thesis.forward)}, deferred ${framesText(thesis.deferred)}`, ...figures],
+    title: `${t(headings[thesis.table])}: ${pair.label}`,
+    lines: [
+      t('2015: forward {forward}, deferred {deferred}', {
+        forward: framesText(thesis.forward),
+        deferred: framesText(thesis.deferred),
+      }),
+      ...figures,
+    ],
   };
 }
 
@@ -104,13 +115,13 @@ function tableOf(pairs: readonly ThesisPair[], forward: string) {
   };
   return {
     columns: [
-      ...['Scene', 'Forward, 2015', 'Deferred, 2015', competitorLabel(forward), competitorLabel('deferred')],
-      ...['Fastest technique', 'Its frames a second'],
+      ...[t('Scene'), t('Forward, 2015'), t('Deferred, 2015'), competitorLabel(forward), competitorLabel('deferred')],
+      ...[t('Fastest technique'), t('Its frames a second')],
     ],
     rows: pairs.map((pair) => {
       const best = pair.entries.find(({ competitor }) => isTechnique(competitor));
       return [
-        `${headings[pair.thesis.table]}: ${pair.label}`,
+        `${t(headings[pair.thesis.table])}: ${pair.label}`,
         framesText(pair.thesis.forward),
         framesText(pair.thesis.deferred),
         cell(pair, forward),
@@ -123,8 +134,8 @@ function tableOf(pairs: readonly ThesisPair[], forward: string) {
 }
 
 function framesText(frames: Frames): string {
-  if (frames === null) return 'could not be counted';
-  return frames[0] === frames[1] ? `${frames[0]} FPS` : `${frames[0]} to ${frames[1]} FPS`;
+  if (frames === null) return t('could not be counted');
+  return frames[0] === frames[1] ? `${frames[0]} FPS` : t('{low} to {high} FPS', { low: frames[0], high: frames[1] });
 }
 
 function rateText(ms: number): string {

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { deviceName } from '../words/device';
 import type { StageState } from './support/useStage';
 
@@ -8,20 +9,22 @@ export function DeviceNote({ device, problem, unavailable }: StageState) {
   return (
     <div class="device">
       <dl>
-        <dt>Graphics</dt>
+        <dt>{t('Graphics')}</dt>
         <dd title={device?.surroundings.device}>{device ? deviceName(device.surroundings.device) : waiting}</dd>
-        <dt>Browser</dt>
+        <dt>{t('Browser')}</dt>
         <dd>{device ? `${device.surroundings.browser}, ${device.surroundings.system}` : waiting}</dd>
-        <dt>GPU time</dt>
-        <dd>{device ? (device.timer ? 'by timer queries' : 'no timer here: whole frames are measured') : waiting}</dd>
-        <dt>WebGPU</dt>
-        <dd>{webgpu === undefined ? waiting : webgpu === null ? 'yes' : 'no'}</dd>
+        <dt>{t('GPU times')}</dt>
+        <dd>
+          {device ? (device.timer ? t('by timer queries') : t('no timer here: whole frames are measured')) : waiting}
+        </dd>
+        <dt>{t('WebGPU')}</dt>
+        <dd>{webgpu === undefined ? waiting : webgpu === null ? t('yes') : t('no')}</dd>
       </dl>
       {device?.software && (
         <p class="warning">
-          The browser draws on the processor here, by a software rasteriser, not on a graphics card: the button measures
-          small pictures, and the figures say nothing about GPUs. Switch hardware acceleration on in the browser’s
-          settings.
+          {t(
+            'The browser draws on the processor here, by a software rasteriser, not on a graphics card: the button measures small pictures, and the figures say nothing about GPUs. Switch hardware acceleration on in the browser’s settings.',
+          )}
         </p>
       )}
       {problem && (

@@ -1,4 +1,5 @@
-import { useCallback, useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { t, type Language, textLanguage } from '@farol/editing';
+import { useCallback, useEffect, useRef, useState } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
 import { ownPreset } from '../own/ownPreset';
 import { useOwnScene } from '../own/useOwnScene';
@@ -16,6 +17,8 @@ import { Results } from './results/Results';
 import { isEmptyRun } from './results/whyIncomplete';
 import { RunActions } from './results/RunActions';
 import { RunChoice } from './results/RunChoice';
+import { LanguageSelect } from './LanguageSelect';
+import { Learning } from './Learning';
 import { NormalsFigure } from './NormalsFigure';
 import { RunPanel } from './RunPanel';
 import { Setup } from './Setup';
@@ -29,7 +32,8 @@ import { ThesisConclusions } from './ThesisConclusions';
 
 const store = new RunStore();
 
-export function LabPage() {
+/** @param onLanguage - shows the page in another language and draws it anew */
+export function LabPage({ onLanguage }: { onLanguage(language: Language): Promise<void> }) {
   const { configuration, problems, setConfiguration } = useConfiguration();
   const displayed = useShownRun();
   const showRun = displayed.show;
@@ -39,7 +43,7 @@ export function LabPage() {
   const handed = useOwnScene();
   const { running, isStarting, problem, start, cancel } = useRun();
   const isRunning = running !== null;
-  const plan = useMemo(() => planned(configuration, handed.scene !== null), [configuration, handed.scene]);
+  const plan = planned(configuration, handed.scene !== null);
   const { focus, show } = useFocusedRun(
     useCallback(
       (run: LabRun) => {
@@ -88,17 +92,22 @@ export function LabPage() {
   return (
     <>
       <header class="bar">
-        <p class="brand">Farol Lab</p>
-        <ThemeSelect />
+        <p class="brand">{t('Farol Lab')}</p>
+        <div class="bar-choices">
+          <LanguageSelect onLanguage={onLanguage} onProblem={setComplaint} />
+          <ThemeSelect />
+        </div>
       </header>
       <main>
         <Hero
+          run={run}
+          isReference={!isRunning && displayed.isReference}
           stage={stage}
           isBusy={isRunning || isStarting}
           onMeasure={() => void measure(quickFor({ software: stage.device?.software ?? false }))}
         />
-        {handed.isComing && <p role="status">Waiting for the scene of the page that opened the Lab …</p>}
-        {isStarting && <p role="status">Opening the frames that are measured …</p>}
+        {handed.isComing && <p role="status">{t('Waiting for the scene of the page that opened the Lab …')}</p>}
+        {isStarting && <p role="status">{t('Opening the frames that are measured …')}</p>}
         {running && <RunPanel running={running} onCancel={cancel} />}
         {[...problems, problem, complaint, displayed.problem, handed.problem].map(
           (each) =>
@@ -110,7 +119,7 @@ export function LabPage() {
         )}
         {handed.scene && (
           <p role="status">
-            Handed over, to be measured: <strong>{handed.scene.name}</strong>
+            {t('Handed over, to be measured:')} <strong>{handed.scene.name}</strong>
           </p>
         )}
         <div class="columns">
@@ -123,7 +132,8 @@ export function LabPage() {
             onChange={setConfiguration}
             onMeasure={() => void measure(configuration)}
           />
-          <div class="shown">
+          {/* another language makes charts and tables anew */}
+          <div class="shown" key={textLanguage()}>
             {pair ? (
               <ComparedRuns runs={pair} onClose={() => setPair(null)} />
             ) : (
@@ -150,7 +160,7 @@ export function LabPage() {
                     }
                   />
                 ) : (
-                  <h2 id="results-title">Results</h2>
+                  <h2 id="results-title">{t('Results')}</h2>
                 )}
               </section>
             )}
@@ -164,6 +174,7 @@ export function LabPage() {
                 onRename={(id, name) => displayed.run?.id === id && displayed.show({ ...displayed.run, name })}
               />
             </section>
+            <Learning stage={stage} isBusy={isRunning || isStarting} />
             <ThesisConclusions />
             <NormalsFigure isMeasuring={isRunning} />
           </div>

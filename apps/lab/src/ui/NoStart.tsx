@@ -1,8 +1,9 @@
+import { t } from '@farol/editing';
 /** Page in place of the Lab in a browser that cannot measure. */
 export function NoStart({ problem }: { problem: string }) {
   return (
     <main class="no-start">
-      <h1>Farol Lab cannot measure here</h1>
+      <h1>{t('Farol Lab cannot measure here')}</h1>
       <p role="alert">{problem}</p>
     </main>
   );
@@ -11,10 +12,12 @@ export function NoStart({ problem }: { problem: string }) {
 /** Reason why the browser cannot draw with WebGL 2, with the remedy, one sentence; null if it can. */
 export function webglProblem(): string | null {
   if (typeof WebGL2RenderingContext === 'undefined') {
-    return 'This browser has no WebGL 2: use Chrome, Edge or Firefox of the last two years, or Safari 17 or newer.';
+    return t('This browser has no WebGL 2: use Chrome, Edge or Firefox of the last two years, or Safari 17 or newer.');
   }
   if (!document.createElement('canvas').getContext('webgl2')) {
-    return 'WebGL 2 is switched off here: switch hardware acceleration on in the browser’s settings, or update the graphics driver, then load the page again.';
+    return t(
+      'WebGL 2 is switched off here: switch hardware acceleration on in the browser’s settings, or update the graphics driver, then load the page again.',
+    );
   }
   return null;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useId } from 'preact/hooks';
 import type { Configuration } from '../plan/Configuration';
 import { estimate, planOf } from '../plan/planOf';
@@ -43,14 +44,14 @@ function PresetCard({ preset, isChosen, onChoose }: PresetCardProps) {
       onClick={onChoose}
     >
       <span class="preset-head">
-        <strong id={`${id}-label`}>{preset.label}</strong>
+        <strong id={`${id}-label`}>{t(preset.label)}</strong>
         <span id={`${id}-time`} class="preset-time">
-          <span class="visually-hidden">takes about </span>
+          <span class="visually-hidden">{t('takes about')} </span>
           {time}
         </span>
       </span>
       <span id={`${id}-help`} class="preset-help">
-        {preset.help}
+        {t(preset.help)}
       </span>
     </button>
   );

@@ -1,5 +1,7 @@
+import { t } from '@farol/editing';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { competitorLabel, valueText } from '../words/names';
+import { seriesLabel } from '../words/seriesLabel';
 import { PixelCanvas } from './PixelCanvas';
 import { formatDuration } from './support/formatDuration';
 import type { Running } from './support/useRun';
@@ -14,8 +16,9 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   const percent = Math.floor(part * 100);
   const index = series.cases.indexOf(labCase);
   const value = valueText(series.axis, series.values[index]);
-  const left = remaining === null ? 'working out how long' : `about ${formatDuration(remaining)} left`;
-  const announced = useAnnounced(`${percent}% measured, ${left}.`);
+  const left =
+    remaining === null ? t('working out how long') : t('about {time} left', { time: formatDuration(remaining) });
+  const announced = useAnnounced(t('{percent}% measured, {left}.', { percent, left }));
   const isHidden = useHidden();
   const title = useRef<HTMLHeadingElement>(null);
   // the button that started the run lost the focus by being disabled, and is far above on a phone
@@ -25,16 +28,17 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
   }, []);
   return (
     <section class="running" aria-labelledby="running-title">
-      <PixelCanvas pixels={running.picture} label="Last picture" class="live" width={160} height={90} />
+      <PixelCanvas pixels={running.picture} label={t('Last picture')} class="live" width={160} height={90} />
       <div class="running-words">
         <h2 id="running-title" ref={title} tabIndex={-1}>
-          Measuring: {plan.label} <span class="dim">{isCancelled ? 'ending …' : left}</span>
+          {t('Measuring: {label}', { label: t(plan.label) })}{' '}
+          <span class="dim">{isCancelled ? t('ending …') : left}</span>
         </h2>
         <progress value={part} max={1} aria-labelledby="running-title" />
         <p class="now">
-          <strong>{competitor === null ? 'Comparing pictures' : competitorLabel(competitor)}</strong>
+          <strong>{competitor === null ? t('Comparing pictures') : competitorLabel(competitor)}</strong>
           <span>
-            {series.label}: {value}
+            {seriesLabel(series)}: {value}
           </span>
           <span class="dim">
             {labCase.width} × {labCase.height}
@@ -42,14 +46,14 @@ export function RunPanel({ running, onCancel }: { running: Running; onCancel(): 
         </p>
         {isHidden && (
           <p class="warning" role="alert">
-            The tab is hidden, so the run waits: browsers throttle hidden tabs.
+            {t('The tab is hidden, so the run waits: browsers throttle hidden tabs.')}
           </p>
         )}
-        <p class="dim">Keep this tab in front, and let the machine do nothing else.</p>
+        <p class="dim">{t('Keep this tab in front, and let the machine do nothing else.')}</p>
       </div>
       <button type="button" class="cancel" onClick={onCancel} disabled={isCancelled}>
-        Cancel
-        <span class="visually-hidden"> and keep what was measured</span>
+        {t('Cancel')}
+        <span class="visually-hidden"> {t('and keep what was measured')}</span>
       </button>
       <p class="visually-hidden" role="status">
         {announced}

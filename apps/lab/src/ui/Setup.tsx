@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Configuration } from '../plan/Configuration';
 import { ownPreset, usesOwnScene } from '../own/ownPreset';
 import { presets } from '../plan/presets';
@@ -20,13 +21,14 @@ interface SetupProps {
 export function Setup({ configuration, planned, unavailable, ownScene, isBusy, onChange, onMeasure }: SetupProps) {
   const offered = ownScene === null ? presets : { own: ownPreset(ownScene), ...presets };
   const isOwn = ownScene !== null && usesOwnScene(configuration);
-  const label = presets[configuration.preset]?.label ?? (isOwn ? ownScene : 'your own comparison');
+  const isPreset = Object.hasOwn(presets, configuration.preset);
+  const label = isPreset ? t(presets[configuration.preset].label) : isOwn ? ownScene : t('your own comparison');
   return (
     <section class="setup" aria-labelledby="setup-title">
-      <h2 id="setup-title">What to measure</h2>
+      <h2 id="setup-title">{t('What to measure')}</h2>
       <PresetCards presets={offered} chosen={isOwn ? 'own' : configuration.preset} onChoose={onChange} />
       <details class="own">
-        <summary>Build your own</summary>
+        <summary>{t('Build your own')}</summary>
         <Builder
           configuration={configuration}
           unavailable={unavailable}
@@ -37,7 +39,7 @@ export function Setup({ configuration, planned, unavailable, ownScene, isBusy, o
       </details>
       <div class="begin">
         <button type="button" class="framed" disabled={isBusy || planned.plan === null} onClick={onMeasure}>
-          Measure: {label}
+          {t('Measure: {label}', { label })}
         </button>
         {planned.plan ? (
           <p class="dim">{planSize(planned.plan)}</p>

@@ -1,7 +1,8 @@
+import { t } from '@farol/editing';
 import { useState } from 'preact/hooks';
 import { storedTheme, storeTheme, type Theme } from './support/theme';
 
-const labels: Record<Theme, string> = { system: 'System', light: 'Light', dark: 'Dark' };
+const labels: Record<Theme, string> = { system: 'System', light: 'Light##theme', dark: 'Dark' };
 
 /** Chooses the page's colours. */
 export function ThemeSelect() {
@@ -12,11 +13,11 @@ export function ThemeSelect() {
   };
   return (
     <label class="inline-field">
-      Theme
+      {t('Theme')}
       <select value={theme} onChange={({ currentTarget }) => choose(currentTarget.value as Theme)}>
         {Object.entries(labels).map(([value, label]) => (
           <option key={value} value={value}>
-            {label}
+            {t(label)}
           </option>
         ))}
       </select>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRow, LabRun, Metric, Spread } from '../results/LabRun';
 import { isSoftware } from './device';
 
@@ -41,7 +42,7 @@ export function missingMetric(runs: readonly LabRun[], metric: Metric): string |
   if (runs.every(({ rows }) => rows.length === 0)) return null;
   if (runs.some(({ rows }) => rows.some((row) => timeOf(row, metric)))) return null;
   if (metric === 'gpu' && runs.every(({ surroundings: { device } }) => isSoftware(device)))
-    return 'No GPU times: a software rasteriser draws on the processor.';
-  if (metric === 'gpu') return 'No GPU times: the device or the browser has no timer queries.';
-  return metric === 'cpu' ? 'No CPU times were measured.' : 'No frame times were measured.';
+    return t('No GPU times: a software rasteriser draws on the processor.');
+  if (metric === 'gpu') return t('No GPU times: the device or the browser has no timer queries.');
+  return metric === 'cpu' ? t('No CPU times were measured.') : t('No frame times were measured.');
 }

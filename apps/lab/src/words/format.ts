@@ -1,9 +1,9 @@
-const plain = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+import { formatCount, t, textLocale } from '@farol/editing';
 
 /** A number with `digits` significant digits at most and thousands separated: `0.123`, `1.2`, `12,300`. */
 export function formatNumber(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return '–';
-  if (Math.abs(value) >= Math.min(1000, 10 ** (digits - 1))) return plain.format(value);
+  if (Math.abs(value) >= Math.min(1000, 10 ** (digits - 1))) return formatCount(value);
   return String(Number(value.toPrecision(digits)));
 }
 
@@ -12,12 +12,13 @@ export function formatMs(ms: number): string {
   return ms >= 10_000 ? `${formatNumber(ms / 1000)} s` : `${formatNumber(ms)} ms`;
 }
 
-const dates = new Intl.DateTimeFormat('en', { dateStyle: 'medium', timeStyle: 'short' });
+const dateFormat = (): Intl.DateTimeFormat =>
+  new Intl.DateTimeFormat(textLocale(), { dateStyle: 'medium', timeStyle: 'short' });
 
 /** A date in this machine's time zone, as `Nov 22, 2026, 6:11 PM`; a text that is no date unchanged. */
 export function formatDate(text: string): string {
   const date = new Date(text);
-  return Number.isNaN(date.getTime()) ? text : dates.format(date);
+  return Number.isNaN(date.getTime()) ? text : dateFormat().format(date);
 }
 
 /** Bytes, as `640 B`, `1.2 kB`, `35 MB`, `1.25 GB`. */
@@ -29,7 +30,7 @@ export function formatBytes(bytes: number): string {
 
 /** A factor as `4.1 times`, `1.15 times`. */
 export function formatFactor(factor: number): string {
-  return `${formatNumber(factor, factor < 2 ? 3 : 2)} times`;
+  return t('{factor} times', { factor: formatNumber(factor, factor < 2 ? 3 : 2) });
 }
 
 /** A share as `12%`, `0.4%`, `−3%`. */
@@ -41,5 +42,7 @@ export function formatPercent(share: number): string {
 
 /** `a`, `a and b`, `a, b and c`. */
 export function listOf(items: readonly string[]): string {
-  return items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} and ${items.at(-1)}`;
+  return items.length < 2
+    ? (items[0] ?? '')
+    : t('{list} and {last}', { list: items.slice(0, -1).join(', '), last: items.at(-1)! });
 }

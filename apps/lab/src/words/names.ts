@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { competitorNames } from '../competitors/competitorNames';
 import { type Axis, isNamed, type LabCase } from '../plan/LabPlan';
 import { lightKindNames, lightKinds, shadingNames, shadings } from '../plan/lightKinds';
@@ -6,12 +7,12 @@ import { formatNumber } from './format';
 
 /** Name of a competitor in menus and tables; its key if this version does not know it. */
 export function competitorLabel(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].label : name;
+  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].label) : name;
 }
 
 /** Explanation of a competitor, one sentence; its key if this version does not know it. */
 export function competitorHelp(name: string): string {
-  return Object.hasOwn(competitorNames, name) ? competitorNames[name as keyof typeof competitorNames].help : name;
+  return Object.hasOwn(competitorNames, name) ? t(competitorNames[name as keyof typeof competitorNames].help) : name;
 }
 
 const inSentences: Readonly<Record<string, string>> = {
@@ -26,7 +27,7 @@ const inSentences: Readonly<Record<string, string>> = {
 
 /** Short name of a competitor within a text or beside a line. */
 export function competitorWord(name: string): string {
-  return inSentences[name] ?? competitorLabel(name).replace(/^Farol: /, '');
+  return Object.hasOwn(inSentences, name) ? t(inSentences[name]) : competitorLabel(name).replace(/^Farol: /, '');
 }
 
 /** Whether a competitor is a technique of Farol's other than `auto`. */
@@ -52,7 +53,7 @@ const units: Readonly<Record<Axis, readonly [one: string, many: string]>> = {
 /** Name of a value along an axis of names: `rectangles`, `flat shading`; its index if this version does not know it. */
 export function namedValue(axis: 'kind' | 'shading', value: number): string {
   const words = axis === 'kind' ? lightKinds[lightKindNames[value]] : shadings[shadingNames[value]];
-  return words?.word ?? String(value);
+  return words ? t(words.word) : String(value);
 }
 
 /**
@@ -62,11 +63,12 @@ export function namedValue(axis: 'kind' | 'shading', value: number): string {
 export function valueText(axis: Axis, value: number, labCase?: LabCase): string {
   if (axis === 'pixels' && labCase) return `${labCase.width} × ${labCase.height}`;
   if (isNamed(axis)) return namedValue(axis, value);
-  return `${formatNumber(value, 6)} ${units[axis][value === 1 ? 0 : 1]}`;
+  return `${formatNumber(value, 6)} ${t(units[axis][value === 1 ? 0 : 1])}`;
 }
 
 /** Ending of a title that names the metric, empty for frame times: `, by GPU time`. */
-export const byMetric = (metric: Metric): string => (metric === 'frame' ? '' : `, by ${metricWords[metric].noun}`);
+export const byMetric = (metric: Metric): string =>
+  metric === 'frame' ? '' : `, ${t('by {time}', { time: t(metricWords[metric].noun) })}`;
 
 /** Names of the metrics: on buttons, within texts, and an explanation. */
 export const metricWords: Readonly<Record<Metric, { label: string; noun: string; help: string }>> = {

@@ -1,6 +1,7 @@
 import type { LabCase, LabSeries } from '../plan/LabPlan';
 import type { LabRun } from '../results/LabRun';
 import { valueText } from './names';
+import { seriesWord } from './seriesLabel';
 
 /** A case of a run and its place in the plan. */
 export interface SeriesCase {
@@ -24,9 +25,4 @@ export function casesOf(run: LabRun): SeriesCase[] {
 /** Scene and value of a case: `Atrium, 100 lights`. */
 export function caseLabel(series: LabSeries, index: number): string {
   return `${seriesWord(series)}, ${valueText(series.axis, series.values[index], series.cases[index])}`;
-}
-
-/** Label of a series without its axis: `Atrium` for `Atrium over point lights`. */
-export function seriesWord({ label }: Pick<LabSeries, 'label'>): string {
-  return label.replace(/ over [^,]*/, '');
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Scene } from '@farol/engine';
 import { containerContent, createId, type FileComponent, type FileObject, writeContainer } from '@farol/engine/files';
 import type { LoadedModel } from '../model/loadModel';
@@ -35,7 +36,7 @@ export async function sceneFile(scene: Scene, model: LoadedModel | null): Promis
 /** Object that gets the model: a root with the model's name. */
 function modelObject(objects: readonly FileObject[], name: string): FileObject {
   const object = objects.find((each) => each.parent === null && each.name === name);
-  if (!object) throw new Error(`The scene has no object ${name}: drop the model once more.`);
+  if (!object) throw new Error(t('The scene has no object {name}: drop the model once more.', { name }));
   return object;
 }
 

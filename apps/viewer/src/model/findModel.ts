@@ -1,4 +1,4 @@
-import { shortText } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { decodedUri, type FileMap, type GltfJson } from '@farol/engine/files';
 
 /**
@@ -14,8 +14,8 @@ export function findModel(files: FileMap): string {
     [...files.keys()]
       .slice(0, 5)
       .map((path) => shortText(path, 60))
-      .join(', ') || 'nothing that is a file';
-  throw new Error(`no .glb, .gltf, .obj, .stl or .ply was given, but ${names}.`);
+      .join(', ') || t('nothing that is a file');
+  throw new Error(t('no .glb, .gltf, .obj, .stl or .ply was given, but {names}.', { names }));
 }
 
 /** Path in the file map of a `uri` in the glTF at `modelPath`; null for data inside the glTF. */

@@ -7,7 +7,7 @@ import {
   packObj,
   readGltfJson,
 } from '@farol/engine/files';
-import { shortText } from '@farol/editing';
+import { shortText, t } from '@farol/editing';
 import { LoadingManager, type WebGLRenderer } from 'three';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import type { FileMap } from '@farol/engine/files';
@@ -65,7 +65,9 @@ const loadGltf: Load = async (files, path, renderer, signal) => {
   const missing = missingFiles(files, path, json);
   if (missing.length > 0) {
     const names = missing.slice(0, 8).map((each) => shortText(each, 60));
-    throw new Error(`it needs ${names.join(', ')}: drop the whole folder, or all of its files together.`);
+    throw new Error(
+      t('it needs {names}: drop the whole folder, or all of its files together.', { names: names.join(', ') }),
+    );
   }
   const gltf = await parse(bytes, json.extensionsUsed ?? [], path, files, renderer, signal);
   const pack = async (): Promise<Blob> => {

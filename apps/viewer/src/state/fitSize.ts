@@ -1,7 +1,7 @@
+import { formatCount, t } from '@farol/editing';
+
 /** Pixel limit of a picture: a screen of 7,680 × 4,320. A technique needs about 40 bytes per pixel. */
 const MOST_PIXELS = 7680 * 4320;
-
-const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 
 /**
  * The pixel ratio at which a picture can be drawn.
@@ -14,10 +14,11 @@ const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 export function fitSize(width: number, height: number, dpr: number, side: number): { dpr: number; problem: string } {
   const fits = Math.min(dpr, side / width, side / height, Math.sqrt(MOST_PIXELS / (width * height)));
   if (fits >= dpr) return { dpr, problem: '' };
-  const size = (ratio: number): string => `${integer.format(width * ratio)} × ${integer.format(height * ratio)}`;
-  const problem =
-    `The picture would have ${size(dpr)} pixels. It is drawn with ${size(fits)}: this device draws ` +
-    `${integer.format(side)} a side, and the viewer ${integer.format(MOST_PIXELS / 1e6)} million in all.`;
+  const size = (ratio: number): string => `${formatCount(width * ratio)} × ${formatCount(height * ratio)}`;
+  const problem = t(
+    'The picture would have {size} pixels. It is drawn with {fitted}: this device draws {side} a side, and the viewer {most} million in all.',
+    { size: size(dpr), fitted: size(fits), side: formatCount(side), most: formatCount(MOST_PIXELS / 1e6) },
+  );
   return { dpr: fits, problem };
 }
 

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Field, FieldValue } from '@farol/engine/fields';
 import type { KnownNames, ViewerState } from './ViewerState';
 
@@ -43,7 +44,8 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
       read(text);
     } catch (error) {
       if (!(error instanceof BadValue)) throw error;
-      problems.push(`${name}=${shortened(text)} in the address: ${error.message} The default is used.`);
+      const values = { name, text: shortened(text), problem: error.message };
+      problems.push(t('{name}={text} in the address: {problem} The default is used.', values));
     }
   };
 
@@ -76,13 +78,17 @@ export function readState(search: string, known: KnownNames): { state: ViewerSta
   }
   const isUnknown = new Set(unknown);
   for (const [name, count] of times) {
-    if (count > 1 && !isUnknown.has(name)) problems.push(`${name} is in the address ${count} times: the first counts.`);
+    if (count > 1 && !isUnknown.has(name))
+      problems.push(t('{name} is in the address {count} times: the first counts.', { name, count }));
   }
   for (const name of unknown.slice(0, MOST_UNKNOWN)) {
-    problems.push(`${shortened(name) || 'A name of no letters'} in the address is unknown and left out.`);
+    problems.push(
+      t('{name} in the address is unknown and left out.', { name: shortened(name) || t('A name of no letters') }),
+    );
   }
-  if (unknown.length > MOST_UNKNOWN) problems.push(`So are ${unknown.length - MOST_UNKNOWN} others.`);
-  if (unknown.length > 0) problems.push(`Known are ${names.join(', ')}.`);
+  if (unknown.length > MOST_UNKNOWN)
+    problems.push(t('So are {count} others.', { count: unknown.length - MOST_UNKNOWN }));
+  if (unknown.length > 0) problems.push(t('Known are {names}.', { names: names.join(', ') }));
   return { state, problems };
 }
 
@@ -95,21 +101,23 @@ const MOST_LETTERS = 60;
 const shortened = (text: string): string => (text.length > MOST_LETTERS ? `${text.slice(0, MOST_LETTERS)}…` : text);
 
 function oneOf(text: string, allowed: readonly string[]): string {
-  if (!allowed.includes(text)) throw new BadValue(`it is unknown. Known are ${allowed.join(', ')}.`);
+  if (!allowed.includes(text))
+    throw new BadValue(t('it is unknown. Known are {names}.', { names: allowed.join(', ') }));
   return text;
 }
 
 function number(text: string, { min = -Infinity, max = Infinity, integer = false }): number {
   const value = text.trim() === '' ? NaN : Number(text);
   if (Number.isFinite(value) && value >= min && value <= max && (!integer || Number.isInteger(value))) return value;
-  const range = max < Infinity ? ` from ${min} to ${max}` : min > -Infinity ? ` of ${min} or more` : '';
-  throw new BadValue(`a ${integer ? 'whole ' : ''}number${range} is needed.`);
+  const range =
+    max < Infinity ? t(' from {min} to {max}', { min, max }) : min > -Infinity ? t(' of {min} or more', { min }) : '';
+  throw new BadValue(t(integer ? 'a whole number{range} is needed.' : 'a number{range} is needed.', { range }));
 }
 
 function boolean(text: string): boolean {
   if (text === '1' || text === 'true') return true;
   if (text === '0' || text === 'false') return false;
-  throw new BadValue('1 or 0 is needed.');
+  throw new BadValue(t('1 or 0 is needed.'));
 }
 
 function fieldValue(field: Field, text: string): FieldValue {
@@ -129,12 +137,12 @@ function fieldValue(field: Field, text: string): FieldValue {
     case 'euler':
     case 'colour': {
       const values = text.split(',').map((part) => number(part, field.kind === 'vector3' ? field : {}));
-      if (values.length !== 3) throw new BadValue('three numbers with commas between are needed.');
+      if (values.length !== 3) throw new BadValue(t('three numbers with commas between are needed.'));
       return [values[0], values[1], values[2]];
     }
     case 'curve':
     case 'gradient':
     case 'custom':
-      throw new BadValue('an address cannot hold it.');
+      throw new BadValue(t('an address cannot hold it.'));
   }
 }

@@ -1,51 +1,59 @@
+import { t } from '@farol/editing';
 import type { Field } from '@farol/engine/fields';
 import type { KnownNames } from '../state/ViewerState';
 
-const keys: [string, string][] = [
-  ['W A S D, arrows', 'fly forward, left, back, right; with Shift faster'],
-  ['E, Q', 'rise, sink'],
-  ['Drag', 'look round'],
-  ['Touch', 'orbit with one finger, zoom and pan with two'],
-  ['Space', 'stop and go'],
-  ['H', 'show or hide the menu'],
-  ['?', 'this help'],
-  ['Drop a .glb, .gltf, .obj, .stl, .ply, folder or .zip', 'show that model'],
+const keys = (): [string, string][] => [
+  [t('W A S D, arrows'), t('fly forward, left, back, right; with Shift faster')],
+  ['E, Q', t('rise, sink')],
+  [t('Drag##pointer'), t('look round')],
+  [t('Touch'), t('orbit with one finger, zoom and pan with two')],
+  [t('Space'), t('stop and go')],
+  ['H', t('show or hide the menu')],
+  ['?', t('this help')],
+  [t('Drop a .glb, .gltf, .obj, .stl, .ply, folder or .zip'), t('show that model')],
 ];
 
 /** The help over the picture: keys, and every parameter of the address. Opened by its button, F1 or `?`. */
 export class HelpPanel {
   private readonly dialog = document.createElement('dialog');
+  private readonly button = document.createElement('button');
 
   constructor(parent: HTMLElement, known: KnownNames) {
-    const button = document.createElement('button');
+    const { button } = this;
     button.type = 'button';
     button.className = 'help-button';
     button.textContent = '?';
-    button.title = 'Keys and address parameters (?)';
-    button.setAttribute('aria-label', 'Help');
+    button.title = t('Keys and address parameters (?)');
+    button.setAttribute('aria-label', t('Help'));
     button.addEventListener('click', () => this.toggle());
 
     this.dialog.className = 'help';
-    this.dialog.setAttribute('aria-label', 'Help');
+    this.dialog.setAttribute('aria-label', t('Help'));
     this.dialog.tabIndex = -1;
     const close = document.createElement('button');
     close.type = 'button';
-    close.textContent = 'Close';
+    close.textContent = t('Close');
     close.addEventListener('click', () => this.dialog.close());
     const examples = document.createElement('a');
     examples.href = 'https://github.com/farol-renderer/farol/tree/main/apps/site/live/gallery';
     examples.target = '_blank';
     examples.rel = 'noopener noreferrer';
-    examples.textContent = 'Examples for your own page';
+    examples.textContent = t('Examples for your own page');
     this.dialog.append(
-      heading('Keys'),
-      table(keys),
-      heading('Address'),
+      heading(t('Keys')),
+      table(keys()),
+      heading(t('Address')),
       table(addressHelp(known).map(([name, text]) => [`?${name}=`, text])),
       close,
       examples,
     );
     parent.append(button, this.dialog);
+  }
+
+  /** Takes button and help out of the page. */
+  remove(): void {
+    this.button.remove();
+    this.dialog.remove();
   }
 
   toggle(): void {
@@ -79,32 +87,45 @@ export function addressHelp({
     ['scene', Object.keys(scenes).join(', ')],
     ['technique', techniques.join(', ')],
     ['view', views.join(', ')],
-    ['quality', `Bytes of surfaces and shadows: ${qualities.join(', ')}; auto is lite on phones and weak devices.`],
+    [
+      'quality',
+      t('Bytes of surfaces and shadows: {names}; auto is lite on phones and weak devices.', {
+        names: qualities.join(', '),
+      }),
+    ],
     ...[...parameters].map(([name, { help, range, scenes: of }]): [string, string] => {
-      return [name, `${help} ${range}(${of.join(', ')})`];
+      return [name, `${t(help)} ${range}(${of.join(', ')})`];
     }),
-    ['dragon', `Resolution of the Stanford dragon, where it is installed: ${dragons.join(', ')}.`],
-    ['aa', `Anti-aliasing: ${antialiasing.join(', ')}. TAA gathers over frames: at a fixed time each draw is one.`],
+    ['dragon', t('Resolution of the Stanford dragon, where it is installed: {names}.', { names: dragons.join(', ') })],
+    [
+      'aa',
+      t('Anti-aliasing: {names}. TAA gathers over frames: at a fixed time each draw is one.', {
+        names: antialiasing.join(', '),
+      }),
+    ],
     ...Object.entries(effects).map(([name, field]): [string, string] => [
       name,
-      field.kind === 'boolean' ? `1 or 0. ${field.label}: ${field.help}` : `${field.help} ${allowed(field)}`.trim(),
+      field.kind === 'boolean'
+        ? `${t('1 or 0.')} ${t(field.label!)}: ${t(field.help)}`
+        : `${t(field.help)} ${allowed(field)}`.trim(),
     ]),
-    ['decals', '1 throws decals on the scene, with techniques that have a G-buffer.'],
-    ['particles', 'So many particles in the scene, each of them a light of 0.5 m. 0 to 200000.'],
-    ['rectangles', 'So many rectangle lights in the scene, each up to 1.5 m. 0 to 20000.'],
-    ['time', 'Draws the scene once, as it is at this time (s), and does not move it.'],
-    ['width, height', 'Size of the picture (CSS pixels); the window by default.'],
-    ['dpr', 'Device pixels for each CSS pixel; those of the screen by default, 2 at most.'],
-    ['budget', 'Whether slow frames are drawn smaller and enlarged: auto (on touch screens), on or off.'],
-    ['gui', '0 hides the menu.'],
+    ['decals', t('1 throws decals on the scene, with techniques that have a G-buffer.')],
+    ['particles', t('So many particles in the scene, each of them a light of 0.5 m. 0 to 200000.')],
+    ['rectangles', t('So many rectangle lights in the scene, each up to 1.5 m. 0 to 20000.')],
+    ['time', t('Draws the scene once, as it is at this time (s), and does not move it.')],
+    ['width, height', t('Size of the picture (CSS pixels); the window by default.')],
+    ['dpr', t('Device pixels for each CSS pixel; those of the screen by default, 2 at most.')],
+    ['budget', t('Whether slow frames are drawn smaller and enlarged: auto (on touch screens), on or off.')],
+    ['gui', t('0 hides the menu.')],
   ];
 }
 
 function allowed(field: Field): string {
   if (field.kind === 'choice') return `${field.options.join(', ')}. `;
   if (field.kind !== 'number') return '';
-  if (field.min !== undefined && field.max !== undefined) return `${field.min} to ${field.max}. `;
-  return field.min !== undefined ? `${field.min} or more. ` : '';
+  if (field.min !== undefined && field.max !== undefined)
+    return `${t('{min} to {max}.', { min: field.min, max: field.max })} `;
+  return field.min !== undefined ? `${t('{min} or more.', { min: field.min })} ` : '';
 }
 
 function heading(text: string): HTMLElement {

@@ -1,3 +1,5 @@
+import { t } from '@farol/editing';
+
 /** Messages over the picture: each stays until the user closes it or another one of its subject replaces it. */
 export class Messages {
   private readonly list = document.createElement('div');
@@ -27,7 +29,7 @@ export class Messages {
     const close = document.createElement('button');
     close.type = 'button';
     close.textContent = '×';
-    close.setAttribute('aria-label', 'Close this message');
+    close.setAttribute('aria-label', t('Close this message'));
     close.addEventListener('click', () => {
       this.show(subject, '');
       onClose();

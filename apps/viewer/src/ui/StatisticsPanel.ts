@@ -1,4 +1,14 @@
-import type { FarolInfo } from '@farol/renderer';
+import { formatCount, t } from '@farol/editing';
+import { type FarolInfo, techniques } from '@farol/renderer';
+
+/** Names of techniques, in English. */
+const labels: Readonly<Record<string, string>> = Object.fromEntries(
+  Object.entries(techniques).map(([name, { label }]) => [name, label]),
+);
+
+/** Values of a text, their thousands apart. */
+const counted = (values: Readonly<Record<string, number>>): Record<string, string> =>
+  Object.fromEntries(Object.entries(values).map(([name, value]) => [name, formatCount(value)]));
 
 /** Frame rate, counts and times of passes; `frameDrawn` after each frame updates the page about 4 times per second. */
 export class StatisticsPanel {
@@ -14,7 +24,7 @@ export class StatisticsPanel {
     this.element.className = 'statistics';
     const table = document.createElement('table');
     const head = table.createTHead().insertRow();
-    for (const title of ['pass', 'draws', 'CPU ms', 'GPU ms']) {
+    for (const title of [t('Pass'), t('Draws'), 'CPU ms', 'GPU ms']) {
       const cell = document.createElement('th');
       cell.textContent = title;
       head.append(cell);
@@ -33,14 +43,21 @@ export class StatisticsPanel {
     this.since = now;
   }
 
-  /** Writes the figures now. @param fps - frames per second; null for a single frame */
+  /**
+   * Writes the counts and times now.
+   * @param fps - frames per second; null for a single frame
+   */
   show(info: FarolInfo, fps: number | null): void {
     this.summary.textContent = [
-      fps === null ? 'stopped' : `${fps.toFixed(0)} FPS`,
-      `${info.lights.visible} of ${info.lights.total} lights in view`,
-      `${info.drawCalls} draws, ${info.triangles.toLocaleString('en')} triangles`,
-      `${info.programs} programs, ${(info.targetBytes / 2 ** 20).toFixed(1)} MiB of targets`,
-      ...(info.reason ? [`${info.technique}: ${info.reason}`] : []),
+      fps === null ? t('Stopped') : t('{rate} frames a second', { rate: fps.toFixed(0) }),
+      t('{visible} of {total} lights in view', counted(info.lights)),
+      t('{draws} draws, {triangles} triangles', counted({ draws: info.drawCalls, triangles: info.triangles })),
+      t('{programs} programs, {size} MiB of targets', {
+        programs: info.programs,
+        size: (info.targetBytes / 2 ** 20).toFixed(1),
+      }),
+      `${t('Technique')}: ${t(labels[info.technique] ?? info.technique)}`,
+      ...(info.reason === 'asked for' ? [] : [`${t('Why')}: ${t(info.reason)}`]),
       ...(info.hint ? [info.hint] : []),
     ].join('\n');
     while (this.rows.rows.length > info.passes.length) this.rows.deleteRow(-1);

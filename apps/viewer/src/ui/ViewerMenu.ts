@@ -1,3 +1,4 @@
+import { type Language, labelOfField, languages, t, textLanguage } from '@farol/editing';
 import { scenes } from '@farol/scenes';
 import { type Field, type FieldValue, isFieldVisible } from '@farol/engine/fields';
 import { techniques } from '@farol/renderer';
@@ -14,14 +15,18 @@ const ignore = () => {};
 
 /** Label of an anti-aliasing in the menu. */
 function labelOf(name: string): string {
-  return name === 'none' ? 'None' : effectEntries[name].label;
+  return name === 'none' ? t('None') : t(effectEntries[name].label);
 }
 
 /** Choices of the menu: values by label, which is their name with a capital where `labels` has none. */
 const labelled = (names: readonly string[], labels: Record<string, string> = {}): Record<string, string> =>
   Object.fromEntries(
-    names.map((name) => [labels[name] ?? name[0].toUpperCase() + name.slice(1).replaceAll('-', ' '), name]),
+    names.map((name) => [t(labels[name] ?? name[0].toUpperCase() + name.slice(1).replaceAll('-', ' ')), name]),
   );
+
+/** Keys by their values. */
+const swapped = (table: Readonly<Record<string, string>>): Record<string, string> =>
+  Object.fromEntries(Object.entries(table).map(([key, value]) => [value, key]));
 
 /** The menu at the top right, made from the registries of techniques, views and scenes. */
 export class ViewerMenu {
@@ -48,32 +53,39 @@ export class ViewerMenu {
   private scene = '';
   private parameterValues: Record<string, unknown> = {};
 
-  constructor(private readonly viewer: Viewer) {
+  private readonly stopFollowing: () => void;
+
+  /** @param onLanguage - called with the language that the user chose: make a menu anew, in its words */
+  constructor(
+    private readonly viewer: Viewer,
+    onLanguage: (language: Language) => void,
+  ) {
     const { gui } = this;
     const { technique, view, quality, budget, aa, decals, particles, rectangles, dragon, time } = viewer.state;
     const shown = { technique, view, quality, budget, aa, decals, particles, rectangles, dragon };
     this.values = { ...shown, stopped: time !== null };
-    const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [label, key]));
+    const names = Object.fromEntries(Object.entries(techniques).map(([key, { label }]) => [t(label), key]));
     gui
       .add(this.values, 'technique', names)
-      .name('Render Type')
+      .name(t('Technique'))
       .onChange((name: string) => viewer.chooseTechnique(name));
     gui
       .add(this.values, 'view', labelled(known.views))
-      .name('View')
+      .name(t('View'))
       .onChange((name: string) => viewer.chooseView(name));
     gui
       .add(this.values, 'quality', labelled(known.qualities, { auto: 'Automatic' }))
-      .name('Quality')
+      .name(t('Quality'))
       .onChange((name: string) => viewer.setQuality(name));
     gui
-      .add(this.values, 'budget', labelled(known.budgets, { auto: 'On touch screens' }))
-      .name('Frame budget')
-      .onChange((name: string) => viewer.setBudget(name)).domElement.title =
-      'Whether slow frames are drawn smaller and enlarged.';
+      .add(this.values, 'budget', labelled(known.budgets, { auto: 'On touch screens', off: 'Off ## budget' }))
+      .name(t('Frame budget'))
+      .onChange((name: string) => viewer.setBudget(name)).domElement.title = t(
+      'Whether slow frames are drawn smaller and enlarged.',
+    );
     gui
       .add(this.values, 'aa', Object.fromEntries(known.antialiasing.map((name) => [labelOf(name), name])))
-      .name('Anti-aliasing')
+      .name(t('Anti-aliasing'))
       .onChange((name: string) => viewer.setAntialiasing(name));
     for (const [name, field] of Object.entries(known.effects)) {
       this.effectValues[name] = field.default;
@@ -85,52 +97,64 @@ export class ViewerMenu {
     }
     gui
       .add(this.values, 'decals')
-      .name(effectEntries.decals.label)
-      .onChange((on: boolean) => viewer.setDecals(on)).domElement.title =
-      'Decals thrown on the scene; they need a technique with a G-buffer.';
+      .name(t(effectEntries.decals.label))
+      .onChange((on: boolean) => viewer.setDecals(on)).domElement.title = t(
+      'Decals thrown on the scene; they need a technique with a G-buffer.',
+    );
     gui
       .add(this.values, 'particles', 0, 20_000, 100)
-      .name('Particles')
-      .onFinishChange((count: number) => viewer.setParticles(count)).domElement.title =
-      'Particles in the scene, each of them a light of 0.5 m.';
+      .name(t('Particles'))
+      .onFinishChange((count: number) => viewer.setParticles(count)).domElement.title = t(
+      'Particles in the scene, each of them a light of 0.5 m.',
+    );
     gui
       .add(this.values, 'rectangles', 0, 2000, 10)
-      .name('Rectangle lights')
-      .onFinishChange((count: number) => viewer.setRectangles(count)).domElement.title =
-      'Lights that shine from rectangles in the scene, each up to 1.5 m.';
+      .name(t('Rectangle lights'))
+      .onFinishChange((count: number) => viewer.setRectangles(count)).domElement.title = t(
+      'Lights that shine from rectangles in the scene, each up to 1.5 m.',
+    );
     gui
       .add(this.values, 'stopped')
-      .name('Stop time')
+      .name(t('Stop time'))
       .onChange(() => viewer.toggleTime());
 
-    gui.add({ measure: () => void viewer.measure() }, 'measure').name('Measure this scene').domElement.title =
-      'Opens it in the Lab: how long each technique takes for it on this machine.';
+    gui.add({ measure: () => void viewer.measure() }, 'measure').name(t('Measure this scene')).domElement.title = t(
+      'Opens it in the Lab: how long each technique takes for it on this machine.',
+    );
 
-    const buttons = gui.addFolder('Scenes');
+    gui.add({ language: textLanguage() }, 'language', swapped(languages)).name(t('Language')).onChange(onLanguage);
+
+    const buttons = gui.addFolder(t('Scenes'));
     for (const [name, { label, help }] of Object.entries(scenes)) {
-      buttons.add({ show: () => void viewer.chooseScene(name).catch(ignore) }, 'show').name(label).domElement.title =
-        help;
+      buttons.add({ show: () => void viewer.chooseScene(name).catch(ignore) }, 'show').name(t(label)).domElement.title =
+        t(help);
     }
     buttons
       .add(this.values, 'dragon', [...known.dragons])
-      .name('Dragon')
+      .name(t('Dragon'))
       .onChange((name: string) => viewer.setDragon(name).catch(ignore));
-    const models = gui.addFolder('Models');
+    const models = gui.addFolder(t('Models'));
     this.addChooser(
       models,
       'files',
-      'Open a model…',
-      'A .glb, .gltf, .obj, .stl, .ply or .zip, chosen together with the files that it names.',
+      t('Open a model…'),
+      t('A .glb, .gltf, .obj, .stl, .ply or .zip, chosen together with the files that it names.'),
     );
-    this.addChooser(models, 'folder', 'Open a folder…', 'A folder with a model in it, and with what that names.');
-    this.parameters = gui.addFolder('Lights and sizes');
-    const figures = gui.addFolder('Last frame');
+    this.addChooser(models, 'folder', t('Open a folder…'), t('A folder with a model in it, and with what that names.'));
+    this.parameters = gui.addFolder(t('Lights and sizes'));
+    const figures = gui.addFolder(t('Last frame'));
     figures.$children.append(this.statistics.element);
 
     // an open menu would cover most of a phone's picture, whichever way round it is held
     if (innerWidth < 600 || (innerHeight < 600 && matchMedia('(pointer: coarse)').matches)) gui.close();
-    viewer.onChange(() => this.refresh());
+    this.stopFollowing = viewer.onChange(() => this.refresh());
     this.refresh();
+  }
+
+  /** Takes the menu out of the page. */
+  remove(): void {
+    this.stopFollowing();
+    this.gui.destroy();
   }
 
   /** Updates the menu from the viewer's state. */
@@ -158,7 +182,7 @@ export class ViewerMenu {
     const fields = modelName ? modelParameters : (scenes[state.scene]?.parameters ?? {});
     if (title !== this.scene) {
       this.scene = title;
-      this.gui.title(`Farol: ${modelName ?? scenes[state.scene]?.label ?? ''}`);
+      this.gui.title(`Farol: ${modelName ?? t(scenes[state.scene]?.label ?? '')}`);
       for (const controller of [...this.parameters.controllers]) controller.destroy();
       this.parameterValues = {};
       for (const [name, field] of Object.entries(fields)) this.addParameter(name, field);
@@ -201,7 +225,7 @@ export class ViewerMenu {
     } else if (field.kind === 'asset') {
       controller = folder.add(values, name, this.viewer.assets.list(field.assetType));
     } else return null; // no control for this kind of field; its address parameter works
-    controller.domElement.title = field.help;
-    return controller.name(field.label ?? name);
+    controller.domElement.title = t(field.help);
+    return controller.name(labelOfField(name, field));
   }
 }

@@ -50,10 +50,13 @@ interface FieldBase {
   readonly deprecated?: boolean;
   /** Name of another field of the owner, of whose value this field edits a part; files hold only that other field. */
   readonly viewOf?: string;
+  /** Name of another field of the owner, in whose row this one is edited too: it has none of its own. */
+  readonly besideField?: string;
   /** Whether the field is shown, but cannot be edited by hand. */
   readonly readOnly?: boolean;
 }
 
+/** A field that holds a finite number. */
 export interface NumberField extends FieldBase {
   readonly kind: 'number';
   readonly default: number;
@@ -68,6 +71,10 @@ export interface NumberField extends FieldBase {
   /** Step of one notch when a number is scrubbed. */
   readonly step?: number;
   readonly integer?: boolean;
+  /** Amount shown for 1 of the stored number, in an editor with a unit of its own. */
+  readonly scale?: number;
+  /** Kind of number that editors have a control for: a light's intensity in its unit, a colour temperature. */
+  readonly input?: 'intensity' | 'temperature';
 }
 
 /** Angle in radians; the apps show degrees. */
@@ -80,11 +87,13 @@ export interface AngleField extends FieldBase {
   readonly step?: number;
 }
 
+/** A field that holds true or false. */
 export interface BooleanField extends FieldBase {
   readonly kind: 'boolean';
   readonly default: boolean;
 }
 
+/** A field that holds text. */
 export interface StringField extends FieldBase {
   readonly kind: 'string';
   readonly default: string;
@@ -94,6 +103,7 @@ export interface StringField extends FieldBase {
   readonly input?: 'key';
 }
 
+/** A field that holds one of several names. */
 export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly kind: 'choice';
   readonly default: Option;
@@ -102,6 +112,7 @@ export interface ChoiceField<Option extends string = string> extends FieldBase {
   readonly optionLabels?: { readonly [K in Option]?: string };
 }
 
+/** A field that holds three numbers, x, y and z. */
 export interface Vector3Field extends FieldBase {
   readonly kind: 'vector3';
   readonly default: Vector3Tuple;
@@ -145,6 +156,7 @@ export interface GradientField extends FieldBase {
   readonly default: Gradient;
 }
 
+/** Types of assets that a field may name. */
 export type AssetType =
   | 'mesh'
   | 'texture'
@@ -190,6 +202,7 @@ export interface CustomField extends FieldBase {
   readonly default: FieldValue;
 }
 
+/** Declaration of a field, of any kind. */
 export type Field =
   | NumberField
   | AngleField
@@ -205,8 +218,11 @@ export type Field =
   | ObjectField
   | CustomField;
 
+/** Kinds of fields. */
 export type FieldKind = Field['kind'];
+/** Declarations of fields by name. */
 export type FieldTable = Readonly<Record<string, Field>>;
+/** Values that fields can have, and files can hold. */
 export type FieldValue = number | boolean | string | null | Vector3Tuple | Curve | Gradient;
 
 /** The type of a field's value. */

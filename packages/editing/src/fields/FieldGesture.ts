@@ -11,7 +11,7 @@ import { valueText } from './valueText';
 import { t } from '../language/translate';
 
 /** A new value, or each owner's value made from its own, such as another x and the same y and z. */
-export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value) => Value);
+export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value, owner: FieldTarget) => Value);
 
 /** Edits one field of one or of several owners by hand: many previews, one step of history. */
 export class FieldGesture<Item = string> {
@@ -21,13 +21,14 @@ export class FieldGesture<Item = string> {
   private step: Command<Item> | null = null;
 
   /**
-   * @param owners - all of one type; at least one
+   * @param owners - at least one
+   * @param name - name of the field; a function gives it where owners are of several types
    * @param whose - what labels of the history call them; by their `ownerName` when absent
    */
   constructor(
     private readonly commands: CommandStack<Item>,
     private readonly owners: readonly FieldTarget[],
-    private readonly name: string,
+    private readonly name: string | ((owner: FieldTarget) => string),
     private readonly whose?: () => string,
   ) {}
 
@@ -39,7 +40,7 @@ export class FieldGesture<Item = string> {
   /** Previews a new value. */
   preview<Value extends FieldValue>(update: FieldUpdate<Value>): void {
     if (!this.gesture) {
-      this.before = this.owners.map((owner) => this.commands.valueOf(currentOf(owner), this.name));
+      this.before = this.owners.map((owner) => this.commands.valueOf(currentOf(owner), this.nameOf(owner)));
       this.gesture = this.commands.begin();
     }
     // does nothing once an undo has ended the gesture
@@ -71,14 +72,18 @@ export class FieldGesture<Item = string> {
     this.gesture = null;
   }
 
+  private nameOf(owner: FieldTarget): string {
+    return typeof this.name === 'string' ? this.name : this.name(currentOf(owner));
+  }
+
   /**
    * Makes the command that sets the field on all owners.
    * @throws Error when an owner does not allow its value
    */
   private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
-    const { name } = this;
     const edits = this.owners.map((owner, i) => {
-      const value = typeof update === 'function' ? update(this.before[i] as Value) : update;
+      const name = this.nameOf(owner);
+      const value = typeof update === 'function' ? update(this.before[i] as Value, currentOf(owner)) : update;
       currentOf(owner).check?.(name, value);
       return { owner, name, value };
     });
@@ -90,8 +95,8 @@ export class FieldGesture<Item = string> {
    * objects'.
    */
   private labelOf(edits: readonly FieldEdit[]): string {
-    const { name: field } = this;
     const owners = this.owners.map(currentOf);
+    const field = this.nameOf(owners[0]);
     const [{ fields, ownerName }] = owners;
     const isShared = owners.every((owner) => owner.ownerName === ownerName);
     const name = this.whose?.() ?? (isShared ? ownerName : t('{count} objects', { count: owners.length }));

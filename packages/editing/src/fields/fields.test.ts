@@ -84,6 +84,13 @@ describe('numbers as they are shown', () => {
       ...['-63.43', '-163.4', '1234.6'],
     ]);
     expect(formatNumber(-1e-9, 'short')).toBe('0');
+    expect(formatNumber(42.97183, 'long', 1)).toBe('42.97');
+    expect([0.333333, 12.3456, 0.0067].map((value) => formatNumber(value, 'long', 0.1))).toEqual([
+      '0.333',
+      '12.35',
+      '0.0067',
+    ]);
+    expect(formatNumber(-0.00051, 'long', 0.0001)).toBe('-0.00051');
     expect([formatNumber(1.23e-4, 'short'), formatNumber(-2e-7, 'long')]).toEqual(['0.00012', '-2e-7']);
   });
 
@@ -94,4 +101,11 @@ describe('numbers as they are shown', () => {
     expect(roundToStep(0.0003 + 0.0001, 0.0001)).toBe(0.0004);
     expect(roundToStep(30 + 10, 10)).toBe(40);
   });
+});
+
+it('numbers are shown and typed in a unit of the user’s choice, in steps as fine', () => {
+  const shown = numberDisplay(field('number', { unit: 'lm', min: 0, step: 0.1, scale: 4 * Math.PI, help: '' }));
+  expect([shown.unit, shown.min, shown.step]).toEqual(['lm', 0, 1]);
+  expect(shown.toShown(69.232401)).toBe(870);
+  expect(shown.fromShown(870)).toBeCloseTo(69.2324, 4);
 });

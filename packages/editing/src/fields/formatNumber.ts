@@ -7,11 +7,20 @@ export const shownDecimals = { long: 5, short: 3 } as const;
 /** Numbers below this are shown as 0: they are rounding errors. */
 const SMALLEST = 1e-8;
 
-/** A number as text, without zeros at the end. One that would be shown as 0 and is not 0 keeps two digits. */
-export function formatNumber(value: number, length: keyof typeof shownDecimals): string {
+/** Decimals of a number whose step is known: one more than the step has, at least two, and three digits of small ones. */
+const decimalsBy = (step: number, size: number): number =>
+  Math.max(2, Math.ceil(-Math.log10(step)) + 1, size === 0 ? 0 : 2 - Math.floor(Math.log10(size)));
+
+/**
+ * A number as text, without zeros at the end. One that would be shown as 0 and is not 0 keeps two digits.
+ * @param step - least change that matters, above 0: a `long` number shows no decimals beyond it; all when absent
+ */
+export function formatNumber(value: number, length: keyof typeof shownDecimals, step?: number): string {
   const size = Math.abs(value);
   const fewer = length === 'long' || size < 10 ? 0 : size < 100 ? 1 : 2;
-  const rounded = Number(value.toFixed(shownDecimals[length] - fewer));
+  const most = shownDecimals[length] - fewer;
+  const decimals = step === undefined || length === 'short' ? most : Math.min(most, decimalsBy(step, size));
+  const rounded = Number(value.toFixed(decimals));
   if (rounded === 0 && size >= SMALLEST) return String(Number(value.toPrecision(2)));
   return String(rounded + 0);
 }

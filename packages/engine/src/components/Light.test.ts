@@ -34,6 +34,25 @@ describe('the three light', () => {
   });
 });
 
+describe('colour by temperature', () => {
+  test('is warm, with the lumens of white, and gives way to the colour by hand', () => {
+    const light = lamp({ colourBy: 'temperature', kelvin: 2700, diffuse: [0, 0, 1] });
+    const { r, g, b } = light.three.color;
+    expect([b / r, g / r]).toEqual([expect.closeTo(0.0991, 2), expect.closeTo(0.4153, 2)]);
+    expect(0.2126 * r + 0.7152 * g + 0.0722 * b).toBeCloseTo(1);
+    expect(light.colour).toEqual([r, g, b]);
+    light.colourBy = 'hand';
+    expect(light.three.color.toArray()).toEqual([0, 0, 1]);
+  });
+
+  test('the unit and the kind of lamp leave three’s number alone', () => {
+    const light = lamp({ intensity: 5, intensityUnit: 'watt', lamp: 'halogen' });
+    expect(light.three.intensity).toBe(5);
+    light.intensityUnit = 'lumen';
+    expect(light.three.intensity).toBe(5);
+  });
+});
+
 describe('what three cannot say goes to userData.farol', () => {
   test('near and far', () => {
     const { three } = lamp({ attenuation: 'near-far', near: 2, far: 6 });

@@ -8,13 +8,15 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
+import type { Vector3Tuple } from '@farol/editing/fields';
 import { storeLightOptions } from '@farol/renderer/light-options';
 import type { PhotometricProfile } from '@farol/renderer/light-profiles';
 import type { NewObject } from '../core/NewObject';
 import type { Scene } from '../core/Scene';
 import { component } from '../core/Component';
-import { applyLightFields } from './applyLightFields';
+import { applyLightFields, colourOfLight } from './applyLightFields';
 import { lightFields } from './lightFields';
+import { type LightMaster, LightGroups, tintLight } from './lightGroups';
 import { newLights } from './newLights';
 import { SkyLight } from './SkyLight';
 
@@ -30,6 +32,9 @@ const makers: Record<string, () => AnyLight> = {
   disc: () => new RectAreaLight(),
   tube: () => new RectAreaLight(),
 };
+
+/** Solid angles of profiles, each an integral over the sphere. */
+const solidAngles = new WeakMap<PhotometricProfile, number>();
 
 const softened = new WeakSet<Scene>();
 
@@ -58,6 +63,9 @@ export class Light extends component(lightFields) {
   static override readonly newObjects: readonly NewObject[] = newLights;
 
   private light: AnyLight | null = null;
+  private given: Parameters<Light['give']>[0] = null;
+  /** Intensity of the three light before its group's dimmer. */
+  private fullIntensity = 1;
   /** Name of the photometric profile that is being loaded; null for none. */
   private waitsFor: string | null = null;
 
@@ -77,9 +85,29 @@ export class Light extends component(lightFields) {
     return this.gameObject.transform.front;
   }
 
+  /** Linear colour: `diffuse`, or that of the temperature (luminance 1) where the colour is by temperature. */
+  get colour(): Vector3Tuple {
+    return this.given?.colour ?? colourOfLight(this);
+  }
+
+  /** @internal Light of another component's in place of the fields'; null gives them back. Not an edit. */
+  give(light: { readonly colour: Vector3Tuple; readonly intensity: number } | null): void {
+    this.given = light;
+    if (this.light) this.applyFields();
+  }
+
   /** Whether the light shines from a rectangle, a disc or a tube, of `width` and `height`. */
   get isArea(): boolean {
     return this.type === 'rectangle' || this.type === 'disc' || this.type === 'tube';
+  }
+
+  /** Solid angle (sr) by which a profile's largest intensity gives its lumens; null for none, and until it is loaded. */
+  get profileSolidAngle(): number | null {
+    const profile = this.takeProfile();
+    if (!profile || profile.maximumIntensity === 0) return null;
+    let angle = solidAngles.get(profile);
+    if (angle === undefined) solidAngles.set(profile, (angle = profile.luminousFlux / profile.maximumIntensity));
+    return angle;
   }
 
   /** Range of the light (m); Infinity without a limit. */
@@ -105,11 +133,14 @@ export class Light extends component(lightFields) {
 
   override onEnterScene(scene: Scene): void {
     followSoftness(scene);
+    LightGroups.of(scene).add(this);
+    LightGroups.of(scene).join(this, this.group);
     this.onActiveChanged();
-    if (scene.settings.shadowSoftness !== 1 || this.profile !== null) this.applyFields();
+    if (scene.settings.shadowSoftness !== 1 || this.profile !== null || this.group !== null) this.applyFields();
   }
 
-  override onLeaveScene(): void {
+  override onLeaveScene(scene: Scene): void {
+    LightGroups.of(scene).remove(this);
     this.waitsFor = null;
   }
 
@@ -120,17 +151,44 @@ export class Light extends component(lightFields) {
   override onFieldChanged(name: string): void {
     if (name === 'mode') this.onActiveChanged();
     else if (name === 'type') this.makeLight();
-    else this.applyFields();
+    else {
+      if (name === 'group' && this.scene) LightGroups.of(this.scene).join(this, this.group);
+      this.applyFields();
+    }
+  }
+
+  /** @internal Called when other lights are shown alone, or no longer. */
+  followSolo(): void {
+    this.onActiveChanged();
+  }
+
+  /** @internal Called when the factors of the light's group change. */
+  followGroup(tints: boolean): void {
+    if (tints) this.applyFields();
+    else this.three.intensity = this.fullIntensity * (this.master?.dimmer ?? 1);
   }
 
   /** @internal Writes all fields to the three light. */
   applyFields(): void {
     const { three } = this;
+    const { given } = this;
     applyLightFields(this, three, this.scene?.settings.shadowSoftness);
-    if (!(three instanceof PointLight || three instanceof SpotLight)) return;
-    const profile = this.takeProfile();
-    storeLightOptions(three, { profile: profile?.texture });
-    if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
+    if (given) three.color.setRGB(...given.colour);
+    if (given) three.intensity = given.intensity;
+    if (three instanceof PointLight || three instanceof SpotLight) {
+      const profile = this.takeProfile();
+      storeLightOptions(three, { profile: profile?.texture });
+      if (profile && this.profileIntensity) three.intensity *= profile.maximumIntensity;
+    }
+    this.fullIntensity = three.intensity;
+    const { master } = this;
+    if (!master) return;
+    three.intensity *= master.dimmer;
+    tintLight(three, master.colour);
+  }
+
+  private get master(): LightMaster | null {
+    return this.group === null || !this.scene ? null : LightGroups.of(this.scene).masterOf(this.group);
   }
 
   /** Loaded photometric profile that the field names; null for none, and until loaded. */
@@ -148,9 +206,11 @@ export class Light extends component(lightFields) {
     return null;
   }
 
-  /** Whether the light is drawn: a light in the baked lightmaps is not. */
+  /** Whether the light is drawn: not while it is in the baked lightmaps, or others are shown alone. */
   private get isDrawn(): boolean {
-    return this.enabled && !(this.mode === 'baked' && this.scene?.baked.hides(this.id));
+    const { scene } = this;
+    if (!this.enabled || (this.mode === 'baked' && scene?.baked.hides(this.id))) return false;
+    return !scene || !LightGroups.of(scene).isMuted(this);
   }
 
   private makeLight(): void {

@@ -9,9 +9,18 @@ import {
   type OrthographicCamera,
 } from 'three';
 import type { FarolLightData } from '@farol/renderer/light-options';
+import { lightOfKelvin } from '../photometry/colourTemperature';
 import type { lightFields } from './lightFields';
 
 type LightValues = Readonly<ValuesOf<typeof lightFields>>;
+
+/** Linear colour of a light: chosen by hand, or of its temperature with luminance 1. */
+export const colourOfLight = ({
+  colourBy,
+  diffuse,
+  kelvin,
+}: Pick<LightValues, 'colourBy' | 'diffuse' | 'kelvin'>): Vector3Tuple =>
+  colourBy === 'temperature' ? lightOfKelvin(kelvin) : diffuse;
 
 const isBlack = (colour: Vector3Tuple): boolean => colour.every((channel) => channel === 0);
 
@@ -78,7 +87,7 @@ function applyArea(values: LightValues, light: RectAreaLight): void {
  * @param softness - factor of `shadowRadius`
  */
 export function applyLightFields(values: LightValues, light: ThreeLight, softness = 1): void {
-  light.color.setRGB(...values.diffuse);
+  light.color.setRGB(...colourOfLight(values));
   light.intensity = values.intensity;
   delete light.userData.farol;
   if (light instanceof HemisphereLight) light.groundColor.setRGB(...values.groundColour);

@@ -8,16 +8,19 @@ import { Camera } from './Camera';
 import { CharacterController } from './CharacterController';
 import { Collider } from './Collider';
 import { Decal } from './Decal';
+import { FogVolume } from './FogVolume';
 import { Grabbable } from './Grabbable';
 import { Joint } from './Joint';
 import { EventTrigger } from './EventTrigger';
 import { KeyController } from './KeyController';
 import { Light } from './Light';
+import { LightGroup } from './LightGroup';
 import { ModelRenderer } from './ModelRenderer';
 import { MouseController } from './MouseController';
 import { ObjectRenderer } from './ObjectRenderer';
 import { ParticleEmitter } from './ParticleEmitter';
 import { RandomMovement } from './RandomMovement';
+import { SunAndMoon } from './SunAndMoon';
 import { RigidBody } from './RigidBody';
 import { Room } from './Room';
 import { Wall } from './Wall';
@@ -31,8 +34,11 @@ const components = [
   Animation,
   Animator,
   Light,
+  SunAndMoon,
+  LightGroup,
   Camera,
   Decal,
+  FogVolume,
   Wall,
   Room,
   ParticleEmitter,

@@ -1,3 +1,8 @@
+import { angle, asset, boolean, choice, colour, number, object } from '@farol/editing/fields';
+import { HIGHEST_KELVIN, LOWEST_KELVIN } from '../photometry/colourTemperature';
+import { lampKinds } from '../photometry/lampKinds';
+import { intensityUnits, unitLabels } from '../photometry/lightUnits';
+
 const withPlace = { visibleWhen: { field: 'type', equals: ['point', 'spot'] } };
 const withDirectColour = { visibleWhen: { field: 'type', equals: ['directional', 'point', 'spot'] } };
 const spot = { visibleWhen: { field: 'type', equals: ['spot'] } };
@@ -17,14 +22,31 @@ const polynomial = { visibleWhen: { field: 'attenuation', equals: ['polynomial']
 const unitOf = (unit: string, ...types: string[]) => Object.fromEntries(types.map((type) => [type, { unit }]));
 const nits = unitOf('nt', 'rectangle', 'disc', 'tube');
 
-import { angle, asset, boolean, choice, colour, number } from '@farol/editing/fields';
-
 /** The fields of a Light (thesis 3.2.5.3, with three's physical falloff beside its two attenuations). */
 export const lightFields = {
   type: choice('point', ['ambient', 'hemisphere', 'directional', 'point', 'spot', 'rectangle', 'disc', 'tube'], {
     help: 'How the light spreads.',
   }),
-  diffuse: colour([1, 1, 1], { help: 'Colour of the light; of the sky, for a hemisphere.', label: 'Colour' }),
+  colourBy: choice('hand', ['hand', 'temperature'], {
+    help: 'Whether the colour is chosen by hand, or is that of a temperature.',
+    label: 'Colour by',
+    optionLabels: { hand: 'Hand', temperature: 'Temperature' },
+  }),
+  diffuse: colour([1, 1, 1], {
+    help: 'Colour of the light; of the sky, for a hemisphere.',
+    label: 'Colour',
+    visibleWhen: { field: 'colourBy', equals: ['hand'] },
+  }),
+  kelvin: number(4000, {
+    unit: 'K',
+    min: LOWEST_KELVIN,
+    max: HIGHEST_KELVIN,
+    step: 10,
+    input: 'temperature',
+    help: 'Colour temperature: 1,850 K is a candle, 2,700 K a bulb, 6,500 K daylight. Lumens stay whatever it is.',
+    label: 'Temperature',
+    visibleWhen: { field: 'colourBy', equals: ['temperature'] },
+  }),
   groundColour: colour([0.1, 0.08, 0.06], {
     help: 'Light from below.',
     label: 'Ground colour',
@@ -41,11 +63,28 @@ export const lightFields = {
     },
     min: 0,
     step: 0.1,
+    input: 'intensity',
     variants: {
       field: 'type',
       of: { ...unitOf('lx', 'ambient', 'hemisphere', 'directional'), ...unitOf('cd', 'point', 'spot'), ...nits },
     },
     help: 'Candela for point and spot lights, nits (cd/m²) for rectangles, discs and tubes, lux for the others; multiplies every colour of the light.',
+  }),
+  intensityUnit: choice('auto', ['auto', ...intensityUnits], {
+    help: 'Unit that the intensity is shown and typed in; the light is the same. Lux of point and spot lights is at 1 m.',
+    label: 'Unit',
+    optionLabels: { auto: 'Automatic', ...unitLabels },
+    besideField: 'intensity',
+  }),
+  lamp: choice('led', lampKinds, {
+    help: 'Kind of lamp whose watts stand for the light.',
+    optionLabels: { incandescent: 'Incandescent', halogen: 'Halogen', fluorescent: 'Fluorescent', led: 'LED' },
+    besideField: 'intensity',
+  }),
+  group: object(null, {
+    help: 'Object with a Light Group, whose dimmer and colour multiply those of the light.',
+    label: 'Light group',
+    noneLabel: 'No group',
   }),
   width: number(1, {
     unit: 'm',

@@ -1,5 +1,5 @@
 import type { NewObject } from '../core/NewObject';
-import { lightShadows } from './newShadows';
+import { lightShadows, sunShadows } from './newShadows';
 
 /** Lights shine along -Z: turned to point down. */
 const down = [-Math.PI / 2, 0, 0] as const;
@@ -8,7 +8,7 @@ const down = [-Math.PI / 2, 0, 0] as const;
 const lights: Readonly<Record<string, Pick<NewObject, 'rotation' | 'values'>>> = {
   ambient: { values: { intensity: 0.3 } },
   hemisphere: { values: { intensity: 0.6 } },
-  directional: { values: { intensity: 1.5, ...lightShadows.directional }, rotation: [-0.9, 0.6, 0] },
+  directional: { values: { intensity: 1.5, ...sunShadows(50) }, rotation: [-0.9, 0.6, 0] },
   point: { values: { intensity: 12, range: 10, ...lightShadows.point } },
   spot: { values: { intensity: 30, range: 15, ...lightShadows.spot }, rotation: down },
   rectangle: { values: { intensity: 12, width: 1, height: 1 }, rotation: down },

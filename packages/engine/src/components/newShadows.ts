@@ -8,3 +8,14 @@ export const lightShadows = {
   point: { castShadow: false, shadowMapSize: 512, shadowRadius: 2 },
   spot: { castShadow: true, shadowMapSize: 1024, shadowRadius: 2 },
 } as const;
+
+/**
+ * Shadows of a sun over a square of the ground, which may end out of sight where cascades keep them fine near the
+ * camera. The bias is a share of the shadow camera's depth, which grows with the extent.
+ * @param extent - half the width of the square (m)
+ */
+export const sunShadows = (extent: number) => ({
+  ...lightShadows.directional,
+  shadowExtent: extent,
+  shadowBias: -0.01 / extent,
+});

@@ -26,8 +26,8 @@ export const animation: Texts = {
   'Make editable copy': 'Hacer copia editable',
   'Makes a clip of your own of the clip of the model, for the objects that it is unpacked into':
     'Hace un clip propio a partir del clip del modelo, para los objetos en que se desempaqueta',
-  'Clips of skeletons and morph targets play as they are: the model cannot be unpacked into objects.':
-    'Los clips de esqueletos y de formas se reproducen como son: el modelo no se puede desempaquetar en objetos.',
+  'Clips of skeletons and morph targets play as they are: what they move stays one object when the model is unpacked.':
+    'Los clips de esqueletos y de formas se reproducen como son: lo que mueven sigue siendo un solo objeto al desempaquetar el modelo.',
   '{name} can be edited as it is.': '{name} se puede editar tal como es.',
   'Left out, since no field holds it: {tracks}': 'Se omite, pues ningún campo lo contiene: {tracks}',
   'Clips that no Animation plays are left out': 'Se omiten los clips que ninguna Animación reproduce',

@@ -200,8 +200,10 @@ export const messages: Texts = {
     '{name} se queda como un solo objeto: tiene {what}, que solo conserva un modelo entero.',
   'parts of a model': 'partes de un modelo',
   'There already, with the same content: {names}.': 'Ya está, con el mismo contenido: {names}.',
-  '{objects} stay linked to the model, each as one object with its clips: {what}.':
-    'Siguen enlazados al modelo, cada uno como un solo objeto con sus animaciones, {objects}: {what}.',
+  '{objects} stays linked to the model, as one object with its clips: it has {what}.':
+    '{objects} sigue enlazado al modelo, como un solo objeto con sus animaciones: tiene {what}.',
+  '{objects} stay linked to the model, each as one object with its clips: they have {what}.':
+    '{objects} siguen enlazados al modelo, cada uno como un solo objeto con sus animaciones: tienen {what}.',
   'Farol scene': 'Escena de Farol',
   'is not made of fields: make a new material.': 'no está hecho de campos: hay que crear un material nuevo.',
   'needs a name.': 'necesita un nombre.',

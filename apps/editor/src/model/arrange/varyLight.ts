@@ -41,8 +41,8 @@ export function lightEdits(object: GameObject, arrangement: Arrangement, index: 
     if (!owner) return;
     const bulb = each.getComponent(ObjectRenderer);
     if (colours !== 'same') {
-      const value = colourOf(hue, owner.diffuse);
-      edits.push({ owner, name: 'diffuse', value });
+      const value = colourOf(hue, owner.colour);
+      edits.push({ owner, name: 'colourBy', value: 'hand' }, { owner, name: 'diffuse', value });
       if (bulb?.kind === 'basic') edits.push({ owner: bulb, name: 'colour', value });
     }
     if (intensityVariation > 0 || share > 1)

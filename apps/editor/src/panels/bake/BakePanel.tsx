@@ -1,8 +1,7 @@
 import { t, tCount } from '@farol/editing';
-import { bakeSources } from '@farol/engine/bake';
 import { type ReactNode, useCallback, useMemo } from 'react';
 import { bakedLightOf, type BakeState, type LightBaker, lightBakerOf } from '../../files/bake/LightBaker';
-import { bakeLights, lightsInPlace, objectsInPlace } from '../../model/bakeEdits';
+import { bakeLights, countForBake, lightsInPlace, objectsInPlace } from '../../model/bakeEdits';
 import { setStatic } from '../../model/edits';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
@@ -64,15 +63,10 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
   const { scene } = document;
   // nothing is counted during a bake: other meshes then stand in for those of the scene
   const counts = usePoll(
-    useCallback(() => {
-      const { objects, lights, instanced } = bakeSources(document.scene);
-      return [objects.length, lights.length, instanced.length].join();
-    }, [document]),
+    useCallback(() => countForBake(document.scene).join(), [document]),
     isRunning ? 0 : 2,
   );
-  const [objects, lights, instanced] = counts.split(',').map(Number);
-  const canBeStatic = objects === 0 ? objectsInPlace(scene) : [];
-  const canBeBaked = lights === 0 ? lightsInPlace(scene) : [];
+  const [objects, lights, instanced, canBeStatic, canBeBaked] = counts.split(',').map(Number);
   return (
     <>
       <p className="bake-sources">
@@ -83,22 +77,18 @@ function Sources({ isRunning }: { isRunning: boolean }): ReactNode {
         <Mend
           text={t('Nothing is static: switch on Static for what stays where it is.')}
           action={
-            canBeStatic.length > 0
-              ? tCount(canBeStatic.length, 'Make {count} object static', 'Make {count} objects static')
-              : null
+            canBeStatic > 0 ? tCount(canBeStatic, 'Make {count} object static', 'Make {count} objects static') : null
           }
-          onMend={() => commands.run(setStatic(canBeStatic, true))}
+          onMend={() => commands.run(setStatic(objectsInPlace(scene), true))}
         />
       )}
       {!isRunning && lights === 0 && (
         <Mend
           text={t('No light is baked: set the mode of lights to Baked.')}
           action={
-            canBeBaked.length > 0
-              ? tCount(canBeBaked.length, 'Set {count} light to Baked', 'Set {count} lights to Baked')
-              : null
+            canBeBaked > 0 ? tCount(canBeBaked, 'Set {count} light to Baked', 'Set {count} lights to Baked') : null
           }
-          onMend={() => commands.run(bakeLights(canBeBaked))}
+          onMend={() => commands.run(bakeLights(lightsInPlace(scene)))}
         />
       )}
       {instanced > 0 && (

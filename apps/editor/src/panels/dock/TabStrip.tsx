@@ -1,6 +1,6 @@
 import { t } from '@farol/editing';
 import { ContextMenu } from '@base-ui/react/context-menu';
-import { type KeyboardEvent, type ReactNode, useSyncExternalStore } from 'react';
+import { type KeyboardEvent, type ReactNode, useLayoutEffect, useRef, useSyncExternalStore } from 'react';
 import type { DropSide, PanelGroup } from '../../layout/LayoutNode';
 import type { PlacedGroup } from '../../layout/placeLayout';
 import { useEditor } from '../../ui/EditorContext';
@@ -28,6 +28,12 @@ function focusTab(panel: string): void {
   requestAnimationFrame(() => document.getElementById(`tab-${panel}`)?.focus());
 }
 
+/** Shows only icons of tabs behind, if the titles of all have no room. */
+function fitTabs(list: HTMLElement): void {
+  list.dataset.icons = 'false';
+  list.dataset.icons = String(list.scrollWidth > list.clientWidth);
+}
+
 /**
  * The tabs of a group. Arrow keys go to the next one, Alt+Shift and an arrow key moves the panel, Delete closes it; the
  * context menu offers these too.
@@ -37,7 +43,11 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
   const { panels, layout } = editor;
   const { panels: ids, active } = group;
   const beginDrag = useTabDrag(groups, place);
+  const list = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => fitTabs(list.current!));
   const maximised = useSyncExternalStore(layout.subscribe, layout.maximised);
+  const title = t(panels.get(active)?.title ?? active);
+  const maximiseLabel = maximised === null ? t('Maximise {title}', { title }) : t('Give the window back');
   const keyDown = (event: KeyboardEvent, panel: string): void => {
     const side = towards[event.key];
     if (event.altKey && event.shiftKey && side) {
@@ -59,11 +69,7 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
   };
   return (
     <div className="tabs">
-      <div
-        className="tab-list"
-        role="tablist"
-        aria-label={t('Panels with {title}', { title: t(panels.get(active)?.title ?? active) })}
-      >
+      <div ref={list} className="tab-list" role="tablist" aria-label={t('Panels with {title}', { title })}>
         {ids.map((id) => {
           const panel = panels.get(id);
           if (!panel) return null;
@@ -99,6 +105,16 @@ export function TabStrip({ group, groups, place }: TabStripProps): ReactNode {
           );
         })}
       </div>
+      <button
+        type="button"
+        className="button small tab-maximise"
+        aria-label={maximiseLabel}
+        title={maximiseLabel}
+        aria-pressed={maximised !== null}
+        onClick={() => layout.maximise(maximised === null ? active : null)}
+      >
+        <Icon name="maximise" size={12} />
+      </button>
     </div>
   );
 }

@@ -1,8 +1,8 @@
 import { describeField, FieldGesture, type FieldUpdate, labelOfField, t } from '@farol/editing';
 import type { Field, FieldOwner, FieldValue } from '@farol/engine/fields';
 import { type ComponentType, memo, type ReactNode, useCallback, useMemo } from 'react';
-import { fieldEditors } from '../../fields';
-import type { FieldEditorProps } from '../../api/FieldEditorProps';
+import type { OwnerFieldProps } from '../../api/FieldEditorProps';
+import { fieldEditors, numberEditors } from '../../fields';
 import { resetFields } from '../../model/edits';
 import { ownersName } from '../../model/ownersName';
 import { OverrideMark } from '../prefab/OverrideMark';
@@ -37,7 +37,9 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
     [editor, owners, name],
   );
   // each kind has its editor, as the table's type ensures; a union cannot express that
-  const Editor = fieldEditors[field.kind] as ComponentType<FieldEditorProps<Field>>;
+  const Editor = (field.kind === 'number' && field.input
+    ? numberEditors[field.input]
+    : fieldEditors[field.kind]) as unknown as ComponentType<OwnerFieldProps<Field>>;
   const label = labelOfField(name, field);
   const description = describeField(field);
   const place = useCallback(
@@ -79,6 +81,7 @@ export const FieldRow = memo(function FieldRow(props: FieldRowProps): ReactNode 
       </span>
       <div className="field-editor">
         <Editor
+          owners={owners}
           field={field}
           name={name}
           value={value as never}

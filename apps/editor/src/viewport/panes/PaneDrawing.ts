@@ -24,6 +24,8 @@ export interface PaneSurface {
   /** Name of the debug view, see `ViewportSettings`; 'grid' shows all. */
   readonly view: string;
   readonly lookThrough: CameraComponent | null;
+  /** Whether the scene plays as its players see it, with nothing drawn over it. */
+  readonly isPlayed: boolean;
   readonly onError: (error: unknown) => void;
   cameraOf(pane: ViewPane): Camera;
   raysOf(pane: ViewPane): Camera;
@@ -67,8 +69,8 @@ export class PaneDrawing {
     const lookThrough = pane === panes.main ? surface.lookThrough : null;
     lookThrough?.setViewport(width, height);
     this.drawScene(pane, camera, lookThrough);
-    gizmo.update(surface.raysOf(pane));
-    if (surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
+    gizmo.update(surface.raysOf(pane), surface.isPlayed);
+    if (!surface.isPlayed && surface.view !== 'grid' && (surface.painter?.drawsHelpers ?? true)) {
       const { physics, lightHandles, particles } = surface.parts;
       physics.get()?.update(webgl.getPixelRatio());
       lightHandles.get()?.update(webgl.getPixelRatio());

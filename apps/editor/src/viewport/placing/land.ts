@@ -13,6 +13,7 @@ import { boundsOf } from '../boundsOf';
 import { boundsOfNew } from './boundsOfNew';
 import { freePlace, HIDDEN_ENOUGH } from './freePlace';
 import { hiddenShare } from './hiddenShare';
+import { mountOf, mountPlace } from './mount';
 import { groundAlong, rayThrough, type Surface, surfacesAlong } from './surfaces';
 
 /** The view that objects are placed in. */
@@ -238,6 +239,42 @@ function throwDecal(object: GameObject, { point, normal }: Surface): void {
   moveBy([object], point);
 }
 
+/** Shortest shift (m) along a wall, in whole widths, that frees a box from obstacles; zero when there is none. */
+function freeAlong(box: Box3, solid: readonly Box3[], side: Vector3): Vector3 {
+  box.getSize(size);
+  const width = Math.abs(side.x) * size.x + Math.abs(side.z) * size.z + 0.05;
+  for (let step = 0; step <= 40; step++) {
+    const shift = side.clone().multiplyScalar((step % 2 ? 1 : -1) * Math.ceil(step / 2) * width);
+    if (freePlace(box.clone().translate(shift), solid, side, null, () => 0).lengthSq() === 0) return shift;
+  }
+  return new Vector3();
+}
+
+/** Fixes an object to the ceiling or wall at a point on screen, free of others. @returns whether it belongs to one */
+function fix(view: LandingView, object: GameObject, point: Vector2): boolean {
+  const mount = mountOf(object);
+  if (!mount) return false;
+  const { scene, camera } = view;
+  const place = mountPlace(view, mount, surfacesThrough(view, point), boundsOfNew([object], scene.assets));
+  if (!place) return false;
+  const { x, z } = place.point;
+  if (mount === 'ceiling') place.point.set(rounded(x, view.step), place.point.y, rounded(z, view.step));
+  object.transform.setQuaternion(place.rotation);
+  object.transform.position = [0, 0, 0];
+  moveBy([object], place.point);
+  const box = boundsOfNew([object], scene.assets);
+  const solid = obstaclesFor(box, scene, place.on, true);
+  const support = place.on ? boundsOf([place.on], new Box3(), false) : null;
+  const side = new Vector3(1, 0, 0).applyQuaternion(place.rotation);
+  if (mount === 'ceiling')
+    moveBy(
+      [object],
+      freePlace(box, solid, side, support, (each, others) => hiddenShare(each, others, camera)),
+    );
+  else moveBy([object], freeAlong(box, solid, side));
+  return true;
+}
+
 /** Rotates objects whose front is -Z to face the way the camera does, horizontally. */
 function turnWithView(objects: readonly GameObject[], camera: Camera): void {
   const back = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2);
@@ -248,7 +285,8 @@ function turnWithView(objects: readonly GameObject[], camera: Camera): void {
 /**
  * Places objects that are not in a scene yet at a point on screen: on the surface there, in front of it when it is a
  * wall, else on the ground at height 0, else at a moderate distance from the eye. They stand on their lowest point
- * beside existing objects. Lights and cameras are put at a useful height; decals are projected onto the surface.
+ * beside existing objects. Lights and cameras are put at a useful height; decals are projected onto the surface; objects
+ * with the tag `ceiling` hang, those with `wall` turn to their wall.
  * @param objects - at least one; their relative positions stay
  * @param point - normalised device coordinates
  */
@@ -260,6 +298,7 @@ export function land(view: LandingView, objects: readonly GameObject[], point: V
     const surface = surfacesThrough(view, point).at(0);
     if (surface) return throwDecal(first, surface);
   }
+  if (objects.length === 1 && fix(view, first, point)) return;
   const box = boundsOfNew(objects, scene.assets);
   const isShape = !box.isEmpty();
   if (!isShape) {

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Configuration, SeriesChoice } from '../../plan/Configuration';
 import { CompetitorBoxes } from './CompetitorBoxes';
 import { EffortFields } from './EffortFields';
@@ -21,7 +22,7 @@ export function Builder({ configuration, unavailable, ownScene, onChange }: Buil
   const changeSeries = (next: readonly SeriesChoice[]): void => change({ series: next, preset: 'custom' });
   return (
     <fieldset class="builder">
-      <legend class="visually-hidden">Choices</legend>
+      <legend class="visually-hidden">{t('Choices')}</legend>
       {series.map((each, index) => (
         <SeriesFields
           // oxlint-disable-next-line react/no-array-index-key -- series have no other key
@@ -35,7 +36,7 @@ export function Builder({ configuration, unavailable, ownScene, onChange }: Buil
       ))}
       {series.length < MOST_SERIES && (
         <button type="button" onClick={() => changeSeries([...series, series[series.length - 1]])}>
-          Add a chart
+          {t('Add a chart')}
         </button>
       )}
       <SizeFields width={width} height={height} onChange={change} />

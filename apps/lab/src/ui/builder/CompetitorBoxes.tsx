@@ -1,5 +1,7 @@
+import { t } from '@farol/editing';
 import { useId } from 'preact/hooks';
 import { competitorNames, type CompetitorWords } from '../../competitors/competitorNames';
+import { competitorLabel } from '../../words/names';
 import { InstallRivals } from './InstallRivals';
 
 const groups: readonly [CompetitorWords['kind'], string][] = [
@@ -29,23 +31,24 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
   };
   return (
     <fieldset class="competitors">
-      <legend>Who is measured</legend>
+      <legend>{t('Who is measured')}</legend>
       {groups.map(([kind, label]) => {
         const names = entries.filter(([, words]) => words.kind === kind).map(([name]) => name);
         const any = names.some((name) => chosen.includes(name));
         return (
           <div key={kind} role="group" aria-labelledby={`${id}-${kind}`}>
             <div class="group-head">
-              <span id={`${id}-${kind}`}>{label}</span>
+              <span id={`${id}-${kind}`}>{t(label)}</span>
               <button type="button" class="quiet" onClick={() => choose(names, !any)}>
-                {any ? 'None' : 'All'}
-                <span class="visually-hidden"> of {label}</span>
+                {any ? t('None') : t('All')}
+                <span class="visually-hidden"> {t('of {group}', { group: t(label) })}</span>
               </button>
             </div>
             <ul class="boxes">
               {names.map((name) => (
                 <CompetitorBox
                   key={name}
+                  name={name}
                   words={competitorNames[name as keyof typeof competitorNames]}
                   isChosen={chosen.includes(name)}
                   problem={unavailable[name] ?? null}
@@ -62,31 +65,33 @@ export function CompetitorBoxes({ chosen, unavailable, onChange }: CompetitorBox
 }
 
 interface CompetitorBoxProps {
+  /** Key of the competitor. */
+  name: string;
   words: CompetitorWords;
   isChosen: boolean;
   problem: string | null;
   onChange(isOn: boolean): void;
 }
 
-function CompetitorBox({ words, isChosen, problem, onChange }: CompetitorBoxProps) {
+function CompetitorBox({ name, words, isChosen, problem, onChange }: CompetitorBoxProps) {
   const id = useId();
   return (
     <li>
-      <label class="check" title={words.help}>
+      <label class="check" title={t(words.help)}>
         <input
           type="checkbox"
           checked={isChosen}
           aria-describedby={`${id}-help${problem ? ` ${id}-problem` : ''}`}
           onChange={({ currentTarget }) => onChange(currentTarget.checked)}
         />
-        <span class={problem ? 'dim' : undefined}>{words.label.replace(/^(Farol|three): /, '')}</span>
+        <span class={problem ? 'dim' : undefined}>{competitorLabel(name).replace(/^(Farol|three): /, '')}</span>
       </label>
       <span id={`${id}-help`} class="visually-hidden">
-        {words.help}
+        {t(words.help)}
       </span>
       {problem && (
         <p id={`${id}-problem`} class="hint">
-          {problem}
+          {t(problem)}
         </p>
       )}
     </li>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { Effort } from '../../plan/LabPlan';
 import { NumberField } from './NumberField';
 
@@ -10,14 +11,14 @@ export function EffortFields({ effort, onChange }: { effort: Effort; onChange(ef
   });
   return (
     <fieldset>
-      <legend>How thoroughly</legend>
+      <legend>{t('How thoroughly')}</legend>
       <div class="fields">
-        <NumberField label="Turns for each" min={1} max={50} {...bind('rounds')} />
-        <NumberField label="A turn" unit="ms" min={20} max={10_000} {...bind('turn')} />
-        <NumberField label="Leave out frames over" unit="ms" min={100} max={600_000} {...bind('longestFrame')} />
+        <NumberField label={t('Turns for each')} min={1} max={50} {...bind('rounds')} />
+        <NumberField label={t('A turn')} unit="ms" min={20} max={10_000} {...bind('turn')} />
+        <NumberField label={t('Leave out frames over')} unit="ms" min={100} max={600_000} {...bind('longestFrame')} />
         {effort.limit !== null && (
           <NumberField
-            label="The whole run"
+            label={t('The whole run')}
             unit="s"
             value={Math.round(effort.limit / 1000)}
             min={5}
@@ -31,7 +32,7 @@ export function EffortFields({ effort, onChange }: { effort: Effort; onChange(ef
             checked={effort.limit !== null}
             onChange={({ currentTarget }) => change({ limit: currentTarget.checked ? 80_000 : null })}
           />
-          Shorten turns so that the run ends in time
+          {t('Shorten turns so that the run ends in time')}
         </label>
         <label class="check wide">
           <input
@@ -39,7 +40,7 @@ export function EffortFields({ effort, onChange }: { effort: Effort; onChange(ef
             checked={effort.changes}
             onChange={({ currentTarget }) => change({ changes: currentTarget.checked })}
           />
-          Measure what a change costs: ten lights more, another technique
+          {t('Measure what a change costs: ten lights more, another technique')}
         </label>
       </div>
     </fieldset>

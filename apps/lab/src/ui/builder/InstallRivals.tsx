@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useEffect, useState } from 'preact/hooks';
 import { messageOf } from '../../run/messageOf';
 import { installedRivals, installRivals } from '../../competitors/installedRivals';
@@ -33,13 +34,13 @@ export function InstallRivals() {
     <>
       {step !== 'installed' && (
         <button type="button" disabled={step === 'installing'} onClick={() => void install()}>
-          Install PlayCanvas and Babylon.js
+          {t('Install PlayCanvas and Babylon.js')}
         </button>
       )}
       <p class="hint" role="status">
-        {step === 'offered' && 'npm fetches them for the Lab alone: 200 MB on disk.'}
-        {step === 'installing' && 'npm fetches them: some seconds to minutes, by the network.'}
-        {step === 'installed' && 'They are installed: reload the page to measure them.'}
+        {step === 'offered' && t('npm fetches them for the Lab alone: 200 MB on disk.')}
+        {step === 'installing' && t('npm fetches them: some seconds to minutes, by the network.')}
+        {step === 'installed' && t('They are installed: reload the page to measure them.')}
       </p>
       {problem && (
         <p class="problem" role="alert">

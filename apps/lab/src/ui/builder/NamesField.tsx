@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LightKindWords } from '../../plan/lightKinds';
 
 interface NamesFieldProps {
@@ -21,14 +22,14 @@ export function NamesField({ label, words, values, onChange }: NamesFieldProps) 
       <ul class="boxes">
         {words.map(({ label: name, help }, index) => (
           <li key={name}>
-            <label class="check" title={help}>
+            <label class="check" title={t(help)}>
               <input
                 type="checkbox"
                 checked={values.includes(index)}
                 disabled={values.length === 1 && values[0] === index}
                 onChange={({ currentTarget }) => choose(index, currentTarget.checked)}
               />
-              {name}
+              {t(name)}
             </label>
           </li>
         ))}

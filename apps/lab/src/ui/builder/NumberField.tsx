@@ -1,3 +1,4 @@
+import { t, formatCount } from '@farol/editing';
 import { useEffect, useId, useState } from 'preact/hooks';
 
 interface NumberFieldProps {
@@ -41,8 +42,10 @@ export function NumberField({ label, value, min, max, step = 1, unit, isDisabled
       />
       {!isValid && (
         <p id={`${id}-problem`} class="problem">
-          From {min.toLocaleString('en')} to {max.toLocaleString('en')}
-          {step === 1 ? ', whole' : ''}.
+          {t(step === 1 ? 'From {min} to {max}, whole.' : 'From {min} to {max}.', {
+            min: formatCount(min),
+            max: formatCount(max),
+          })}
         </p>
       )}
     </div>

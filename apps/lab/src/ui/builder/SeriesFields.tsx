@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { SeriesChoice } from '../../plan/Configuration';
 import { type Axis, isNamed } from '../../plan/LabPlan';
 import {
@@ -47,47 +48,58 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
   const scenes = Object.entries(sceneWords).filter(([name]) => name !== 'own' || ownScene !== null);
   return (
     <fieldset class="series">
-      <legend>Chart {number}</legend>
+      <legend>{t('Chart {number}', { number })}</legend>
       {onRemove && (
-        <button type="button" class="quiet remove" onClick={onRemove} aria-label={`Remove chart ${number}`}>
-          Remove
+        <button
+          type="button"
+          class="quiet remove"
+          onClick={onRemove}
+          aria-label={t('Remove chart {number}', { number })}
+        >
+          {t('Remove')}
         </button>
       )}
       <div class="fields">
         <Select
-          label="Scene"
+          label={t('Scene')}
           value={series.scene}
-          options={scenes.map(([name, { label }]) => [name, name === 'own' ? (ownScene ?? label) : label])}
+          options={scenes.map(([name, { label }]) => [name, name === 'own' ? (ownScene ?? t(label)) : t(label)])}
           onChange={chooseScene}
         />
         <Select
-          label="What changes"
+          label={t('What changes')}
           value={series.axis}
-          options={words.axes.map((axis) => [axis, axisWords[axis].label])}
+          options={words.axes.map((axis) => [axis, t(axisWords[axis].label)])}
           onChange={(axis) => change(startOf(axis as Axis))}
         />
-        <p class="hint wide">{words.help}</p>
+        <p class="hint wide">{t(words.help)}</p>
         {isNamed(series.axis) ? (
           <NamesField
-            label={axisWords[series.axis].label}
+            label={t(axisWords[series.axis].label)}
             words={series.axis === 'kind' ? Object.values(lightKinds) : Object.values(shadings)}
             values={series.values}
             onChange={(values) => change({ values })}
           />
         ) : (
           <ValuesField
-            label={`Values: ${axisWords[series.axis].unit}${series.axis === 'pixels' ? ', in thousands' : ''}`}
+            label={valuesLabel(series.axis)}
             values={series.values}
-            hint={valueHints[series.axis]}
+            hint={t(valueHints[series.axis])}
             onChange={(values) => change({ values })}
           />
         )}
         {isPlanes && series.axis !== 'objects' && (
-          <NumberField label="Planes along a side" value={series.n} min={1} max={100} onChange={(n) => change({ n })} />
+          <NumberField
+            label={t('Planes along a side')}
+            value={series.n}
+            min={1}
+            max={100}
+            onChange={(n) => change({ n })}
+          />
         )}
         {series.axis !== 'lights' && series.scene !== 'own' && (
           <NumberField
-            label="Lights"
+            label={t('Lights')}
             value={series.lights === 'objects' ? 100 : series.lights}
             min={0}
             max={20_000}
@@ -97,25 +109,28 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
         )}
         {series.scene !== 'own' && series.axis !== 'kind' && series.axis !== 'shadows' && (
           <Select
-            label="Kind of lights"
+            label={t('Kind of lights')}
             value={series.lightKind ?? 'points'}
-            options={lightKindNames.map((name) => [name, lightKinds[name].label])}
+            options={lightKindNames.map((name) => [name, t(lightKinds[name].label)])}
             onChange={(name) => change({ lightKind: name as LightKind })}
           />
         )}
         {series.scene !== 'own' && (
           <Select
-            label="Reach of a light"
+            label={t('Reach of a light')}
             value={String(series.lightRange ?? '')}
-            options={[['', 'The scene’s'], ...rangesWith(series.lightRange).map((m) => [String(m), `${m} m`] as const)]}
+            options={[
+              ['', t('The scene’s')],
+              ...rangesWith(series.lightRange).map((m) => [String(m), `${m} m`] as const),
+            ]}
             onChange={(metres) => change({ lightRange: metres === '' ? null : Number(metres) })}
           />
         )}
         {series.axis !== 'shading' && (
           <Select
-            label="Shading"
+            label={t('Shading')}
             value={series.shading ?? 'own'}
-            options={shadingNames.map((name) => [name, shadings[name].label])}
+            options={shadingNames.map((name) => [name, t(shadings[name].label)])}
             onChange={(name) => change({ shading: name as Shading })}
           />
         )}
@@ -131,7 +146,7 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
               checked={series.lights === 'objects'}
               onChange={({ currentTarget }) => change({ lights: currentTarget.checked ? 'objects' : 100 })}
             />
-            As many lights as planes
+            {t('As many lights as planes')}
           </label>
         )}
       </div>
@@ -139,10 +154,16 @@ export function SeriesFields({ series, number, ownScene, onChange, onRemove }: S
   );
 }
 
+/** Label of the field of values, with their unit. */
+function valuesLabel(axis: Axis): string {
+  const unit = t(axisWords[axis].unit);
+  return axis === 'pixels' ? t('Values: {unit}, in thousands', { unit }) : t('Values: {unit}', { unit });
+}
+
 /** Explanations of the kind of lights and the shading, if not the ordinary ones. */
 function hintsOf({ axis, lightKind = 'points', shading = 'own' }: SeriesChoice): string[] {
-  const kind = axis === 'kind' || lightKind === 'points' ? [] : [lightKinds[lightKind].help];
-  return axis === 'shading' || shading === 'own' ? kind : [...kind, shadings[shading].help];
+  const kind = axis === 'kind' || lightKind === 'points' ? [] : [t(lightKinds[lightKind].help)];
+  return axis === 'shading' || shading === 'own' ? kind : [...kind, t(shadings[shading].help)];
 }
 
 /** Ranges in the menu (m), with the chosen one. */

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { Select } from '../Select';
 import { NumberField } from './NumberField';
 
@@ -19,14 +20,20 @@ export function SizeFields({ width, height, onChange }: SizeFieldsProps) {
   return (
     <div class="fields thirds">
       <Select
-        label="Picture (pixels)"
+        label={t('Picture (pixels)')}
         value={sizes.includes(now) ? now : ''}
         options={[...sizes.map((size) => [size, size] as const), ['', 'Another size']]}
         onChange={choose}
       />
-      <NumberField label="Width" value={width} min={16} max={8192} onChange={(width) => onChange({ width, height })} />
       <NumberField
-        label="Height"
+        label={t('Width')}
+        value={width}
+        min={16}
+        max={8192}
+        onChange={(width) => onChange({ width, height })}
+      />
+      <NumberField
+        label={t('Height')}
         value={height}
         min={16}
         max={8192}

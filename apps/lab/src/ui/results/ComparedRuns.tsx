@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useEffect, useRef } from 'preact/hooks';
 import { RunCharts } from '../../charts/RunCharts';
 import { Comparison } from '../../results/Comparison';
@@ -10,7 +11,7 @@ export function ComparedRuns({ runs, onClose }: { runs: readonly [LabRun, LabRun
   return (
     <div ref={place} class="results compared" tabIndex={-1}>
       <button type="button" class="quiet close" onClick={onClose}>
-        Close the comparison
+        {t('Close the comparison')}
       </button>
       <Comparison a={runs[0]} b={runs[1]} />
       <RunCharts runs={runs} />

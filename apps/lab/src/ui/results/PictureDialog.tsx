@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { LabPlan } from '../../plan/LabPlan';
 import { competitorLabel } from '../../words/names';
@@ -32,39 +33,47 @@ export function PictureDialog({ plan, row, reference, onClose }: PictureDialogPr
       <div class="dialog-head">
         <h3 id="picture-title">{row.label}</h3>
         <button type="button" onClick={() => dialog.current?.close()}>
-          Close
+          {t('Close')}
         </button>
       </div>
       <div class="large-pictures">
         <figure>
-          <PixelCanvas pixels={pixels} label={`Drawn by ${row.label}`} />
+          <PixelCanvas pixels={pixels} label={t('Drawn by {name}', { name: row.label })} />
           <figcaption>
             {row.label}
-            {!isReference && (row.likeness?.psnr === null ? ': equal' : `: ${psnrText(row.likeness)} dB`)}
+            {!isReference && (row.likeness?.psnr === null ? t(': equal') : `: ${psnrText(row.likeness)} dB`)}
           </figcaption>
         </figure>
         {!isReference && (
           <>
             <figure>
-              <PixelCanvas pixels={other} label={`The reference, drawn by ${reference.label}`} />
-              <figcaption>Reference: {reference.label}</figcaption>
+              <PixelCanvas pixels={other} label={t('The reference, drawn by {name}', { name: reference.label })} />
+              <figcaption>{t('Reference: {name}', { name: reference.label })}</figcaption>
             </figure>
             <figure>
-              <PixelCanvas pixels={pixels && other && differenceOf(pixels, other)} label="Difference of the pictures" />
-              <figcaption>Difference, {GAIN} times brighter; black where both are equal</figcaption>
+              <PixelCanvas
+                pixels={pixels && other && differenceOf(pixels, other)}
+                label={t('Difference of the pictures')}
+              />
+              <figcaption>
+                {t('Difference, {factor} times brighter; black where both are equal', { factor: GAIN })}
+              </figcaption>
             </figure>
           </>
         )}
       </div>
       {reference === null && (
         <p class="dim">
-          The reference, drawn by {competitorLabel(row.likeness!.reference)}, is not among the pictures.
+          {t('The reference, drawn by {name}, is not among the pictures.', {
+            name: competitorLabel(row.likeness!.reference),
+          })}
         </p>
       )}
       {!isSharp && !isReference && (
         <p class="dim">
-          These are the small pictures that a run keeps; the difference shows their compression too. Right after a run
-          the pictures are shown as they were drawn.
+          {t(
+            'These are the small pictures that a run keeps; the difference shows their compression too. Right after a run the pictures are shown as they were drawn.',
+          )}
         </p>
       )}
     </dialog>

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
 import { Select } from '../Select';
@@ -10,7 +11,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   const cases = useMemo(() => [...new Set(rows.map(caseKey))], [rows]);
   const [chosen, setChosen] = useState<string | null>(null);
   const [large, setLarge] = useState<TableRow | null>(null);
-  if (rows.length === 0) return <p class="dim">This run keeps no pictures.</p>;
+  if (rows.length === 0) return <p class="dim">{t('This run keeps no pictures.')}</p>;
   const current = chosen !== null && cases.includes(chosen) ? chosen : cases[cases.length - 1];
   const those = rows.filter((row) => caseKey(row) === current).sort((a, b) => a.competitorIndex - b.competitorIndex);
   const options = cases.map((key) => {
@@ -20,7 +21,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
   return (
     <>
       <div class="filters">
-        <Select label="Case" value={current} options={options} onChange={setChosen} />
+        <Select label={t('Case')} value={current} options={options} onChange={setChosen} />
       </div>
       <ul class="pictures">
         {those.map((row) => (
@@ -53,7 +54,7 @@ export function Pictures({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
 const caseKey = ({ series, index }: TableRow): string => `${series} ${index}`;
 
 function likenessText({ competitor, likeness, dropped }: TableRow): string {
-  const left = dropped > 0 ? `, ${dropped} lights left out` : '';
-  if (competitor === likeness!.reference) return `the reference${left}`;
-  return likeness!.psnr === null ? `equal to the reference${left}` : `${psnrText(likeness)} dB${left}`;
+  const left = dropped > 0 ? `, ${t('{count} lights left out', { count: dropped })}` : '';
+  if (competitor === likeness!.reference) return `${t('the reference')}${left}`;
+  return likeness!.psnr === null ? `${t('equal to the reference')}${left}` : `${psnrText(likeness)} dB${left}`;
 }

@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ComponentChildren, RefObject } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { RunCharts } from '../../charts/RunCharts';
@@ -31,22 +32,22 @@ export function Results({ run, isReference, isRunning, title, actions }: Results
       </div>
       {run.surroundings.warnings.map((warning) => (
         <p key={warning} class="warning">
-          {warning}
+          {t(warning)}
         </p>
       ))}
       {run.rows.length > 0 ? (
         <RunCharts key={run.id} runs={runs} />
       ) : (
-        <p class="dim">{isRunning ? 'The first figures come in some seconds.' : 'Nothing was measured.'}</p>
+        <p class="dim">{isRunning ? t('The first figures come in some seconds.') : t('Nothing was measured.')}</p>
       )}
       {!isRunning && (
         <>
           <section aria-labelledby="pictures-title" class="part">
-            <h3 id="pictures-title">What each one drew</h3>
+            <h3 id="pictures-title">{t('What each one drew')}</h3>
             <Pictures run={run} />
           </section>
           <section aria-labelledby="rows-title" class="part">
-            <h3 id="rows-title">All figures</h3>
+            <h3 id="rows-title">{t('All measurements')}</h3>
             <AllRows run={run} />
           </section>
         </>
@@ -60,7 +61,7 @@ function AllRows({ run }: { run: LabRun }) {
   const [isOpen, setOpen] = useState(false);
   return (
     <details class="all-rows" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary>Table of {run.rows.length} rows, with warnings and what failed</summary>
+      <summary>{t('Table of {count} rows, with warnings and what failed', { count: run.rows.length })}</summary>
       {isOpen && <RowTable run={run} />}
     </details>
   );
@@ -72,15 +73,15 @@ function RunHead({ run, isReference, isRunning, title }: Omit<ResultsProps, 'act
   return (
     <header class="run-head">
       <h2 id="results-title" ref={title} tabIndex={-1}>
-        {isRunning ? 'So far' : name || plan.label}
+        {isRunning ? t('So far') : name || t(plan.label)}
       </h2>
-      {isReference && <span class="badge">reference, not your machine</span>}
-      {!isRunning && incomplete && <span class="badge">not complete</span>}
+      {isReference && <span class="badge">{t('reference, not your machine')}</span>}
+      {!isRunning && incomplete && <span class="badge">{t('not complete')}</span>}
       <p class="dim">
-        {name && `${plan.label}. `}
+        {name && `${t(plan.label)}. `}
         {deviceName(surroundings.device)}; {surroundings.browser}, {surroundings.system};{' '}
         <time dateTime={surroundings.date}>{formatDate(surroundings.date)}</time>
-        {!isRunning && `; took ${formatDuration(duration)}`}
+        {!isRunning && t('; took {time}', { time: formatDuration(duration) })}
       </p>
       {!isRunning && incomplete && <p class="warning">{incomplete}</p>}
     </header>

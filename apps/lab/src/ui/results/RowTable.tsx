@@ -1,7 +1,9 @@
+import { t } from '@farol/editing';
 import { useMemo, useState } from 'preact/hooks';
 import type { LabRun } from '../../results/LabRun';
 import { Select } from '../Select';
 import { competitorLabel } from '../../words/names';
+import { seriesLabel } from '../../words/seriesLabel';
 import { columnsOf, tableRows, type TableRow } from './rowColumns';
 import { sortRows, type RowOrder } from './sortRows';
 
@@ -37,30 +39,32 @@ export function RowTable({ run }: { run: Pick<LabRun, 'plan' | 'rows'> }) {
     <>
       <div class="filters">
         <Select
-          label="Competitor"
+          label={t('Competitor')}
           value={competitor}
-          options={[['', 'All'], ...run.plan.competitors.map((name) => [name, competitorLabel(name)] as const)]}
+          options={[['', t('All')], ...run.plan.competitors.map((name) => [name, competitorLabel(name)] as const)]}
           onChange={setCompetitor}
         />
         <Select
-          label="Chart"
+          label={t('Chart')}
           value={series}
-          options={[['', 'All'], ...run.plan.series.map(({ name, label }) => [name, label] as const)]}
+          options={[['', t('All')], ...run.plan.series.map((series) => [series.name, seriesLabel(series)] as const)]}
           onChange={setSeries}
         />
         <p class="count" role="status">
-          {rows.length === all.length ? `${all.length} rows` : `${rows.length} of ${all.length} rows`}
+          {rows.length === all.length
+            ? t('{count} rows', { count: all.length })
+            : t('{count} of {all} rows', { count: rows.length, all: all.length })}
         </p>
       </div>
-      <div class="table-scroll" role="region" aria-label="All rows" tabIndex={0}>
+      <div class="table-scroll" role="region" aria-label={t('All rows')} tabIndex={0}>
         <table class="rows">
           <thead>
             <tr>
-              {head('competitor', 'Competitor', 'Technique or renderer that drew.', true)}
+              {head('competitor', t('Competitor'), t('Technique or renderer that drew.'), true)}
               <th scope="col" class="text remarks">
-                Remarks
+                {t('Remarks')}
               </th>
-              {columns.map(({ key, label, help, isText }) => head(key, label, help, isText ?? false))}
+              {columns.map(({ key, label, help, isText }) => head(key, t(label), t(help), isText ?? false))}
             </tr>
           </thead>
           <tbody>
@@ -94,11 +98,13 @@ function Remarks({ row }: { row: TableRow }) {
           {warning}
         </p>
       ))}
-      {dropped > 0 && warnings.length === 0 && <p class="warning">{dropped} lights are left out of its picture.</p>}
+      {dropped > 0 && warnings.length === 0 && (
+        <p class="warning">{t('{count} lights are left out of its picture.', { count: dropped })}</p>
+      )}
       {technique && (
         <p class="dim">
           {competitorLabel(technique)}
-          {reason ? `: ${reason}` : ''}
+          {reason ? `: ${t(reason)}` : ''}
         </p>
       )}
     </>

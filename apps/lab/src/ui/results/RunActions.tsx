@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { ComponentChildren } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { usesOwnScene } from '../../own/ownPreset';
@@ -41,13 +42,13 @@ export function RunActions(props: RunActionsProps) {
       {choice}
       {!isReference && (
         <label class="inline-field">
-          Name
+          {t('Name')}
           <input
             key={run.id}
             type="text"
             class="run-title"
             maxLength={200}
-            placeholder={run.plan.label}
+            placeholder={t(run.plan.label)}
             defaultValue={run.name}
             onChange={({ currentTarget }) => onRename(currentTarget.value.trim())}
           />
@@ -55,12 +56,12 @@ export function RunActions(props: RunActionsProps) {
       )}
       {configuration && (!isOwn || hasOwnScene) && (
         <button type="button" onClick={() => onMeasure(configuration)}>
-          {isReference ? 'Measure the same here' : 'Measure again'}
+          {isReference ? t('Measure the same here') : t('Measure again')}
         </button>
       )}
       {reference && (
         <button type="button" onClick={() => void compare()}>
-          Compare with the reference
+          {t('Compare with the reference')}
         </button>
       )}
       <ExportMenu run={run} link={link || null} />

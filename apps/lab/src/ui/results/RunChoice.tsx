@@ -1,3 +1,4 @@
+import { t } from '@farol/editing';
 import type { LabRun } from '../../results/LabRun';
 import { referenceRuns } from '../../results/referenceRuns';
 import type { RunInfo, RunStore } from '../../results/RunStore';
@@ -32,9 +33,9 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
   const isListed = run !== null && all.some(({ id }) => id === run.id);
   return (
     <label class="inline-field">
-      Show
+      {t('Show')}
       <select value={isListed ? run.id : ''} onChange={({ currentTarget }) => void open(currentTarget.value)}>
-        {!isListed && <option value="">{run ? run.name || run.plan.label : 'None'}</option>}
+        {!isListed && <option value="">{run ? run.name || t(run.plan.label) : t('None')}</option>}
         {all.map((info, index) => (
           <option key={info.id} value={info.id}>
             {infoText(info, index >= kept.length)}
@@ -46,6 +47,8 @@ export function RunChoice({ store, run, onOpen, onProblem }: RunChoiceProps) {
 }
 
 function infoText({ name, label, date, device }: RunInfo, isReference: boolean): string {
-  const what = name || label;
-  return isReference ? `Reference: ${what}, ${deviceName(device)}` : `${what}, ${formatDate(date)}`;
+  const what = name || t(label);
+  return isReference
+    ? t('Reference: {name}', { name: `${what}, ${deviceName(device)}` })
+    : `${what}, ${formatDate(date)}`;
 }

@@ -1,9 +1,11 @@
+import { formatCount, t } from '@farol/editing';
 import { competitorNames } from '../../competitors/competitorNames';
 import { type Axis, isNamed, type LabCase, type LabPlan } from '../../plan/LabPlan';
 import { lightKinds, shadingNames, shadings } from '../../plan/lightKinds';
 import type { LabRow, LabRun, Spread } from '../../results/LabRun';
 import { formatBytes, formatNumber } from '../../words/format';
 import { competitorLabel, namedValue } from '../../words/names';
+import { seriesLabel } from '../../words/seriesLabel';
 
 export interface TableRow extends LabRow {
   readonly label: string;
@@ -39,7 +41,7 @@ export function tableRows({ plan, rows }: Pick<LabRun, 'plan' | 'rows'>): TableR
     const competitorIndex = order.indexOf(row.competitor);
     return {
       ...row,
-      ...{ label: competitorLabel(row.competitor), seriesLabel: series.label, seriesIndex, labCase },
+      ...{ label: competitorLabel(row.competitor), seriesLabel: seriesLabel(series), seriesIndex, labCase },
       competitorIndex: competitorIndex < 0 ? order.length : competitorIndex,
       axis: series.axis,
       value: series.values[row.index],
@@ -75,7 +77,7 @@ const change = (key: 'added' | 'changed', label: string, help: string): RowColum
   text: (row) => {
     const one = row[key];
     if (!one) return '–';
-    const programs = one.programs ? `, ${one.programs} compiled` : '';
+    const programs = one.programs ? `, ${t('{count} compiled', { count: one.programs })}` : '';
     return `${formatNumber(one.ms)}${programs}`;
   },
 });
@@ -89,7 +91,7 @@ const everyColumn: readonly RowColumn[] = [
   {
     ...{ key: 'value', label: 'Value', help: 'Value of the case along the x axis of its chart.' },
     order: ({ value }) => value,
-    text: ({ axis, value }) => (isNamed(axis) ? namedValue(axis, value) : value.toLocaleString('en')),
+    text: ({ axis, value }) => (isNamed(axis) ? namedValue(axis, value) : formatCount(value)),
   },
   {
     ...{ key: 'size', label: 'Picture', help: 'Width and height in pixels.' },
@@ -105,17 +107,17 @@ const everyColumn: readonly RowColumn[] = [
     order: ({ labCase }) => labCase.lights,
     text: ({ labCase }) => {
       const { lights, lightKind, lightRange, shadows } = labCase;
-      const parts = [lights?.toLocaleString('en') ?? 'its own'];
-      if (lightKind !== 'points') parts.push(lightKinds[lightKind].word);
+      const parts = [lights === null ? t('its own') : formatCount(lights)];
+      if (lightKind !== 'points') parts.push(t(lightKinds[lightKind].word));
       if (lightRange !== null) parts.push(`${lightRange} m`);
-      if (shadows > 0) parts.push(`${shadows} shadowed`);
+      if (shadows > 0) parts.push(t('{count} shadowed', { count: shadows }));
       return parts.join(', ');
     },
   },
   {
     ...{ key: 'shading', label: 'Shading', help: 'Shading of the materials, if not the scene’s own.' },
     order: ({ labCase }) => shadingNames.indexOf(labCase.shading) || null,
-    text: ({ labCase }) => shadings[labCase.shading].label,
+    text: ({ labCase }) => t(shadings[labCase.shading].label),
   },
   spread('frame', 'Frame (ms)', 'A whole frame: median, then the 10th and 90th percentile.'),
   spread('gpu', 'GPU (ms)', 'Time on the graphics device, by timer queries.'),
@@ -155,7 +157,7 @@ export function spreadText(spread: Spread | null): string {
 /** Likeness of a picture to the reference (dB), `equal`, or a dash. */
 export function psnrText(likeness: LabRow['likeness']): string {
   if (!likeness) return '–';
-  return likeness.psnr === null ? 'equal' : likeness.psnr.toFixed(1);
+  return likeness.psnr === null ? t('equal') : likeness.psnr.toFixed(1);
 }
 
 /** Value of a case along its axis: `100`, `1280 × 720`, `rectangles`. */
@@ -163,5 +165,5 @@ export function caseText(plan: LabPlan, series: number, index: number): string {
   const { axis, cases, values } = plan.series[series];
   const { width, height } = cases[index];
   if (isNamed(axis)) return namedValue(axis, values[index]);
-  return axis === 'pixels' ? `${width} × ${height}` : values[index].toLocaleString('en');
+  return axis === 'pixels' ? `${width} × ${height}` : formatCount(values[index]);
 }

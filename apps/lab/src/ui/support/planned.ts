@@ -1,3 +1,4 @@
+import { t, tCount } from '@farol/editing';
 import { usesOwnScene } from '../../own/ownPreset';
 import type { Configuration } from '../../plan/Configuration';
 import type { LabPlan } from '../../plan/LabPlan';
@@ -11,8 +12,9 @@ export type Planned = { plan: LabPlan; problem: null } | { plan: null; problem: 
 /** Makes the plan of a configuration. @param hasOwnScene - whether a scene was handed over */
 export function planned(configuration: Configuration, hasOwnScene: boolean): Planned {
   if (usesOwnScene(configuration) && !hasOwnScene) {
-    const problem =
-      'The scene that was handed over is not here: choose “Measure this scene” in the editor or the viewer, or another scene.';
+    const problem = t(
+      'The scene that was handed over is not here: choose “Measure this scene” in the editor or the viewer, or another scene.',
+    );
     return { plan: null, problem };
   }
   try {
@@ -25,7 +27,10 @@ export function planned(configuration: Configuration, hasOwnScene: boolean): Pla
 /** Size of a plan: `12 cases × 13 competitors, about 1 min 20 s`. */
 export function planSize(plan: LabPlan): string {
   const cases = plan.series.reduce((sum, { cases }) => sum + cases.length, 0);
-  const count = (n: number, one: string): string => `${n} ${one}${n === 1 ? '' : 's'}`;
   const time = roughDuration(estimate(plan));
-  return `${count(cases, 'case')} × ${count(plan.competitors.length, 'competitor')}, about ${time}`;
+  return t('{cases} × {competitors}, about {time}', {
+    cases: tCount(cases, '{count} case', '{count} cases'),
+    competitors: tCount(plan.competitors.length, '{count} competitor', '{count} competitors'),
+    time,
+  });
 }

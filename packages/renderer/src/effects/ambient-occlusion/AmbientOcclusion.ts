@@ -12,6 +12,7 @@ import {
 import { lacksFloatTargets } from '../../gpu/checkDevice';
 import type { FarolEffect } from '../../frame/FarolEffect';
 import type { Frame } from '../../frame/Frame';
+import { Lazy } from '../../frame/Lazy';
 import { hasDepthTwin } from '../../materials/depthTwin';
 import type { GBuffer } from '../../gbuffer/GBuffer';
 import type { GBufferAttachment } from '../../gbuffer/gbufferLayout';
@@ -135,7 +136,8 @@ export class AmbientOcclusion implements FarolEffect {
   }
 
   end(): void {
-    if (this.use !== 'none' || this.warned) return;
+    // another technique draws until the code of the one asked for is there
+    if (this.use !== 'none' || this.warned || Lazy.lacking!.size > 0) return;
     this.warned = true;
     console.warn(
       this.unfit

@@ -8,11 +8,12 @@ const VERSION = '#version 300 es\n';
 /** Must stand before all that is no directive; three writes before what a material may change. */
 const EXTENSION = '#extension GL_OVR_multiview2 : require\n';
 const FOG = '#include <fog_vertex>';
-const VIEW_DIRECTION = 'normalize( vViewPosition )';
+// a build takes the blanks out of Farol's own chunks
+const VIEW_DIRECTION = /normalize\( ?vViewPosition ?\)/g;
 /** Place of a pixel in the host's target, see targetPixel.glsl. */
-const PIXEL = 'gl_FragCoord.xy + farol_targetOrigin';
+const PIXEL = /gl_FragCoord\.xy ?\+ ?farol_targetOrigin/g;
 /** Place of a pixel in the picture whose tiles have light lists, see lightLoopClustered.glsl. */
-const TILE = 'gl_FragCoord.xy - farol_offset) >> farol_grid.x';
+const TILE = /gl_FragCoord\.xy ?- ?farol_offset\) ?>> ?farol_grid\.x/g;
 const offset = new Matrix4();
 
 /** Camera of an eye, as three's WebXRManager has them. */
@@ -90,7 +91,7 @@ export class EyeTwins implements TwinAdapter {
         const fragment = shader.fragmentShader
           .replaceAll(VIEW_DIRECTION, 'normalize( vViewPosition + farol_eyesVS[gl_ViewID_OVR] )')
           .replaceAll(TILE, 'farol_unionPixel(positionVS)) >> farol_grid.x')
-          .replaceAll(PIXEL, `${PIXEL} + farol_eyeOrigins[gl_ViewID_OVR]`);
+          .replaceAll(PIXEL, '$& + farol_eyeOrigins[gl_ViewID_OVR]');
         shader.fragmentShader = `${eyesFragment}\n${fragment}`;
       },
     };

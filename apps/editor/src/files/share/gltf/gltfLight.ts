@@ -30,9 +30,9 @@ function asBright(light: Light): number {
 }
 
 /** An area light, which glTF does not support: a node whose extras have its fields, readable by Farol. */
-export function gltfShapeLight({ type, width, height, diffuse, intensity, areaRange }: Light): Object3D {
+export function gltfShapeLight({ type, width, height, colour, intensity, areaRange }: Light): Object3D {
   const node = new Object3D();
-  node.userData.farolLight = { type, width, height, diffuse: [...diffuse], intensity, areaRange };
+  node.userData.farolLight = { type, width, height, diffuse: [...colour], intensity, areaRange };
   return node;
 }
 

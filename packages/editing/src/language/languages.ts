@@ -1,4 +1,4 @@
-/** Languages of the editor, each with its own name for itself. */
+/** Languages of the apps, each with its own name for itself. */
 export const languages = { en: 'English', es: 'Español' } as const;
 
 export type Language = keyof typeof languages;

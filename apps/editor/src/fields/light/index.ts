@@ -1,0 +1,2 @@
+export { IntensityEditor } from './IntensityEditor';
+export { TemperatureEditor } from './TemperatureEditor';

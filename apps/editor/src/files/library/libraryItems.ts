@@ -1,0 +1,44 @@
+import { t } from '@farol/editing';
+import { libraryMaterials } from '../../model/library/materials';
+import { type LibraryGroup, type LibraryId, libraryNames } from '../../model/library/names';
+import { libraryTags } from '../../model/library/tags';
+
+/** An item of the library, as its panel shows it. */
+export interface LibraryItem {
+  /** Such as 'street-lamp'; 'material/Cast iron'; 'own/' and 'folder/' of prefabs that are the user's. */
+  readonly id: string;
+  /** Name in the language that is shown. */
+  readonly label: string;
+  readonly group: LibraryGroup | 'material' | 'own' | 'folder';
+  /** Words in the language that is shown. */
+  readonly tags: readonly string[];
+  /** Address of its picture; null where it has none. */
+  readonly picture: string | null;
+}
+
+/** Items that draw nothing. */
+const unseen: ReadonlySet<string> = new Set(['player', 'zone']);
+
+/** File in `public/library` with an item's picture; null for an item that draws nothing. */
+export const pictureFile = (id: string): string | null =>
+  unseen.has(id) ? null : `${id.replaceAll(/[ /]/g, '-').toLowerCase()}.webp`;
+
+function pictureOf(id: string): string | null {
+  const file = pictureFile(id);
+  return file && new URL(`library/${file}`, document.baseURI).href;
+}
+
+/** The items that come with the editor. */
+export const libraryItems = (): LibraryItem[] => [
+  ...(Object.keys(libraryNames) as LibraryGroup[]).flatMap((group) =>
+    Object.entries<string>(libraryNames[group]).map(([id, name]) => ({
+      ...{ id, label: t(name), group },
+      tags: libraryTags[id as LibraryId].map((tag) => t(tag)),
+      picture: pictureOf(id),
+    })),
+  ),
+  ...Object.keys(libraryMaterials).map((name) => {
+    const id = `material/${name}`;
+    return { id, label: t(name), group: 'material' as const, tags: [t('Material')], picture: pictureOf(id) };
+  }),
+];

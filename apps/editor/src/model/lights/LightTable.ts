@@ -1,0 +1,374 @@
+import { type CommandStack, Signal } from '@farol/editing';
+import {
+  type GameObject,
+  Light,
+  LightGroup,
+  ParticleEmitter,
+  type Scene,
+  type SceneChange,
+  soloLights,
+} from '@farol/engine';
+import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
+import type { EditorDocument } from '../EditorDocument';
+import { CostEstimate, type CostView } from './lightCost';
+import { colourOf, groupOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
+
+/** A column of the table, by which its rows can be sorted. */
+export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
+
+/** Lights that the table shows: those that pass every part. */
+export interface LightFilter {
+  /** Words that must each be in the name, the kind or the group's name. */
+  readonly text: string;
+  /** Kind of light, see `kindOf`; null for all. */
+  readonly kind: string | null;
+  /** Id of a group's object, '' for lights without one; null for all. */
+  readonly group: string | null;
+  /** Whether only selected objects are shown. */
+  readonly isSelected: boolean;
+}
+
+/** A row: a light, a group with its master, or the heading above the lights of no group. */
+export type LightRow =
+  | { readonly kind: 'light'; readonly id: string; readonly object: GameObject; readonly source: LightSource }
+  | {
+      readonly kind: 'group';
+      readonly id: string;
+      readonly object: GameObject;
+      readonly group: LightGroup;
+      /** Number of its lights that pass the filter. */
+      readonly count: number;
+    }
+  | { readonly kind: 'rest'; readonly id: ''; readonly count: number };
+
+interface Entry {
+  readonly source: LightSource;
+  readonly row: LightRow;
+  readonly name: string;
+  /** Name in lower case, its numbers padded so that texts sort as numbers do. */
+  readonly nameKey: string;
+}
+
+/** Fields by which rows are found or grouped; a change of one makes the rows anew. */
+const structural = new Set(['group', 'type', 'shine', 'attenuation']);
+
+const noFilter: LightFilter = { text: '', kind: null, group: null, isSelected: false };
+
+const keyOfName = (name: string): string => name.toLowerCase().replaceAll(/\d+/g, (digits) => digits.padStart(9, '0'));
+
+/** Hue of a linear colour (0 to 6), greys before all. */
+function hueOf([r, g, b]: Vector3Tuple): number {
+  const most = Math.max(r, g, b);
+  const span = most - Math.min(r, g, b);
+  if (span < 1e-6 * most) return -1;
+  if (most === r) return ((g - b) / span + 6) % 6;
+  return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
+}
+
+/**
+ * The lights of a document as rows: filtered, sorted, in their groups; and those that are shown alone. Rows are made
+ * only when they are read after something changed, and stand still while a value is being dragged.
+ */
+export class LightTable {
+  /** Emits when rows or what they show may have changed, once for all changes of a task. */
+  readonly changed = new Signal();
+  /** Emits with `changed` when rows may have come, gone or moved, or others are shown alone. */
+  readonly arranged = new Signal();
+  /** Number of times that the rows were made. */
+  evaluations = 0;
+  /** Column by which lights are sorted within their group. */
+  sort: { readonly column: LightColumn; readonly isDescending: boolean } = { column: 'name', isDescending: false };
+
+  private entries: Entry[] = [];
+  private made: readonly LightRow[] = [];
+  private members: ReadonlyMap<string, readonly LightSource[]> = new Map();
+  private filter = noFilter;
+  private readonly folded = new Set<string>();
+  private solo: ReadonlySet<string> = new Set();
+  /** Parts that are out of date. */
+  private stale: 'no' | 'order' | 'lights' = 'lights';
+  /** Signals to be emitted at the end of the task. */
+  private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
+  /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
+  private costs: ReadonlyMap<string, number> = new Map();
+  private costKey = '';
+  private estimate: { readonly entries: readonly Entry[]; readonly run: CostEstimate } | null = null;
+
+  constructor(private readonly document: EditorDocument) {}
+
+  /** Follows the document. @returns a function that ends that, and shows all lights again */
+  connect(): () => void {
+    const { document } = this;
+    const { commands, selection, simulation } = document;
+    const endings = [
+      document.structure.subscribe(() => this.tell('lights')),
+      document.opened.subscribe(() => {
+        this.solo = new Set();
+        this.tell('lights');
+      }),
+      document.sceneChanged.subscribe((change) => this.follow(change)),
+      commands.changed.subscribe(() => this.stale !== 'no' && this.tell('order')),
+      selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'order' : 'no')),
+      simulation.changed.subscribe(() => simulation.isPlaying && this.endSolo()),
+    ];
+    this.tell('lights');
+    return () => {
+      this.endSolo();
+      for (const end of endings) end();
+    };
+  }
+
+  /** Rows in their order; one array until something changes. */
+  get rows(): readonly LightRow[] {
+    if (this.stale === 'no' || (this.stale === 'order' && this.commands.isGestureOpen)) return this.made;
+    if (this.stale === 'lights') this.entries = this.collect();
+    this.stale = 'no';
+    this.evaluations++;
+    this.made = this.arrange();
+    return this.made;
+  }
+
+  /** Number of lights in the scene. */
+  get size(): number {
+    return this.entries.length;
+  }
+
+  /** Groups of the scene, by name. */
+  get groups(): readonly LightGroup[] {
+    return this.scene
+      .componentsOf(LightGroup)
+      .map((group) => [keyOfName(group.gameObject.name), group] as const)
+      .toSorted(([a], [b]) => (a < b ? -1 : 1))
+      .map(([, group]) => group);
+  }
+
+  /** Whether rows stand below groups. */
+  get isGrouped(): boolean {
+    return this.scene.componentsOf(LightGroup).length > 0;
+  }
+
+  get shownFilter(): LightFilter {
+    return this.filter;
+  }
+
+  setFilter(change: Partial<LightFilter>): void {
+    this.filter = { ...this.filter, ...change };
+    this.tell('order');
+  }
+
+  /** Sorts by a column; the other way round when it is sorted by it already. */
+  sortBy(column: LightColumn): void {
+    this.sort = { column, isDescending: this.sort.column === column && !this.sort.isDescending };
+    this.tell('order');
+  }
+
+  isFolded(group: string): boolean {
+    return this.folded.has(group);
+  }
+
+  fold(group: string, isFolded: boolean): void {
+    if (isFolded) this.folded.add(group);
+    else this.folded.delete(group);
+    this.tell('order');
+  }
+
+  /** Share of the lighting time that a light takes, 0 to 1, as last measured. */
+  costOf(row: LightRow): number {
+    return this.costs.get(row.id) ?? 0;
+  }
+
+  /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
+  measure(view: CostView): void {
+    const { camera, width, height } = view;
+    if (!this.estimate) {
+      const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
+      const state = `${key} ${this.document.edited.revision} ${this.scene.time}`;
+      if (state === this.costKey || this.stale === 'lights') return;
+      this.costKey = state;
+      const { entries } = this;
+      this.estimate = {
+        entries,
+        run: new CostEstimate(
+          entries.map(({ source }) => source),
+          view,
+        ),
+      };
+    }
+    const { entries, run } = this.estimate;
+    const costs = run.next();
+    if (!costs) return;
+    this.estimate = null;
+    this.costs = new Map(entries.map(({ row }, i) => [row.id, costs[i]]));
+    this.tell(this.sort.column === 'cost' ? 'order' : 'no');
+  }
+
+  /** Whether some lights are shown alone. */
+  get hasSolo(): boolean {
+    return this.solo.size > 0;
+  }
+
+  /** Whether lights are shown alone, all of them. */
+  areSolo(sources: readonly LightSource[]): boolean {
+    return sources.length > 0 && sources.every(({ id }) => this.solo.has(id));
+  }
+
+  /** Shows lights alone, beside those that are; or no longer. A preview: neither an edit nor saved. */
+  setSolo(sources: readonly LightSource[], isSolo: boolean): void {
+    const next = new Set(this.solo);
+    for (const { id } of sources) {
+      if (isSolo) next.add(id);
+      else next.delete(id);
+    }
+    this.showAlone(next);
+  }
+
+  /** Shows all lights again. */
+  endSolo(): void {
+    if (this.hasSolo) this.showAlone(new Set());
+  }
+
+  /** Components that an edit of a row changes: those of all selected rows of its kind when it is selected, else its own. */
+  editedBy<T extends LightSource | LightGroup>(edited: T): readonly T[] {
+    const { selection } = this.document;
+    if (!selection.has(edited.gameObject.id)) return [edited];
+    const selected = new Set(selection.ids);
+    const all = edited instanceof LightGroup ? this.groups : this.entries.map(({ source }) => source);
+    return (all as readonly T[]).filter(({ gameObject }) => selected.has(gameObject.id));
+  }
+
+  /** Lights of a group that pass the filter. */
+  membersOf(group: string): readonly LightSource[] {
+    return this.members.get(group) ?? [];
+  }
+
+  /** Lights of selected objects, and of selected groups. */
+  get selected(): readonly LightSource[] {
+    const selected = new Set(this.document.selection.ids);
+    return this.entries.flatMap(({ source }) =>
+      selected.has(source.gameObject.id) || selected.has(groupOf(source) ?? '') ? [source] : [],
+    );
+  }
+
+  private get scene(): Scene {
+    return this.document.scene;
+  }
+
+  private get commands(): CommandStack {
+    return this.document.commands;
+  }
+
+  private showAlone(ids: ReadonlySet<string>): void {
+    this.solo = ids;
+    soloLights(this.scene, ids.size > 0 ? ids : null);
+    this.tell('order');
+  }
+
+  private follow(change: SceneChange): void {
+    if (change.kind === 'enabled') this.tellOf(change.component, this.sort.column === 'on');
+    else if (change.kind === 'field') {
+      const { component, field } = change;
+      if (structural.has(field)) return this.tellOf(component, true, 'lights');
+      this.tellOf(component, this.sort.column !== 'name' && this.sort.column !== 'cost');
+    }
+  }
+
+  private tellOf(owner: FieldOwner, isOrder: boolean, part: 'order' | 'lights' = 'order'): void {
+    if (isLight(owner) || owner instanceof LightGroup) this.tell(isOrder ? part : 'no');
+  }
+
+  private tell(part: 'no' | 'order' | 'lights'): void {
+    if (part === 'lights' || this.stale === 'no') this.stale = part;
+    const isFirst = this.toTell === 'nothing';
+    // rows stand still while a value is dragged
+    const isRows = part === 'lights' || (part === 'order' && !this.commands.isGestureOpen);
+    if (isFirst || isRows) this.toTell = isRows ? 'rows' : 'values';
+    if (isFirst) queueMicrotask(() => this.emit());
+  }
+
+  private emit(): void {
+    const told = this.toTell;
+    this.toTell = 'nothing';
+    if (told === 'rows') this.arranged.emit();
+    this.changed.emit();
+  }
+
+  private collect(): Entry[] {
+    const before = new Map(this.entries.map((entry) => [entry.source, entry]));
+    const emitters = this.scene.componentsOf(ParticleEmitter).filter(({ shine }) => shine);
+    return [...this.scene.componentsOf(Light), ...emitters].map((source) => {
+      const { gameObject: object, id } = source;
+      const known = before.get(source);
+      if (known?.name === object.name) return known;
+      const row: LightRow = { kind: 'light', id, object, source };
+      return { source, row, name: object.name, nameKey: keyOfName(object.name) };
+    });
+  }
+
+  private arrange(): LightRow[] {
+    const { groups } = this;
+    const passing = this.sorted(this.entries.filter(this.filterOf(groups)));
+    if (groups.length === 0) return passing.map(({ row }) => row);
+    const lists = new Map<string, Entry[]>(
+      [...groups.map(({ gameObject }) => gameObject.id), ''].map((id) => [id, []]),
+    );
+    for (const entry of passing) (lists.get(groupOf(entry.source) ?? '') ?? lists.get('')!).push(entry);
+    this.members = new Map([...lists].map(([id, entries]) => [id, entries.map(({ source }) => source)]));
+    const isWhole = this.filter.text === '' && this.filter.kind === null && !this.filter.isSelected;
+    const rows = groups.flatMap((group): LightRow[] => {
+      const {
+        gameObject: object,
+        gameObject: { id },
+      } = group;
+      const members = lists.get(id)!;
+      const isAsked = this.filter.group === null || this.filter.group === id;
+      if (members.length === 0 && !(isWhole && isAsked)) return [];
+      const head: LightRow = { kind: 'group', id, object, group, count: members.length };
+      return this.folded.has(id) ? [head] : [head, ...members.map(({ row }) => row)];
+    });
+    const rest = lists.get('')!.map(({ row }) => row);
+    if (rest.length === 0) return rows;
+    const head: LightRow = { kind: 'rest', id: '', count: rest.length };
+    return this.folded.has('') ? [...rows, head] : [...rows, head, ...rest];
+  }
+
+  private filterOf(groups: readonly LightGroup[]): (entry: Entry) => boolean {
+    const { text, kind, group, isSelected } = this.filter;
+    const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+    const names = new Map(groups.map(({ gameObject }) => [gameObject.id, gameObject.name]));
+    const selected = new Set(isSelected ? this.document.selection.ids : []);
+    return ({ source, name }) => {
+      if (kind !== null && kindOf(source) !== kind) return false;
+      const own = groupOf(source);
+      if (group !== null && (names.has(own ?? '') ? own : '') !== group) return false;
+      if (isSelected && !selected.has(source.gameObject.id)) return false;
+      if (words.length === 0) return true;
+      const whole = `${name} ${kindLabel(kindOf(source))} ${names.get(own ?? '') ?? ''}`.toLowerCase();
+      return words.every((word) => whole.includes(word));
+    };
+  }
+
+  private sorted(entries: Entry[]): Entry[] {
+    const { column, isDescending } = this.sort;
+    const keys = new Map(entries.map((entry) => [entry, this.keyOf(entry, column)]));
+    const sign = isDescending ? -1 : 1;
+    return entries.toSorted((a, b) => {
+      const [first, second] = [keys.get(a)!, keys.get(b)!];
+      if (first !== second) return first < second ? -sign : sign;
+      return a.nameKey < b.nameKey ? -1 : a.nameKey > b.nameKey ? 1 : 0;
+    });
+  }
+
+  private keyOf({ source, row, nameKey }: Entry, column: LightColumn): number | string {
+    if (column === 'name') return nameKey;
+    if (column === 'kind') return kindLabel(kindOf(source));
+    if (column === 'on') return Number(!source.isActive);
+    if (column === 'solo') return Number(!this.solo.has(row.id));
+    if (column === 'cost') return -this.costOf(row);
+    if (column === 'colour') return hueOf(colourOf(source) ?? [0, 0, 0]);
+    if (column === 'shadow') return Number(source instanceof Light && source.castShadow);
+    const value = shownNumber(source, column)?.value;
+    return column === 'range' ? value || Infinity : value!;
+  }
+}
+
+const isLight = (owner: FieldOwner): owner is LightSource => owner instanceof Light || owner instanceof ParticleEmitter;

@@ -1,0 +1,63 @@
+import { numberDisplay, t } from '@farol/editing';
+import { Light, type ParticleEmitter } from '@farol/engine';
+import { isFieldVisible, type NumberField, type Vector3Tuple } from '@farol/engine/fields';
+import { shownIntensity } from '@farol/engine/photometry';
+
+/** A component that lights the scene: a Light, or a ParticleEmitter whose particles are lights. */
+export type LightSource = Light | ParticleEmitter;
+
+/** Kind of a light as rows name it: the type of a Light, or 'particles'. */
+export const kindOf = (source: LightSource): string => (source instanceof Light ? source.type : 'particles');
+
+/** A kind in the language that is shown. */
+export const kindLabel = (kind: string): string => (kind === 'particles' ? t('particles') : t(kind));
+
+const isShown = (source: LightSource, name: string): boolean =>
+  isFieldVisible(source.fields, name, (other) => source.getAuthored(other));
+
+/** Name of the field of a light that a column edits; null where the light has none. */
+export const columnFields = {
+  intensity: (source: LightSource) => (source instanceof Light ? 'intensity' : 'lightIntensity'),
+  range: (source: LightSource) => {
+    const names = source instanceof Light ? ['areaRange', 'range', 'far'] : ['lightRange'];
+    if (source instanceof Light && ['ambient', 'hemisphere', 'directional'].includes(source.type)) return null;
+    return names.find((name) => isShown(source, name)) ?? null;
+  },
+  shadow: (source: LightSource) => (source instanceof Light && isShown(source, 'castShadow') ? 'castShadow' : null),
+} as const;
+
+/** A column whose cells edit a field. */
+export type FieldColumn = keyof typeof columnFields;
+
+/** A number as its cell shows it. */
+export interface ShownNumber {
+  readonly value: number;
+  readonly unit?: string;
+  readonly min?: number;
+  readonly max?: number;
+  readonly step: number;
+  /** Converts from the shown unit to the field's. */
+  fromShown(shown: number): number;
+}
+
+/** A light's intensity or range in the unit that the light is given in; null where it has none. */
+export function shownNumber(source: LightSource, column: 'intensity' | 'range'): ShownNumber | null {
+  const name = columnFields[column](source);
+  if (name === null) return null;
+  if (source instanceof Light && name === 'intensity') {
+    const { value, symbol, factor } = shownIntensity(source);
+    return { value, unit: symbol, min: 0, step: value / 100 || 1, fromShown: (shown) => shown / factor };
+  }
+  const { toShown, ...shown } = numberDisplay(source.fields[name] as NumberField);
+  return { ...shown, value: toShown(source.getAuthored(name) as number) };
+}
+
+/** Linear colour of a light, that of its temperature included; null of particles, which have colours of their own. */
+export const colourOf = (source: LightSource): Vector3Tuple | null => (source instanceof Light ? source.colour : null);
+
+/** Colour temperature of a light, such as '2,700 K'; '' for a light whose colour is chosen by hand. */
+export const temperatureText = (source: LightSource): string =>
+  source instanceof Light && source.colourBy === 'temperature' ? t('{count} K', { count: source.kelvin }) : '';
+
+/** Id of the object that is a light's group; null for none. */
+export const groupOf = (source: LightSource): string | null => (source instanceof Light ? source.group : null);

@@ -1,0 +1,92 @@
+import { formatNumber, t } from '@farol/editing';
+import { type ReactNode, useEffect, useRef, useState } from 'react';
+import { NumberInput } from '../../ui/NumberInput';
+import { Slider } from '../../ui/Slider';
+
+interface NumberCellProps {
+  readonly value: number;
+  readonly unit?: string;
+  readonly min?: number;
+  readonly max?: number;
+  readonly step: number;
+  /** Accessible name, such as 'Intensity of Lamp'. */
+  readonly label: string;
+  /** Value at the end of the dimmer before the number, fixed when 'own': else from the value; none when absent. */
+  readonly dimmer?: number | 'own';
+  readonly tabIndex: number;
+  /** Previews a value that was dragged. @param start - value before the drag */
+  onDim?(value: number, start: number): void;
+  /** Previews a value that was typed. */
+  onPreview(value: number): void;
+  onCommit(): void;
+  onDiscard(): void;
+}
+
+/** End of a dimmer's scale: the first of 1, 2, 5, 10, 20, … with room above the value. */
+function scaleOf(value: number): number {
+  const wanted = Math.max(1, value * 1.25);
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  return power * [1, 2, 5, 10].find((factor) => power * factor >= wanted)!;
+}
+
+/** A number with a dimmer to drag; becomes a field to type in when it is pressed. */
+export function NumberCell(props: NumberCellProps): ReactNode {
+  const { value, unit, min, max, step, label, dimmer, tabIndex, onDim, onPreview, onCommit, onDiscard } = props;
+  const [isTyped, setTyped] = useState(false);
+  /** End of the dimmer's scale and value before a drag; null while there is none. */
+  const [held, hold] = useState<{ readonly end: number; readonly start: number } | null>(null);
+  const cell = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    if (isTyped) cell.current?.querySelector('input')?.focus();
+  }, [isTyped]);
+  const commit = useRef(onCommit);
+  useEffect(() => {
+    commit.current = onCommit;
+  });
+  // a row that is scrolled away keeps what was typed
+  useEffect(() => () => commit.current(), []);
+  const end = dimmer === 'own' ? (held?.end ?? scaleOf(value)) : dimmer;
+  return (
+    <span className="lights-number" ref={cell}>
+      {end !== undefined && (
+        <Slider
+          value={Math.min(value, end)}
+          min={0}
+          max={end}
+          step={end / 200}
+          onSlide={(next) => {
+            const { start } = held ?? { start: value };
+            hold({ end, start });
+            onDim!(next, start);
+          }}
+          onEnd={(keeps) => {
+            hold(null);
+            if (keeps) onCommit();
+            else onDiscard();
+          }}
+        />
+      )}
+      {isTyped ? (
+        <span
+          className="lights-input"
+          onBlur={({ currentTarget, relatedTarget }) => {
+            setTyped(false);
+            if (!relatedTarget) currentTarget.closest<HTMLElement>('.lights-grid')?.focus({ preventScroll: true });
+          }}
+        >
+          <NumberInput {...{ value, min, max, step, unit, label, onPreview, onCommit, onDiscard }} digits="short" />
+        </span>
+      ) : (
+        <button
+          type="button"
+          className="lights-text"
+          tabIndex={tabIndex}
+          aria-label={`${label}: ${formatNumber(value, 'short')} ${unit ? t(unit) : ''}`}
+          onClick={() => setTyped(true)}
+        >
+          {formatNumber(value, 'short')} {unit && <span className="dim">{t(unit)}</span>}
+        </button>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,251 @@
+import type { Texts } from '@farol/editing';
+
+/** Spanish of texts that the editor has too, in its words. */
+const shared: Texts = {
+  'Enter VR': 'Entrar en RV',
+  'Enter AR': 'Entrar en RA',
+  'The texts of this language could not be loaded: is the server there?':
+    'No se pudieron cargar los textos de este idioma: ¿está el servidor?',
+  Space: 'Espacio',
+  Help: 'Ayuda',
+  Close: 'Cerrar',
+  'Examples for your own page': 'Ejemplos para una página propia',
+  Keys: 'Teclas',
+  Address: 'Dirección',
+  Pass: 'Pasada',
+  Draws: 'Llamadas de dibujo',
+  Technique: 'Técnica',
+  None: 'Ninguno',
+  View: 'Vista',
+  Quality: 'Calidad',
+  'Frame budget': 'Presupuesto por fotograma',
+  'Anti-aliasing': 'Antialiasing',
+  Particles: 'Partículas',
+  'Measure this scene': 'Medir esta escena',
+  Language: 'Idioma',
+  Dragon: 'Dragón',
+  Models: 'Modelos',
+  Lights: 'Luces',
+  Seed: 'Semilla',
+  'Ambient occlusion': 'Oclusión ambiental',
+  'Indirect light reaches less into corners; "Automatic" then takes a technique with a G-buffer.':
+    'La luz indirecta llega menos a los rincones; «Automático» elige entonces una técnica con G-buffer.',
+  'Volumetric fog': 'Niebla volumétrica',
+  'Fog that all lights light, with their shadows: halos, beams and shafts.':
+    'Niebla que iluminan todas las luces, con sus sombras: halos, haces y rayos.',
+  'Fog density': 'Densidad de la niebla',
+  'Share of light that is lost on a metre, for small values.':
+    'Parte de la luz que se pierde en un metro, si es pequeña.',
+  'Fog anisotropy': 'Anisotropía de la niebla',
+  'Above 0 light goes on, and lamps have halos; below 0 it is thrown back.':
+    'Por encima de 0 la luz sigue adelante y las lámparas tienen halo; por debajo de 0 vuelve atrás.',
+  'Fog height': 'Altura de la niebla',
+  'Height up to which the fog has its density.': 'Altura hasta la que la niebla tiene su densidad.',
+  'Fog falloff': 'Descenso de la niebla',
+  'Rise above the height over which density falls to about a third; 0: it does not fall.':
+    'Subida sobre la altura en la que la densidad cae a un tercio aproximadamente; 0: no cae.',
+  'Fog noise': 'Ruido de la niebla',
+  'How much drifting clouds vary the density.': 'Cuánto varían la densidad las nubes a la deriva.',
+  'Fog noise size': 'Tamaño del ruido de la niebla',
+  'Size of the clouds.': 'Tamaño de las nubes.',
+  'Fog distance': 'Distancia de la niebla',
+  'Distance at which fog ends; the nearer, the finer.': 'Distancia a la que acaba la niebla; cuanto menor, más fina.',
+  'Occlusion radius': 'Radio de la oclusión',
+  'How far off things close a corner.': 'A qué distancia las cosas cierran un rincón.',
+  'Occlusion strength': 'Fuerza de la oclusión',
+  'How dark corners become; 1 is as computed.': 'Cuánto se oscurecen los rincones; 1 es lo calculado.',
+  'Unsorted transparency': 'Transparencia sin ordenar',
+  'Transparent layers are averaged, not sorted: they may pass through one another.':
+    'Las capas transparentes se promedian, sin ordenarlas: pueden atravesarse.',
+  Final: 'Final',
+  Albedo: 'Albedo',
+  Normal: 'Normales',
+  Depth: 'Profundidad',
+  Position: 'Posición',
+  Roughness: 'Rugosidad',
+  Metalness: 'Metalicidad',
+  Emissive: 'Emisivo',
+  Lighting: 'Iluminación',
+  'Light count': 'Número de luces',
+  Overdraw: 'Sobredibujado',
+  Grid: 'Cuadrícula',
+  Automatic: 'Automático',
+  Full: 'Completa',
+  Lite: 'Ligera',
+  'On touch screens': 'En pantallas táctiles',
+  On: 'Activado',
+  'Off ## budget': 'Desactivado',
+  'few lights: lists cost more than they save': 'casi ninguna luz: las listas costarían más de lo que ahorran',
+  'few lights over a pixel: a G-buffer costs more than it saves':
+    'pocas luces por píxel: un G-buffer costaría más de lo que ahorra',
+  'many lights over a pixel: each surface is lit once, by the list of its cluster':
+    'muchas luces por píxel: cada superficie se ilumina una vez, con la lista de su clúster',
+  'very many lights over a pixel: each surface is lit once, by the list of its tile':
+    'muchísimas luces, muchas por píxel: cada superficie se ilumina una vez, con la lista de su tile, hecha en la GPU',
+  'Forward, multipass': 'Forward, varias pasadas',
+  'Forward, single pass': 'Forward, una pasada',
+  'Deferred shading': 'Sombreado diferido',
+  'Light pre-pass': 'Light pre-pass',
+  'Inferred lighting': 'Iluminación inferida',
+  'Tiled deferred': 'Diferido por tiles',
+  'Tiled forward': 'Forward por tiles',
+  'Forward+': 'Forward+',
+  'Clustered deferred': 'Diferido por clústeres',
+  'Clustered forward': 'Forward por clústeres',
+  SMAA: 'SMAA',
+  'Multisampled edges': 'Bordes con multimuestreo',
+  TAA: 'TAA',
+  Temple: 'Templo',
+  'A temple of columns on a green plane, with moving lights.':
+    'Un templo de columnas sobre un plano verde, con luces en movimiento.',
+  Shadows: 'Sombras',
+  Sponza: 'Sponza',
+  'An atrium with two storeys of arcades, of the scale of the Sponza palace.':
+    'Un atrio con dos pisos de arcadas, a la escala del palacio de Sponza.',
+  'Nice scene': 'Escena bonita',
+  'A dragon, a sphere and a cylinder in a room with all three kinds of lights.':
+    'Un dragón, una esfera y un cilindro en una habitación con las tres clases de luces.',
+  Dragons: 'Dragones',
+  'Four Stanford dragons among coloured lights.': 'Cuatro dragones de Stanford entre luces de colores.',
+  'Planes and lights': 'Planos y luces',
+  'N × N planes with M × M moving lights above them, or grids that are no squares.':
+    'N × N planos con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
+  'Meshes and lights': 'Mallas y luces',
+  'N × N meshes with M × M moving lights above them, or grids that are no squares.':
+    'N × N mallas con M × M luces en movimiento encima, o cuadrículas que no son cuadradas.',
+  Mesh: 'Malla',
+};
+
+/** All texts of the viewer in Spanish, by their English ones. */
+export const es: Texts = {
+  ...shared,
+  'Scene {name}: {problem}': 'Escena {name}: {problem}',
+  'The model is being read. Escape cancels.': 'Se está leyendo el modelo. Escape lo cancela.',
+  'Shown instead: {name}.': 'En su lugar se muestra {name}.',
+  'Farol viewer': 'Visor de Farol',
+  'Farol cannot start: {reason}': 'Farol no puede empezar: {reason}',
+  'The scene has no object {name}: drop the model once more.':
+    'La escena no tiene ningún objeto {name}: hay que soltar el modelo otra vez.',
+  'nothing that is a file': 'nada que sea un archivo',
+  'no .glb, .gltf, .obj, .stl or .ply was given, but {names}.':
+    'no había ningún .glb, .gltf, .obj, .stl ni .ply, sino {names}.',
+  'it needs {names}: drop the whole folder, or all of its files together.':
+    'necesita {names}: hay que soltar la carpeta entera, o todos sus archivos a la vez.',
+  '{name}: it has nothing to see: its scene holds no mesh.':
+    '{name}: no hay nada que ver: su escena no tiene ninguna malla.',
+  'The picture would have {size} pixels. It is drawn with {fitted}: this device draws {side} a side, and the viewer {most} million in all.':
+    'La imagen tendría {size} píxeles. Se dibuja con {fitted}: este dispositivo dibuja {side} por lado, y el visor {most} millones en total.',
+  '{name}={text} in the address: {problem} The default is used.':
+    '{name}={text} en la dirección: {problem} Se usa el valor por defecto.',
+  '{name} is in the address {count} times: the first counts.':
+    '{name} está {count} veces en la dirección: cuenta la primera.',
+  '{name} in the address is unknown and left out.': '{name} en la dirección es desconocido y se omite.',
+  'A name of no letters': 'Un nombre sin letras',
+  'So are {count} others.': 'Y otros {count}.',
+  'Known are {names}.': 'Se conocen {names}.',
+  'it is unknown. Known are {names}.': 'es desconocido. Se conocen {names}.',
+  ' from {min} to {max}': ' de {min} a {max}',
+  ' of {min} or more': ' de {min} o más',
+  'a whole number{range} is needed.': 'hace falta un número entero{range}.',
+  'a number{range} is needed.': 'hace falta un número{range}.',
+  '1 or 0 is needed.': 'hace falta 1 o 0.',
+  'three numbers with commas between are needed.': 'hacen falta tres números separados por comas.',
+  'an address cannot hold it.': 'no cabe en una dirección.',
+  'W A S D, arrows': 'W A S D, flechas',
+  'fly forward, left, back, right; with Shift faster':
+    'volar adelante, a la izquierda, atrás, a la derecha; con Mayús más rápido',
+  'rise, sink': 'subir, bajar',
+  'Drag##pointer': 'Arrastrar',
+  'look round': 'mirar alrededor',
+  Touch: 'Dedos',
+  'orbit with one finger, zoom and pan with two': 'orbitar con un dedo; acercar y desplazar con dos',
+  'stop and go': 'parar y seguir',
+  'show or hide the menu': 'mostrar u ocultar el menú',
+  'this help': 'esta ayuda',
+  'Drop a .glb, .gltf, .obj, .stl, .ply, folder or .zip':
+    'Soltar un .glb, .gltf, .obj, .stl, .ply, una carpeta o un .zip',
+  'show that model': 'mostrar ese modelo',
+  'Keys and address parameters (?)': 'Teclas y parámetros de la dirección (?)',
+  'Bytes of surfaces and shadows: {names}; auto is lite on phones and weak devices.':
+    'Bytes de superficies y sombras: {names}; auto es lite en teléfonos y equipos modestos.',
+  'Resolution of the Stanford dragon, where it is installed: {names}.':
+    'Resolución del dragón de Stanford, donde está instalado: {names}.',
+  'Anti-aliasing: {names}. TAA gathers over frames: at a fixed time each draw is one.':
+    'Antialiasing: {names}. TAA acumula fotogramas: con un tiempo fijo, cada dibujo es uno.',
+  '1 or 0.': '1 o 0.',
+  '1 throws decals on the scene, with techniques that have a G-buffer.':
+    '1 proyecta calcomanías sobre la escena, con técnicas que tienen G-buffer.',
+  'So many particles in the scene, each of them a light of 0.5 m. 0 to 200000.':
+    'Cuántas partículas hay en la escena; cada una es una luz de 0.5 m. De 0 a 200000.',
+  'So many rectangle lights in the scene, each up to 1.5 m. 0 to 20000.':
+    'Cuántas luces rectangulares hay en la escena, de hasta 1.5 m cada una. De 0 a 20000.',
+  'Draws the scene once, as it is at this time (s), and does not move it.':
+    'Dibuja la escena una vez, como está en ese momento (s), y no la mueve.',
+  'Size of the picture (CSS pixels); the window by default.':
+    'Tamaño de la imagen (píxeles CSS); por defecto, el de la ventana.',
+  'Device pixels for each CSS pixel; those of the screen by default, 2 at most.':
+    'Píxeles del dispositivo por píxel CSS; por defecto los de la pantalla, 2 como mucho.',
+  'Whether slow frames are drawn smaller and enlarged: auto (on touch screens), on or off.':
+    'Si los fotogramas lentos se dibujan más pequeños y se amplían: auto (en pantallas táctiles), on u off.',
+  '0 hides the menu.': '0 oculta el menú.',
+  '{min} to {max}.': 'De {min} a {max}.',
+  '{min} or more.': '{min} o más.',
+  'Close this message': 'Cerrar este mensaje',
+  Stopped: 'Parado',
+  '{rate} frames a second': '{rate} fotogramas por segundo',
+  '{visible} of {total} lights in view': '{visible} de {total} luces a la vista',
+  '{draws} draws, {triangles} triangles': '{draws} llamadas de dibujo, {triangles} triángulos',
+  '{programs} programs, {size} MiB of targets': '{programs} programas, {size} MiB de destinos',
+  Why: 'Por qué',
+  'Whether slow frames are drawn smaller and enlarged.':
+    'Si los fotogramas lentos se dibujan más pequeños y se amplían.',
+  'Decals thrown on the scene; they need a technique with a G-buffer.':
+    'Calcomanías proyectadas sobre la escena; necesitan una técnica con G-buffer.',
+  'Particles in the scene, each of them a light of 0.5 m.': 'Partículas de la escena; cada una es una luz de 0.5 m.',
+  'Rectangle lights': 'Luces rectangulares',
+  'Lights that shine from rectangles in the scene, each up to 1.5 m.':
+    'Luces que alumbran desde rectángulos de la escena, de hasta 1.5 m cada una.',
+  'Stop time': 'Parar el tiempo',
+  'Opens it in the Lab: how long each technique takes for it on this machine.':
+    'La abre en el Lab: cuánto tarda cada técnica con ella en este equipo.',
+  Scenes: 'Escenas',
+  'Open a model…': 'Abrir un modelo…',
+  'A .glb, .gltf, .obj, .stl, .ply or .zip, chosen together with the files that it names.':
+    'Un .glb, .gltf, .obj, .stl, .ply o .zip, elegido junto con los archivos que nombra.',
+  'Open a folder…': 'Abrir una carpeta…',
+  'A folder with a model in it, and with what that names.': 'Una carpeta con un modelo y con lo que este nombra.',
+  'Lights and sizes': 'Luces y tamaños',
+  'Last frame': 'Último fotograma',
+  'The graphics device was lost. The picture comes back by itself; if it does not, reload the page.':
+    'Se perdió el dispositivo gráfico. La imagen vuelve sola; si no vuelve, hay que recargar la página.',
+  'Moving point lights in a ring round the model.': 'Luces puntuales en movimiento, en un anillo alrededor del modelo.',
+  'Another number, other paths of the lights.': 'Con otro número, otros recorridos de las luces.',
+  Decals: 'Calcomanías',
+  'Moving point lights.': 'Luces puntuales en movimiento.',
+  'Meshes throw and receive shadows, in suns, spot lights and a few point lights.':
+    'Las mallas proyectan y reciben sombras con soles, focos y unas pocas luces puntuales.',
+  'Another number, other paths and colours of the lights.': 'Con otro número, otros recorridos y colores de las luces.',
+  'Texture size': 'Tamaño de las texturas',
+  'Width of the generated textures in texels.': 'Ancho de las texturas generadas, en téxeles.',
+  'How many of the lights throw shadows (six faces of 512 texels each).':
+    'Cuántas de las luces proyectan sombras (seis caras de 512 téxeles cada una).',
+  'Sun throws shadows': 'El sol proyecta sombras',
+  'Whether the sun throws shadows.': 'Si el sol proyecta sombras.',
+  'Lights at rest': 'Luces en reposo',
+  'The lights stand still, so that their shadow maps are kept.':
+    'Las luces no se mueven, así que sus mapas de sombra se conservan.',
+  'Moving point lights besides the three.': 'Luces puntuales en movimiento, además de las tres.',
+  'Planes (N)': 'Planos (N)',
+  'Planes from left to right.': 'Planos de izquierda a derecha.',
+  'Planes in depth': 'Planos en profundidad',
+  'Planes from front to back; 0: as many as N.': 'Planos de delante a atrás; 0: tantos como N.',
+  'Lights (M)': 'Luces (M)',
+  'Lights from left to right.': 'Luces de izquierda a derecha.',
+  'Lights in depth': 'Luces en profundidad',
+  'Lights from front to back; 0: as many as M.': 'Luces de delante a atrás; 0: tantas como M.',
+  'Meshes (N)': 'Mallas (N)',
+  'Meshes from left to right.': 'Mallas de izquierda a derecha.',
+  'Meshes in depth': 'Mallas en profundidad',
+  'Meshes from front to back; 0: as many as N.': 'Mallas de delante a atrás; 0: tantas como N.',
+  'The mesh.': 'La malla.',
+};

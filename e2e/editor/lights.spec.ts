@@ -1,0 +1,143 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/test';
+import { openEditor } from './editor';
+
+test.use({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
+
+/** Opens the panel and gives it most of the window's height. */
+async function openLights(page: Page): Promise<void> {
+  await page.getByRole('tab', { name: 'Lights' }).click();
+  await expect(page.getByRole('treegrid', { name: 'Lights' })).toBeVisible();
+}
+
+const history = (page: Page): Promise<readonly string[]> => page.evaluate(() => window.editor.commands.history);
+
+/** Intensities of the three lights of these names, and whether they are drawn. */
+const shining = (page: Page, names: readonly string[]): Promise<(readonly [number, boolean])[]> =>
+  page.evaluate(
+    (all) =>
+      all.map((name) => {
+        const light = window.editor.document.scene.find(name)!.getComponent('Light') as unknown as {
+          three: { intensity: number; visible: boolean };
+        };
+        return [light.three.intensity, light.three.visible] as const;
+      }),
+    names,
+  );
+
+/** A scene file of 10,000 lamps far below the camera, of which the first 1,000 are in a group. */
+function manyLamps(): string {
+  const object = (id: string, name: string, components: object[]) => ({ id, name, parent: null, components });
+  const lamps = Array.from({ length: 10_000 }, (_, i) =>
+    object(`lamp${i}`, `Lamp ${i + 1}`, [
+      { type: 'Transform', version: 1, id: `t${i}`, values: { position: [i % 100, -500, Math.floor(i / 100)] } },
+      { type: 'Light', version: 1, id: `l${i}`, values: { intensity: 4, group: i < 1000 ? 'desk' : null } },
+    ]),
+  );
+  const desk = object('desk', 'Street', [
+    { type: 'Transform', version: 1, id: 'tDesk', values: {} },
+    { type: 'LightGroup', version: 1, id: 'gDesk', values: {} },
+  ]);
+  const file = { format: 'farol-scene', version: 1, name: 'Street', settings: {}, activeCamera: null, assets: [] };
+  return JSON.stringify({ ...file, objects: [desk, ...lamps] });
+}
+
+/** Milliseconds of script that the page's own thread has run: what others on the machine do does not count. */
+async function scriptMeter(page: Page): Promise<() => Promise<number>> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return 1000 * metrics.find(({ name }) => name === 'ScriptDuration')!.value;
+  };
+}
+
+test('10,000 lights scroll, are found, and 1,000 of them are dimmed, by 16 ms of script a step @verify', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await page.evaluate((text) => window.editor.openFileBytes(text, { name: null, handle: null }), manyLamps());
+  await openLights(page);
+  const grid = page.getByRole('treegrid', { name: 'Lights' });
+  await expect(grid).toHaveAttribute('aria-rowcount', '10003');
+  const script = await scriptMeter(page);
+  const rendered = grid.getByRole('row');
+  const figures: Record<string, number> = {};
+  /** Does something in steps, each of which ends when what it is for is seen. */
+  const measure = async (what: string, steps: number, act: (step: number) => Promise<void>): Promise<void> => {
+    const before = await script();
+    for (let step = 1; step <= steps; step++) await act(step);
+    figures[what] = ((await script()) - before) / steps;
+  };
+  await grid.hover();
+  await measure('scroll', 20, async (step) => {
+    await page.mouse.wheel(0, 520);
+    await expect(grid.locator(`[aria-rowindex="${step * 20 + 4}"]`)).toBeInViewport();
+    expect(await rendered.count()).toBeLessThan(60);
+  });
+  await page.mouse.wheel(0, -20 * 520);
+  await expect(grid.locator('[aria-rowindex="2"]')).toBeInViewport();
+  const slider = grid.getByRole('row', { name: 'Street' }).locator('.slider');
+  const box = (await slider.boundingBox())!;
+  const toPart = (part: number) => page.mouse.move(box.x + box.width * part, box.y + box.height / 2);
+  await toPart(0.98);
+  await page.mouse.down();
+  await measure('dim', 20, async (step) => {
+    await toPart(1 - step / 25);
+    await expect.poll(async () => (await shining(page, ['Lamp 1000']))[0][0]).toBeCloseTo(4 * (1 - step / 25), 1);
+  });
+  await page.mouse.up();
+  expect((await history(page)).length).toBe(1);
+  const search = page.getByRole('searchbox', { name: 'Search lights' });
+  await measure('filter', 4, async (step) => {
+    await search.press('1');
+    await expect(grid).toHaveAttribute('aria-rowcount', ['3443', '283', '22', '3'][step - 1]);
+  });
+  console.log(`10,000 lights, script of a step (ms): ${JSON.stringify(figures)}`);
+  for (const figure of Object.values(figures)) expect(figure).toBeLessThan(16);
+});
+
+test('lamps are grouped, dimmed by their master and shown alone; each edit is one step, and solo is none', async ({
+  page,
+}) => {
+  await openEditor(page, 'empty');
+  await page.evaluate(async () => {
+    const { scene } = window.editor.document;
+    const { constructor: GameObject } = scene.roots[0] as unknown as {
+      constructor: new (name: string) => (typeof scene.roots)[0];
+    };
+    for (const name of ['Lamp 1', 'Lamp 2', 'Lamp 3']) {
+      const lamp = new GameObject(name);
+      scene.add(lamp);
+      lamp.addComponent('Light', { intensity: 4 });
+    }
+  });
+  await openLights(page);
+  const grid = page.getByRole('treegrid', { name: 'Lights' });
+  await page.getByRole('searchbox', { name: 'Search lights' }).fill('lamp');
+  await expect(grid.getByRole('row')).toHaveCount(4);
+  await grid.getByRole('row', { name: 'Lamp 1' }).getByText('Lamp 1').click();
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.getByRole('button', { name: 'Group', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New group of selected lights' }).click();
+  expect(await history(page)).toEqual(['Made Light group of lights']);
+  const slider = grid.getByRole('row', { name: 'Light group' }).locator('.slider');
+  const box = (await slider.boundingBox())!;
+  await page.mouse.move(box.x + box.width - 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 5 });
+  const [[half]] = await shining(page, ['Lamp 1']);
+  expect(half).toBeGreaterThan(1.8);
+  expect(half).toBeLessThan(2.2);
+  await page.mouse.up();
+  expect((await history(page)).length).toBe(2);
+  await grid.getByRole('button', { name: 'Solo of Lamp 3' }).click();
+  expect((await shining(page, ['Lamp 1', 'Lamp 2', 'Lamp 3'])).map(([, isDrawn]) => isDrawn)).toEqual([
+    false,
+    false,
+    true,
+  ]);
+  await page.getByRole('button', { name: 'End solo' }).click();
+  expect((await shining(page, ['Lamp 1']))[0][1]).toBe(true);
+  expect((await history(page)).length).toBe(2);
+});

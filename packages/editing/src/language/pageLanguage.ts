@@ -1,0 +1,55 @@
+import { firstLanguage, type Language } from './languages';
+import { setTexts, type Texts } from './translate';
+
+/** Key of the chosen language in localStorage, common to the viewer and the Lab of one host. */
+const KEY = 'farol-language';
+
+type FetchTexts = () => Promise<Texts>;
+
+let asked: Language = 'en';
+
+function chosenLanguage(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null; // no storage
+  }
+}
+
+/**
+ * Shows a page's texts in a language, says so in `<html lang>`, and keeps the choice for the next visit where there is
+ * storage. What was made before stays as it is: make it anew afterwards.
+ * @param fetchSpanish - fetches the page's Spanish texts
+ * @returns whether it is the language chosen last
+ * @throws Error (as a rejection) when the texts cannot be fetched; the language then stays
+ */
+export async function showPageLanguage(language: Language, fetchSpanish: FetchTexts): Promise<boolean> {
+  asked = language;
+  const texts = language === 'en' ? {} : await fetchSpanish();
+  if (asked !== language) return false;
+  setTexts(texts, language);
+  document.documentElement.lang = language;
+  try {
+    localStorage.setItem(KEY, language);
+  } catch {
+    // the choice lasts until the page is left
+  }
+  return true;
+}
+
+/**
+ * Language of a page that opens: the one chosen on this device, else the browser's, else English; its texts are set. English
+ * where they cannot be fetched.
+ * @param fetchSpanish - fetches the page's Spanish texts
+ */
+export async function startPageLanguage(fetchSpanish: FetchTexts): Promise<Language> {
+  const language = firstLanguage(chosenLanguage(), navigator.languages);
+  if (language === 'en') return 'en';
+  try {
+    setTexts(await fetchSpanish(), language);
+  } catch {
+    return 'en';
+  }
+  document.documentElement.lang = language;
+  return language;
+}
