@@ -1,8 +1,20 @@
 import type { Page } from '@playwright/test';
 import { serveApps } from '@farol/tools/serveApps';
-import { test as own } from '../support/test';
+import { expect, test as base } from '../support/test';
 import { inspectorFollows } from './editor';
-import { expect, test } from './sharedEditor';
+import { test as shared } from './sharedEditor';
+
+/** With the editor's sources served to the network, which takes seconds. */
+const test = base.extend<{ served: Awaited<ReturnType<typeof serveApps>> }>({
+  // oxlint-disable-next-line no-empty-pattern -- Playwright reads the names of the fixtures from the pattern
+  served: async ({}, use) => {
+    const served = await serveApps({
+      ...{ ports: { editor: 0 }, network: { editor: 0 }, hosts: ['127.0.0.1'], watch: false },
+    });
+    await use(served);
+    await served.close();
+  },
+});
 
 /** A scene file: a white ball under a white lamp, before a camera. */
 function ballScene(): string {
@@ -53,31 +65,20 @@ const lookAt = (page: Page): Promise<Look | null> =>
     return all === 0 ? null : { height: rows / all / 128, red: sums[0] / all, blue: sums[2] / all };
   });
 
-own(
-  'a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted @verify',
-  async ({ page, browser, watch }) => {
-    own.slow();
-    const served = await serveApps({
-      ports: { editor: 0 },
-      network: { editor: 0 },
-      hosts: ['127.0.0.1'],
-      watch: false,
-    });
-    await page.goto(`${served.urls.editor}?scene=empty`);
-    await page.waitForFunction(() => 'editor' in window);
-    await page.evaluate(async (text) => {
-      await window.editor.ready;
-      await window.editor.openFileBytes(text, { name: 'ball.farol', handle: null });
-    }, ballScene());
+test('a phone shows the scene, follows a moved object and, over a lost connection, a recoloured lamp, and is counted @verify', async ({
+  page,
+  browser,
+  served,
+  watch,
+}) => {
+  test.slow();
+  await page.goto(`${served.urls.editor}?scene=empty`);
+  await page.waitForFunction(() => 'editor' in window);
+  await page.evaluate(async (text) => {
+    await window.editor.ready;
+    await window.editor.openFileBytes(text, { name: 'ball.farol', handle: null });
+  }, ballScene());
 
-<<<<<<< HEAD
-    await page.getByRole('menuitem', { name: 'File', exact: true }).click();
-    await page.getByRole('menuitem', { name: 'Open on a phone…' }).click();
-    const dialog = page.getByRole('dialog');
-    await expect(dialog.getByText('nobody looks')).toBeVisible();
-    const address = await dialog.getByLabel('Address for the phone').inputValue();
-    expect(address).toMatch(/^https:\/\/127\.0\.0\.1:\d+\/live\.html\?token=[\w-]{16}&look=[0-9a-f]{16}$/);
-=======
   await page.getByRole('menuitem', { name: 'File', exact: true }).click();
   await page.getByRole('menuitem', { name: 'Open on a phone…' }).click();
   const dialog = page.getByRole('dialog');
@@ -89,51 +90,42 @@ own(
     .evaluate((input: HTMLInputElement) => input.scrollWidth - input.clientWidth - input.scrollLeft);
   expect(rest).toBeLessThan(2);
   expect(address).toMatch(/^https:\/\/127\.0\.0\.1:\d+\/live\.html\?token=[\w-]{16}&look=[0-9a-f]{16}$/);
->>>>>>> main
 
-    const context = await browser.newContext({
-      ...{ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, ignoreHTTPSErrors: true },
-    });
-    const phone = await context.newPage();
-    phone.on('pageerror', (error) => watch.problems.push(`phone: ${error.message}`));
-    phone.on('console', (message) => message.type() === 'error' && watch.problems.push(`phone: ${message.text()}`));
-    let lose: () => Promise<void> = async () => {};
-    await phone.routeWebSocket(/farol-live/, (socket) => {
-      socket.connectToServer();
-      lose = () => socket.close();
-    });
-    await phone.goto(address);
-    await expect(dialog.getByText('1 looks')).toBeVisible();
-    await expect.poll(async () => (await lookAt(phone))?.height ?? 1, { timeout: 60_000 }).toBeLessThan(0.47);
-    const before = (await lookAt(phone))!;
-    expect(Math.abs(before.red - before.blue), 'a white ball is as red as blue').toBeLessThan(0.02);
+  const context = await browser.newContext({
+    ...{ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, ignoreHTTPSErrors: true },
+  });
+  const phone = await context.newPage();
+  phone.on('pageerror', (error) => watch.problems.push(`phone: ${error.message}`));
+  phone.on('console', (message) => message.type() === 'error' && watch.problems.push(`phone: ${message.text()}`));
+  let lose: () => Promise<void> = async () => {};
+  await phone.routeWebSocket(/farol-live/, (socket) => {
+    socket.connectToServer();
+    lose = () => socket.close();
+  });
+  await phone.goto(address);
+  await expect(dialog.getByText('1 looks')).toBeVisible();
+  await expect.poll(async () => (await lookAt(phone))?.height ?? 1, { timeout: 60_000 }).toBeLessThan(0.47);
+  const before = (await lookAt(phone))!;
+  expect(Math.abs(before.red - before.blue), 'a white ball is as red as blue').toBeLessThan(0.02);
 
-    await dialog.getByRole('button', { name: 'Close' }).click();
-    await expect(page.locator('.status').getByText('1 looks')).toBeVisible();
-    await page.getByRole('treeitem', { name: 'Ball' }).click();
-    await inspectorFollows(page);
-    await page.getByLabel('Position y').fill('-0.6');
-    await page.getByLabel('Position y').press('Enter');
-    await expect.poll(async () => (await lookAt(phone))?.height ?? 0).toBeGreaterThan(0.53);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await expect(page.locator('.status').getByText('1 looks')).toBeVisible();
+  await page.getByRole('treeitem', { name: 'Ball' }).click();
+  await inspectorFollows(page);
+  await page.getByLabel('Position y').fill('-0.6');
+  await page.getByLabel('Position y').press('Enter');
+  await expect.poll(async () => (await lookAt(phone))?.height ?? 0).toBeGreaterThan(0.53);
 
-    // what was edited while the connection was away comes with the next one
-    await lose();
-    await page.getByRole('treeitem', { name: 'Lamp' }).click();
-    await inspectorFollows(page);
-    await page.getByRole('region', { name: 'Light' }).getByRole('button', { name: 'Colour', exact: true }).click();
-    await page.getByLabel('Colour as sRGB').fill('#0000ff');
-    await page.getByLabel('Colour as sRGB').press('Enter');
-    await expect.poll(async () => (await lookAt(phone))?.blue ?? 0).toBeGreaterThan(0.9);
-    await page.keyboard.press('Escape');
+  // what was edited while the connection was away comes with the next one
+  await lose();
+  await page.getByRole('treeitem', { name: 'Lamp' }).click();
+  await inspectorFollows(page);
+  await page.getByRole('region', { name: 'Light' }).getByRole('button', { name: 'Colour', exact: true }).click();
+  await page.getByLabel('Colour as sRGB').fill('#0000ff');
+  await page.getByLabel('Colour as sRGB').press('Enter');
+  await expect.poll(async () => (await lookAt(phone))?.blue ?? 0).toBeGreaterThan(0.9);
+  await page.keyboard.press('Escape');
 
-<<<<<<< HEAD
-    await phone.close();
-    await expect(page.locator('.status').getByText('nobody looks')).toBeVisible();
-    await context.close();
-    await served.close();
-  },
-);
-=======
   // Play begins the phone's scene anew: it names itself
   await phone.evaluate(() => (document.title = 'before Play'));
   await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -143,9 +135,8 @@ own(
   await expect(page.locator('.status').getByText('nobody looks')).toBeVisible();
   await context.close();
 });
->>>>>>> main
 
-test('a server that the network does not reach says how to start it, as often as it is asked', async ({ page }) => {
+shared('a server that the network does not reach says how to start it, as often as it is asked', async ({ page }) => {
   for (let i = 0; i < 2; i++) {
     await page.getByRole('menuitem', { name: 'File', exact: true }).click();
     await page.getByRole('menuitem', { name: 'Open on a phone…' }).click();
