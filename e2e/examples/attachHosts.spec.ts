@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { axeProblemsInVerify as axeProblems } from '../support/axeProblems';
+import { axeProblems } from '../support/axeProblems';
 import { drawExample, openExample } from '../support/example';
 import { compareImages } from '../support/images';
 import { expect, test } from '../support/test';
