@@ -6,6 +6,7 @@ export class Selection<Item> {
   readonly changed = new Signal();
 
   private list: readonly Item[] = [];
+  private members: ReadonlySet<Item> = new Set();
 
   /** Selected items; a new array after each change. */
   get items(): readonly Item[] {
@@ -18,14 +19,16 @@ export class Selection<Item> {
   }
 
   has(item: Item): boolean {
-    return this.list.includes(item);
+    return this.members.has(item);
   }
 
   /** Selects these items and no others. */
   set(items: readonly Item[]): void {
-    const next = [...new Set(items)];
+    const members = new Set(items);
+    const next = [...members];
     if (next.length === this.list.length && next.every((item, i) => item === this.list[i])) return;
     this.list = Object.freeze(next);
+    this.members = members;
     this.changed.emit();
   }
 

@@ -11,7 +11,7 @@ import { valueText } from './valueText';
 import { t } from '../language/translate';
 
 /** A new value, or each owner's value made from its own, such as another x and the same y and z. */
-export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value) => Value);
+export type FieldUpdate<Value extends FieldValue = FieldValue> = Value | ((before: Value, owner: FieldTarget) => Value);
 
 /** Edits one field of one or of several owners by hand: many previews, one step of history. */
 export class FieldGesture<Item = string> {
@@ -83,7 +83,7 @@ export class FieldGesture<Item = string> {
   private setTo<Value extends FieldValue>(update: FieldUpdate<Value>): SetFields {
     const edits = this.owners.map((owner, i) => {
       const name = this.nameOf(owner);
-      const value = typeof update === 'function' ? update(this.before[i] as Value) : update;
+      const value = typeof update === 'function' ? update(this.before[i] as Value, currentOf(owner)) : update;
       currentOf(owner).check?.(name, value);
       return { owner, name, value };
     });

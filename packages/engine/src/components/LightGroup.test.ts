@@ -10,6 +10,8 @@ import { serialize } from '../files/serialize';
 import { Light } from './Light';
 import { LightGroup } from './LightGroup';
 import { soloLights } from './lightGroups';
+import { ParticleEmitter } from './ParticleEmitter';
+import { loadParticleCode } from './particleCode';
 import { addClip, keys, track } from './testing/clipStage';
 
 function street(count = 2) {
@@ -144,5 +146,20 @@ describe('lights shown alone', () => {
     expect(JSON.stringify(serialize(scene))).toBe(file);
     soloLights(scene, null);
     expect(visible()).toEqual([true, true]);
+  });
+
+  test('leave the light of particles dark, which are seen as before', async () => {
+    await loadParticleCode();
+    const { scene, lights } = street();
+    const fire = new GameObject('Fire');
+    scene.add(fire);
+    const emitter = fire.addComponent(ParticleEmitter, { shine: true });
+    const state = (): boolean[] => [emitter.three!.visible, emitter.three!.lights!.visible];
+    soloLights(scene, new Set([lights[0].id]));
+    expect(state()).toEqual([true, false]);
+    emitter.lightEvery = 5;
+    expect(state()).toEqual([true, false]);
+    soloLights(scene, new Set([emitter.id]));
+    expect([...state(), lights[0].three.visible]).toEqual([true, true, false]);
   });
 });

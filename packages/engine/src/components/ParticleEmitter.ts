@@ -5,6 +5,7 @@ import { component } from '../core/Component';
 import type { NewObject } from '../core/NewObject';
 import type { RequiredEffect } from '../core/RequiredEffect';
 import type { Scene } from '../core/Scene';
+import { LightGroups } from './lightGroups';
 import { ObjectRenderer } from './ObjectRenderer';
 import { loadParticleCode, particleCode, particlePreset, particlesEffect } from './particleCode';
 import { type ColliderPose, ColliderPoses } from './ColliderPoses';
@@ -80,10 +81,12 @@ export class ParticleEmitter extends component(particleFields) {
 
   override onEnterScene(scene: Scene): void {
     this.beganAt = scene.time;
+    LightGroups.of(scene).add(this);
     this.make(scene);
   }
 
   override onLeaveScene(scene: Scene): void {
+    LightGroups.of(scene).remove(this);
     this.emitter?.removeFromParent();
     this.emitter?.dispose();
     this.emitter = null;
@@ -124,6 +127,12 @@ export class ParticleEmitter extends component(particleFields) {
     if (due > 0) emitter.step(due);
   }
 
+  /** @internal Called when other lights are shown alone, or no longer. */
+  followSolo(): void {
+    const lights = this.emitter?.lights;
+    if (lights && this.scene) lights.visible = !LightGroups.of(this.scene).isMuted(this);
+  }
+
   private make(scene: Scene): void {
     const code = particleCode();
     if (code === null) {
@@ -148,6 +157,7 @@ export class ParticleEmitter extends component(particleFields) {
 
   private show(): void {
     if (this.emitter) this.emitter.visible = this.enabled;
+    this.followSolo();
   }
 
   /** Applies the emitter setting that a field belongs to. */
@@ -156,6 +166,7 @@ export class ParticleEmitter extends component(particleFields) {
     if (!emitter || !scene) return;
     const { time } = emitter;
     emitter.set(particleCode()!.changedSetting(field, this, this.parts));
+    this.followSolo();
     // a setting that restarts the emitter makes emission begin at the present time
     if (time > 0 && emitter.time === 0) this.beganAt = scene.time;
     else if (time === 0 && emitter.prewarm > 0) emitter.restart();

@@ -10,12 +10,17 @@ export interface LightMaster {
   readonly colour: Vector3Tuple;
 }
 
-/** A light as groups see it. */
-export interface GroupedLight {
+/** A component that lights the scene. */
+export interface LightSource {
   readonly id: string;
+  /** Called when others are shown alone, or no longer. */
+  followSolo(): void;
+}
+
+/** A light that can be in a group. */
+export interface GroupedLight extends LightSource {
   /** Called when the factors of the light's group change. @param tints - whether the colour may have changed too */
   followGroup(tints: boolean): void;
-  onActiveChanged(): void;
 }
 
 const scenes = new WeakMap<Scene, LightGroups>();
@@ -23,7 +28,7 @@ const multiply = (a: Vector3Tuple, b: Vector3Tuple): Vector3Tuple => [a[0] * b[0
 
 /** Lights of a scene by the id of the object that is their group, the factors of groups, and the lights shown alone. */
 export class LightGroups {
-  private readonly lights = new Set<GroupedLight>();
+  private readonly lights = new Set<LightSource>();
   private readonly members = new Map<string, Set<GroupedLight>>();
   private readonly masters = new Map<string, LightMaster>();
   private alone: ReadonlySet<string> | null = null;
@@ -34,18 +39,23 @@ export class LightGroups {
     return groups;
   }
 
-  /** Adds a light to the scene's. @param group - id of its group's object; null for none */
-  add(light: GroupedLight, group: string | null): void {
+  /** Adds a light to the scene's. */
+  add(light: LightSource): void {
     this.lights.add(light);
+  }
+
+  /** Puts a light into a group and out of others. @param group - id of the group's object; null for none */
+  join(light: GroupedLight, group: string | null): void {
+    this.leave(light);
     if (group === null) return;
     const members = this.members.get(group);
     if (members) members.add(light);
     else this.members.set(group, new Set([light]));
   }
 
-  remove(light: GroupedLight): void {
+  remove(light: LightSource): void {
     this.lights.delete(light);
-    for (const members of this.members.values()) members.delete(light);
+    this.leave(light);
   }
 
   /** Factors of a group; null while no object with a LightGroup has the id. */
@@ -63,14 +73,18 @@ export class LightGroups {
   }
 
   /** Whether a light is dark because others are shown alone. */
-  isMuted({ id }: GroupedLight): boolean {
+  isMuted({ id }: LightSource): boolean {
     return this.alone !== null && !this.alone.has(id);
   }
 
   /** Shows some lights alone; all when null. */
   showAlone(ids: ReadonlySet<string> | null): void {
     this.alone = ids;
-    for (const light of this.lights) light.onActiveChanged();
+    for (const light of this.lights) light.followSolo();
+  }
+
+  private leave(light: LightSource): void {
+    for (const members of this.members.values()) members.delete(light as GroupedLight);
   }
 }
 
@@ -88,7 +102,7 @@ export function tintLight(light: ThreeLight, colour: Vector3Tuple): void {
 /**
  * Shows some lights of a scene without the others, for editors: neither an edit nor saved. Sky, environment and baked
  * light stay.
- * @param ids - ids of Light components; null shows all again
+ * @param ids - ids of Lights and ParticleEmitters; null shows all again
  */
 export function soloLights(scene: Scene, ids: ReadonlySet<string> | null): void {
   LightGroups.of(scene).showAlone(ids);

@@ -10,8 +10,8 @@ import {
 } from '@farol/engine';
 import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
 import type { EditorDocument } from '../EditorDocument';
-import { type CostView, lightCosts } from './lightCost';
-import { columnFields, groupOf, kindLabel, kindOf, type LightSource } from './lightSource';
+import { CostEstimate, type CostView } from './lightCost';
+import { colourOf, groupOf, kindLabel, kindOf, type LightSource, shownNumber } from './lightSource';
 
 /** A column of the table, by which its rows can be sorted. */
 export type LightColumn = 'on' | 'solo' | 'name' | 'kind' | 'colour' | 'intensity' | 'range' | 'shadow' | 'cost';
@@ -65,18 +65,15 @@ function hueOf([r, g, b]: Vector3Tuple): number {
   return most === g ? (b - r) / span + 2 : (r - g) / span + 4;
 }
 
-const valueOf = (source: LightSource, column: keyof typeof columnFields): unknown => {
-  const name = columnFields[column](source);
-  return name === null ? null : source.getAuthored(name);
-};
-
 /**
  * The lights of a document as rows: filtered, sorted, in their groups; and those that are shown alone. Rows are made
  * only when they are read after something changed, and stand still while a value is being dragged.
  */
 export class LightTable {
-  /** Emits when rows or values may have changed; not again before `rows` was read. */
+  /** Emits when rows or what they show may have changed, once for all changes of a task. */
   readonly changed = new Signal();
+  /** Emits with `changed` when rows may have come, gone or moved, or others are shown alone. */
+  readonly arranged = new Signal();
   /** Number of times that the rows were made. */
   evaluations = 0;
   /** Column by which lights are sorted within their group. */
@@ -90,11 +87,12 @@ export class LightTable {
   private solo: ReadonlySet<string> = new Set();
   /** Parts that are out of date. */
   private stale: 'no' | 'order' | 'lights' = 'lights';
-  private isTold = false;
+  /** Signals to be emitted at the end of the task. */
+  private toTell: 'nothing' | 'values' | 'rows' = 'nothing';
   /** Shares of the lighting time by the id of a light, and the state that they were estimated for. */
   private costs: ReadonlyMap<string, number> = new Map();
   private costKey = '';
-  private measured = 0;
+  private estimate: { readonly entries: readonly Entry[]; readonly run: CostEstimate } | null = null;
 
   constructor(private readonly document: EditorDocument) {}
 
@@ -109,7 +107,7 @@ export class LightTable {
         this.tell('lights');
       }),
       document.sceneChanged.subscribe((change) => this.follow(change)),
-      commands.changed.subscribe(() => this.stale !== 'no' && this.tell('no')),
+      commands.changed.subscribe(() => this.stale !== 'no' && this.tell('order')),
       selection.changed.subscribe(() => this.tell(this.filter.isSelected ? 'order' : 'no')),
       simulation.changed.subscribe(() => simulation.isPlaying && this.endSolo()),
     ];
@@ -122,7 +120,6 @@ export class LightTable {
 
   /** Rows in their order; one array until something changes. */
   get rows(): readonly LightRow[] {
-    this.isTold = false;
     if (this.stale === 'no' || (this.stale === 'order' && this.commands.isGestureOpen)) return this.made;
     if (this.stale === 'lights') this.entries = this.collect();
     this.stale = 'no';
@@ -143,6 +140,11 @@ export class LightTable {
       .map((group) => [keyOfName(group.gameObject.name), group] as const)
       .toSorted(([a], [b]) => (a < b ? -1 : 1))
       .map(([, group]) => group);
+  }
+
+  /** Whether rows stand below groups. */
+  get isGrouped(): boolean {
+    return this.scene.componentsOf(LightGroup).length > 0;
   }
 
   get shownFilter(): LightFilter {
@@ -175,22 +177,29 @@ export class LightTable {
     return this.costs.get(row.id) ?? 0;
   }
 
-  /** Estimates the costs for a view, when it or the scene has changed. @returns number of estimates so far */
-  measure(view: CostView): number {
+  /** Goes on estimating the costs for a view, a thousand lights a call; begins anew when it or the scene has changed. */
+  measure(view: CostView): void {
     const { camera, width, height } = view;
-    const { document, scene } = this;
-    const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
-    const state = `${key} ${document.edited.revision} ${scene.time}`;
-    if (state === this.costKey || this.stale === 'lights') return this.measured;
-    this.costKey = state;
-    this.measured++;
-    const costs = lightCosts(
-      this.entries.map(({ source }) => source),
-      view,
-    );
-    this.costs = new Map(this.entries.map(({ row }, i) => [row.id, costs[i]]));
-    if (this.sort.column === 'cost') this.tell('order');
-    return this.measured;
+    if (!this.estimate) {
+      const key = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
+      const state = `${key} ${this.document.edited.revision} ${this.scene.time}`;
+      if (state === this.costKey || this.stale === 'lights') return;
+      this.costKey = state;
+      const { entries } = this;
+      this.estimate = {
+        entries,
+        run: new CostEstimate(
+          entries.map(({ source }) => source),
+          view,
+        ),
+      };
+    }
+    const { entries, run } = this.estimate;
+    const costs = run.next();
+    if (!costs) return;
+    this.estimate = null;
+    this.costs = new Map(entries.map(({ row }, i) => [row.id, costs[i]]));
+    this.tell(this.sort.column === 'cost' ? 'order' : 'no');
   }
 
   /** Whether some lights are shown alone. */
@@ -251,7 +260,7 @@ export class LightTable {
   private showAlone(ids: ReadonlySet<string>): void {
     this.solo = ids;
     soloLights(this.scene, ids.size > 0 ? ids : null);
-    this.tell(this.sort.column === 'solo' ? 'order' : 'no');
+    this.tell('order');
   }
 
   private follow(change: SceneChange): void {
@@ -259,9 +268,7 @@ export class LightTable {
     else if (change.kind === 'field') {
       const { component, field } = change;
       if (structural.has(field)) return this.tellOf(component, true, 'lights');
-      const { column } = this.sort;
-      const isSorted = column in columnFields && columnFields[column as keyof typeof columnFields];
-      this.tellOf(component, isSorted && isLight(component) && isSorted(component) === field);
+      this.tellOf(component, this.sort.column !== 'name' && this.sort.column !== 'cost');
     }
   }
 
@@ -271,8 +278,17 @@ export class LightTable {
 
   private tell(part: 'no' | 'order' | 'lights'): void {
     if (part === 'lights' || this.stale === 'no') this.stale = part;
-    if (this.isTold) return;
-    this.isTold = true;
+    const isFirst = this.toTell === 'nothing';
+    // rows stand still while a value is dragged
+    const isRows = part === 'lights' || (part === 'order' && !this.commands.isGestureOpen);
+    if (isFirst || isRows) this.toTell = isRows ? 'rows' : 'values';
+    if (isFirst) queueMicrotask(() => this.emit());
+  }
+
+  private emit(): void {
+    const told = this.toTell;
+    this.toTell = 'nothing';
+    if (told === 'rows') this.arranged.emit();
     this.changed.emit();
   }
 
@@ -348,10 +364,10 @@ export class LightTable {
     if (column === 'on') return Number(!source.isActive);
     if (column === 'solo') return Number(!this.solo.has(row.id));
     if (column === 'cost') return -this.costOf(row);
-    const value = valueOf(source, column);
-    if (column === 'colour') return value === null ? -2 : hueOf(value as Vector3Tuple);
-    if (column === 'range') return value === null || value === 0 ? Infinity : (value as number);
-    return Number(value);
+    if (column === 'colour') return hueOf(colourOf(source) ?? [0, 0, 0]);
+    if (column === 'shadow') return Number(source instanceof Light && source.castShadow);
+    const value = shownNumber(source, column)?.value;
+    return column === 'range' ? value || Infinity : value!;
   }
 }
 

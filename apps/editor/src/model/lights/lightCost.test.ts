@@ -1,11 +1,13 @@
 import { GameObject, Light, Scene } from '@farol/engine';
 import { OrthographicCamera, PerspectiveCamera } from 'three';
 import { expect, test } from 'vitest';
-import { lightCosts } from './lightCost';
+import { CostEstimate, type CostView } from './lightCost';
 
 const camera = new PerspectiveCamera(60, 16 / 9, 0.1, 100);
 camera.updateMatrixWorld();
 const view = { camera, width: 1280, height: 720 };
+
+const lightCosts = (lights: readonly Light[], seen: CostView): Float64Array => new CostEstimate(lights, seen).next()!;
 
 function lamp(scene: Scene, z: number, values: Parameters<GameObject['addComponent']>[1] = {}): Light {
   const object = new GameObject('Lamp');
@@ -49,4 +51,15 @@ test('a spot covers less than a point light of its range, and an orthographic vi
     camera: flat,
   });
   expect(near).toBeCloseTo(far, 12);
+});
+
+test('10,000 lights take ten tasks of a thousand each', () => {
+  const scene = new Scene();
+  const light = lamp(scene, -20);
+  const estimate = new CostEstimate(
+    Array.from({ length: 10_000 }, () => light),
+    view,
+  );
+  for (let i = 0; i < 9; i++) expect(estimate.next()).toBeNull();
+  expect(estimate.next()![9999]).toBeCloseTo(1e-4, 12);
 });

@@ -1,5 +1,5 @@
 import { Light } from '@farol/engine';
-import { Matrix4, type Camera, Vector3 } from 'three';
+import { type Camera, type Matrix4, Vector3 } from 'three';
 import type { LightSource } from './lightSource';
 
 /** Width of a tile of the light lists (pixels), see `LightGrid` of the renderer. */
@@ -67,7 +67,6 @@ export function tilesOfSphere(
   return tilesOfAxis(x, -z, radius, m[0], -m[8], across) * tilesOfAxis(y, -z, radius, m[5], -m[9], down);
 }
 
-const toView = new Matrix4();
 const centre = new Vector3();
 const axis = new Vector3();
 
@@ -87,29 +86,54 @@ function boundsOf(source: LightSource): number {
   return isWide ? reach * Math.sin(cutoff) : along;
 }
 
+/** Lights that are estimated in one task, so that no frame waits. */
+const SLICE = 1000;
+
 /**
- * Estimates the share of the GPU's lighting time that each light takes, 0 to 1: entries of the light in the lists of
- * tiles, times the cost of its kind, twice that where it casts shadows. Ignores what hides a light's bounds.
- * @param sources - the lights; those that are off cost nothing
- * @returns the shares in the order of `sources`
+ * Estimates the cost of each light for the GPU, as shares of all: entries of the light in the lists of tiles, times the cost
+ * of its kind, twice that where it casts shadows. Ignores what hides a light's bounds.
  */
-export function lightCosts(sources: readonly LightSource[], { camera, width, height }: CostView): Float64Array {
-  const [across, down] = [Math.ceil(width / TILE), Math.ceil(height / TILE)];
-  const costs = new Float64Array(sources.length);
-  toView.copy(camera.matrixWorld).invert();
-  let total = 0;
-  sources.forEach((source, i) => {
-    if (!source.isActive) return;
+export class CostEstimate {
+  private readonly costs: Float64Array;
+  private readonly toView: Matrix4;
+  private readonly projection: readonly number[];
+  private total = 0;
+  private done = 0;
+
+  /** @param sources - the lights; those that are off cost nothing */
+  constructor(
+    private readonly sources: readonly LightSource[],
+    private readonly view: CostView,
+  ) {
+    this.costs = new Float64Array(sources.length);
+    this.toView = view.camera.matrixWorld.clone().invert();
+    this.projection = [...view.camera.projectionMatrix.elements];
+  }
+
+  /** Estimates the next thousand lights. @returns shares by the order of the lights, 0 to 1; null until all are done */
+  next(): Float64Array | null {
+    const { sources, costs, view } = this;
+    const [across, down] = [Math.ceil(view.width / TILE), Math.ceil(view.height / TILE)];
+    const end = Math.min(sources.length, this.done + SLICE);
+    for (; this.done < end; this.done++) {
+      const source = sources[this.done];
+      const cost = source.isActive ? this.tilesOf(source, across, down) * weightOf(source) : 0;
+      costs[this.done] = cost;
+      this.total += cost;
+    }
+    if (this.done < sources.length) return null;
+    if (this.total > 0) for (let i = 0; i < costs.length; i++) costs[i] /= this.total;
+    return costs;
+  }
+
+  private tilesOf(source: LightSource, across: number, down: number): number {
     const radius = boundsOf(source);
-    const tiles =
-      radius === Infinity
-        ? across * down
-        : tilesOfSphere(centre.applyMatrix4(toView), radius, camera.projectionMatrix.elements, across, down);
-    const weight =
-      source instanceof Light ? (weights[source.type] ?? 1) : Math.ceil(source.capacity / source.lightEvery);
-    costs[i] = tiles * weight * (source instanceof Light && source.castShadow ? SHADOW : 1);
-    total += costs[i];
-  });
-  if (total > 0) for (let i = 0; i < costs.length; i++) costs[i] /= total;
-  return costs;
+    if (radius === Infinity) return across * down;
+    return tilesOfSphere(centre.applyMatrix4(this.toView), radius, this.projection, across, down);
+  }
+}
+
+function weightOf(source: LightSource): number {
+  if (!(source instanceof Light)) return Math.ceil(source.capacity / source.lightEvery);
+  return (weights[source.type] ?? 1) * (source.castShadow ? SHADOW : 1);
 }

@@ -1,6 +1,7 @@
-import { fieldInUnit, t } from '@farol/editing';
+import { numberDisplay, t } from '@farol/editing';
 import { Light, type ParticleEmitter } from '@farol/engine';
-import { type Field, isFieldVisible, type NumberField, variantOfField } from '@farol/engine/fields';
+import { isFieldVisible, type NumberField, type Vector3Tuple } from '@farol/engine/fields';
+import { shownIntensity } from '@farol/engine/photometry';
 
 /** A component that lights the scene: a Light, or a ParticleEmitter whose particles are lights. */
 export type LightSource = Light | ParticleEmitter;
@@ -16,7 +17,6 @@ const isShown = (source: LightSource, name: string): boolean =>
 
 /** Name of the field of a light that a column edits; null where the light has none. */
 export const columnFields = {
-  colour: (source: LightSource) => (source instanceof Light ? 'diffuse' : null),
   intensity: (source: LightSource) => (source instanceof Light ? 'intensity' : 'lightIntensity'),
   range: (source: LightSource) => {
     const names = source instanceof Light ? ['areaRange', 'range', 'far'] : ['lightRange'];
@@ -29,18 +29,35 @@ export const columnFields = {
 /** A column whose cells edit a field. */
 export type FieldColumn = keyof typeof columnFields;
 
-/** The number field behind a cell, with the label and the unit that it has for this light. */
-export function shownField(source: LightSource, name: string): NumberField {
-  const get = (other: string) => source.getAuthored(other);
-  const variant = variantOfField(source.fields[name] as Field, get);
-  return fieldInUnit(variant, (other) => [get(other)]) as NumberField;
+/** A number as its cell shows it. */
+export interface ShownNumber {
+  readonly value: number;
+  readonly unit?: string;
+  readonly min?: number;
+  readonly max?: number;
+  readonly step: number;
+  /** Converts from the shown unit to the field's. */
+  fromShown(shown: number): number;
 }
 
-/** Colour temperature of a light as its row shows it, such as '2,700 K'; '' for a light whose colour is set by hand. */
-export function temperatureText(source: LightSource): string {
-  const name = ['temperature', 'kelvin'].find((each) => Object.hasOwn(source.fields, each) && isShown(source, each));
-  return name === undefined ? '' : t('{count} K', { count: Number(source.getAuthored(name)) });
+/** A light's intensity or range in the unit that the light is given in; null where it has none. */
+export function shownNumber(source: LightSource, column: 'intensity' | 'range'): ShownNumber | null {
+  const name = columnFields[column](source);
+  if (name === null) return null;
+  if (source instanceof Light && name === 'intensity') {
+    const { value, symbol, factor } = shownIntensity(source);
+    return { value, unit: symbol, min: 0, step: value / 100 || 1, fromShown: (shown) => shown / factor };
+  }
+  const { toShown, ...shown } = numberDisplay(source.fields[name] as NumberField);
+  return { ...shown, value: toShown(source.getAuthored(name) as number) };
 }
+
+/** Linear colour of a light, that of its temperature included; null of particles, which have colours of their own. */
+export const colourOf = (source: LightSource): Vector3Tuple | null => (source instanceof Light ? source.colour : null);
+
+/** Colour temperature of a light, such as '2,700 K'; '' for a light whose colour is chosen by hand. */
+export const temperatureText = (source: LightSource): string =>
+  source instanceof Light && source.colourBy === 'temperature' ? t('{count} K', { count: source.kelvin }) : '';
 
 /** Id of the object that is a light's group; null for none. */
 export const groupOf = (source: LightSource): string | null => (source instanceof Light ? source.group : null);

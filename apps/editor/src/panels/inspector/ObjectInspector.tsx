@@ -117,6 +117,9 @@ export const ObjectInspector = memo(function ObjectInspector({ ids }: { ids: rea
           description={t('The object stays where it is: baked light gives it a lightmap.')}
           onChange={(isStatic) => editor.attempt(() => changeStatic(editor, objects, isStatic))}
         />
+        <span className="object-static" aria-hidden="true">
+          {t('Active')}
+        </span>
         <Toggle
           value={mixed ? null : first.active}
           label={t('Active')}

@@ -1,17 +1,16 @@
-import { FieldGesture, formatNumber, numberDisplay, t } from '@farol/editing';
-import type { LightGroup } from '@farol/engine';
-import type { FieldOwner, Vector3Tuple } from '@farol/engine/fields';
+import { FieldGesture, formatNumber, t } from '@farol/editing';
+import { Light, type LightGroup } from '@farol/engine';
 import { memo, type MouseEvent, type ReactNode } from 'react';
 import type { EditorApi } from '../../api/EditorApi';
 import { setEnabled } from '../../model/edits';
 import {
+  colourOf,
   columnFields,
   type FieldColumn,
-  groupOf,
   kindLabel,
   kindOf,
   type LightSource,
-  shownField,
+  shownNumber,
   temperatureText,
 } from '../../model/lights/lightSource';
 import type { LightRow, LightTable } from '../../model/lights/LightTable';
@@ -49,9 +48,6 @@ interface LightRowViewProps extends RowProps {
   onSelect(row: LightRow, event: MouseEvent): void;
 }
 
-const authored = (source: FieldOwner, name: string | null): unknown =>
-  name === null ? null : source.getAuthored(name);
-
 /** Everything that a row shows, as one text to compare. */
 export function rowState(table: LightTable, row: LightRow): string {
   if (row.kind === 'rest') return `${row.count} ${table.isFolded('')}`;
@@ -71,10 +67,11 @@ export function rowState(table: LightTable, row: LightRow): string {
     ].join('\n');
   }
   const { source } = row;
-  const values = Object.values(columnFields).map((fieldOf) => authored(source, fieldOf(source)));
+  const [intensity, range] = [shownNumber(source, 'intensity'), shownNumber(source, 'range')];
   return [
-    ...[name, activeInHierarchy, source.enabled, kindOf(source), table.areSolo([source]), temperatureText(source)],
-    ...[groupOf(source), table.costOf(row).toFixed(4), ...values],
+    ...[name, activeInHierarchy, source.enabled, kindOf(source), table.areSolo([source]), table.isGrouped],
+    ...[colourOf(source), temperatureText(source), intensity?.value, intensity?.unit, range?.value],
+    ...[source instanceof Light && source.castShadow, table.costOf(row).toFixed(4)],
   ].join('\n');
 }
 
@@ -88,7 +85,7 @@ export const LightRowView = memo(function LightRowView(props: LightRowViewProps)
       id={id}
       role="row"
       aria-rowindex={index + 2}
-      aria-level={isHead || table.groups.length === 0 ? 1 : 2}
+      aria-level={isHead || !table.isGrouped ? 1 : 2}
       aria-expanded={isHead ? !table.isFolded(row.id) : undefined}
       aria-selected={isSelected}
       className={classes.filter(Boolean).join(' ')}
@@ -126,7 +123,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
   const { name } = object;
   const labelled = (column: string): string => t('{column} of {name}', { column, name });
   const shadow = columnFields.shadow(source);
-  const colour = columnFields.colour(source);
+  const colour = colourOf(source);
   const cost = table.costOf(row);
   return (
     <>
@@ -152,7 +149,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
       ) : (
         <ColourCell
           label={labelled(t('Colour'))}
-          colour={source.getAuthored(colour) as Vector3Tuple}
+          colour={colour}
           text={temperatureText(source)}
           tabIndex={tabIndex}
           onPick={(anchor) => desk.onPick({ anchor, edited: source })}
@@ -171,7 +168,7 @@ function LightCells({ row, ...desk }: RowProps & { readonly row: LightRow & { ki
         />
       )}
       <span role="gridcell" className="lights-cost">
-        {`${formatNumber(100 * cost, 'short')} %`}
+        {`${formatNumber(Math.round(1000 * cost) / 10, 'short')} %`}
       </span>
     </>
   );
@@ -188,16 +185,14 @@ interface FieldCellProps extends RowProps {
 function FieldCell({ row, column, label, isDimmed = false, ...desk }: FieldCellProps): ReactNode {
   const { editor, tabIndex } = desk;
   const { source } = row;
-  const name = columnFields[column](source);
+  const shown = shownNumber(source, column);
   const edit = useRowEdit(editor, () => columnGesture({ ...desk, row }, source, column));
-  if (name === null) return <span role="gridcell" />;
-  const { toShown, fromShown, ...shown } = numberDisplay(shownField(source, name));
-  const value = toShown(source.getAuthored(name) as number);
+  if (shown === null) return <span role="gridcell" />;
+  const { fromShown, ...number } = shown;
   return (
     <span role="gridcell">
       <NumberCell
-        {...shown}
-        value={value}
+        {...number}
         label={label}
         dimmer={isDimmed ? 'own' : undefined}
         tabIndex={tabIndex}
@@ -205,7 +200,7 @@ function FieldCell({ row, column, label, isDimmed = false, ...desk }: FieldCellP
           edit.onPreview((before) => (start > 0 ? (before as number) * (next / start) : fromShown(next)))
         }
         {...edit}
-        onPreview={(next) => edit.onPreview(fromShown(next))}
+        onPreview={(next) => edit.onPreview((_, owner) => shownNumber(owner as LightSource, column)!.fromShown(next))}
       />
     </span>
   );

@@ -1,6 +1,6 @@
 import { Popover } from '@base-ui/react/popover';
 import { FieldGesture, t } from '@farol/editing';
-import { LightGroup } from '@farol/engine';
+import { Light, LightGroup } from '@farol/engine';
 import type { Vector3Tuple } from '@farol/engine/fields';
 import { useVirtualizer } from '@tanstack/react-virtual';
 import { type KeyboardEvent, type MouseEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
@@ -10,6 +10,7 @@ import type { LightRow, LightTable } from '../../model/lights/LightTable';
 import { ownersName } from '../../model/ownersName';
 import { useEditor, useSignal } from '../../ui/EditorContext';
 import { Icon } from '../../ui/Icon';
+import { FieldList } from '../inspector/FieldList';
 import { lightColumns } from './lightColumns';
 import { type ColourPick, LightRowView, rowState } from './LightRowView';
 
@@ -19,8 +20,8 @@ const isCoarse = matchMedia('(pointer: coarse)').matches;
 const ROW = isCoarse ? 40 : 26;
 const TITLES = isCoarse ? 40 : 26;
 
-/** Time between estimates of the costs (ms). */
-const MEASURE = 500;
+/** Time between two parts of an estimate of the costs (ms). */
+const MEASURE = 100;
 
 const idOf = (row: LightRow): string => `light-row-${row.id}`;
 
@@ -46,12 +47,11 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
     scrollMargin: TITLES,
     scrollPaddingStart: TITLES,
   });
-  const [, setMeasured] = useState(0);
   useEffect(() => {
     const measure = (): void => {
       const { width, height } = viewport.bounds;
       const { devicePixelRatio: ratio } = window;
-      setMeasured(table.measure({ camera: viewport.camera, width: width * ratio, height: height * ratio }));
+      table.measure({ camera: viewport.camera, width: width * ratio, height: height * ratio });
     };
     const timer = setInterval(measure, MEASURE);
     return () => clearInterval(timer);
@@ -166,29 +166,34 @@ export function LightsGrid({ table }: { readonly table: LightTable }): ReactNode
 const objectIds = (rows: readonly LightRow[]): string[] =>
   rows.flatMap((row) => (row.kind === 'rest' ? [] : row.object.id));
 
-/** The colour picker of a row, which edits all selected rows when that is among them. */
+/** The colour of a row, by hand or by temperature; edits all selected rows when that is among them. */
 function Picker({ table, pick, onClose }: { table: LightTable; pick: ColourPick; onClose(): void }): ReactNode {
   const editor = useEditor();
+  useSignal(table.changed);
   const { anchor, edited } = pick;
   const name = edited instanceof LightGroup ? 'colour' : 'diffuse';
-  const gesture = useMemo(() => {
-    const owners = table.editedBy(edited).filter((each) => name in each.fields);
-    return new FieldGesture(editor.commands, owners, name, () => ownersName(owners));
+  const [owners, gesture] = useMemo(() => {
+    const all = table.editedBy(edited).filter((each) => name in each.fields);
+    return [all, new FieldGesture(editor.commands, all, name, () => ownersName(all))] as const;
   }, [editor, table, edited, name]);
+  const isByHand = !(edited instanceof Light && edited.colourBy === 'temperature');
   return (
     <Popover.Root open onOpenChange={(isOpen) => !isOpen && onClose()}>
       <Popover.Portal>
         <Popover.Positioner className="positioner" anchor={anchor} sideOffset={4} align="end">
-          <Popover.Popup className="popup colour-popup" aria-label={t('Colour')}>
-            <ColourPicker
-              value={edited.getAuthored(name) as Vector3Tuple}
-              mixed={false}
-              label={t('Colour')}
-              onPreview={(update) => editor.attempt(() => gesture.preview(update))}
-              onCommit={(update) => editor.attempt(() => gesture.commit(update))}
-              onAmend={(update) => editor.attempt(() => gesture.amend(update))}
-              onDiscard={() => gesture.discard()}
-            />
+          <Popover.Popup className="popup colour-popup lights-colour" aria-label={t('Colour')}>
+            {isByHand && (
+              <ColourPicker
+                value={edited.getAuthored(name) as Vector3Tuple}
+                mixed={false}
+                label={t('Colour')}
+                onPreview={(update) => editor.attempt(() => gesture.preview(update))}
+                onCommit={(update) => editor.attempt(() => gesture.commit(update))}
+                onAmend={(update) => editor.attempt(() => gesture.amend(update))}
+                onDiscard={() => gesture.discard()}
+              />
+            )}
+            {edited instanceof Light && <FieldList owners={owners} names={['colourBy', 'kelvin']} />}
           </Popover.Popup>
         </Popover.Positioner>
       </Popover.Portal>

@@ -25,7 +25,8 @@ export function LightsPanel(): ReactNode {
   const { document, commands } = editor;
   const [table] = useState(() => new LightTable(document));
   useEffect(() => table.connect(), [table]);
-  useSignal(table.changed);
+  useSignal(table.arranged);
+  const [text, setText] = useState('');
   const { rows, groups, shownFilter: filter } = table;
   const shown = rows.filter(({ kind }) => kind === 'light').length;
 
@@ -61,8 +62,11 @@ export function LightsPanel(): ReactNode {
         <SearchInput
           label={t('Search lights')}
           placeholder={t('Search lights')}
-          value={filter.text}
-          onSearch={(text) => table.setFilter({ text })}
+          value={text}
+          onSearch={(next) => {
+            setText(next);
+            table.setFilter({ text: next });
+          }}
         />
         <SelectBox
           value={filter.kind ?? ALL}
