@@ -122,7 +122,7 @@ export const effects = {
     short: 'fog',
     stillFrames: 64,
     fields: {
-      fogDensity: {
+      litFogDensity: {
         kind: 'number',
         property: 'density',
         default: 0.03,
@@ -133,7 +133,7 @@ export const effects = {
         help: 'Share of light that is lost on a metre, for small values.',
         label: 'Fog density',
       },
-      fogColour: {
+      litFogColour: {
         kind: 'colour',
         property: 'albedo',
         default: [1, 1, 1],
